@@ -69,11 +69,14 @@ class Commands(Generic[R]):
     ) -> R:
         """Turns fur the way the stroke moves; as a flood, to `direction` everywhere.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        lean: Inclination that combing tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
-        keep_inclination: Turn the heading alone. Default false.
-        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
+        flood: Works everywhere in place of under a stroke. Default false.
+        lean: Inclination that combing tends to: 0 upright, 1 lying. 0 to 1 (share). Default 0.7.
+        keep_inclination: Turns the heading alone. Default false.
+        direction: Where fur is turned to as a flood. Required by a flood, refused with a stroke. 3 items (any
+            length).
         """
         return self._run(
             {
@@ -105,17 +108,20 @@ class Commands(Generic[R]):
         """Wind from a source, or from a blower that stays, inside a cone. A stroke restricts it to what its brush
         covers.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
         blower: Name of a blower of the scene, in place of all that follows. Default "".
-        source: In the model's unit; within 1000000 sizes of the model's centre. 3 items.
-        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items. Default [0, -1, 0].
-        cone_degrees: Half angle of the cone, degrees. 0 to 180. Default 40.
-        softness: Share of the cone over which its edge fades. 0 to 1. Default 0.25.
-        fall: Distance at which the wind has half its strength, in `units`; 0: it does not fall. 0 to 1e+27. Default
-            0.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        strength: 0 does nothing, 1 all. 0 to 1. Default 0.5.
-        lean: Inclination that the wind tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
+        source: Where the wind comes from. 3 items (model units).
+        direction: Where the wind blows, the axis of its cone. 3 items (any length). Default [0, -1, 0].
+        cone_degrees: Half angle of the cone. 0 to 180 (degrees). Default 40.
+        softness: Share of the cone over which its edge fades. 0 to 1 (share). Default 0.25.
+        fall: Distance at which the wind has half its strength, in `units`; 0: it does not fall. 0 to 1e+27 (as
+            `units`). Default 0.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 0.5.
+        lean: Inclination that the wind tends to: 0 upright, 1 lying. 0 to 1 (share). Default 0.7.
         """
         return self._run(
             {
@@ -147,15 +153,19 @@ class Commands(Generic[R]):
         """A stick, or an attractor that stays, pulls fur to it and stretches it. A stroke restricts it to what its
         brush covers.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
         attractor: Name of an attractor of the scene, in place of all that follows. Default "".
-        point: In the model's unit; within 1000000 sizes of the model's centre. 3 items.
-        radius: In `units`; at most 1000000 sizes. 0 to 1e+27. Default 0.2.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        strength: 0 does nothing, 1 all. 0 to 1. Default 0.5.
-        duration: Seconds of pulling. 0 to 10000. Default 1.
-        threshold: Stretch that fur takes without growing. 0 to 1000. Default 0.3.
-        max_stretch: Largest length over the length before any stretch. 1 to 100. Default 3.
+        point: Where the stick is. 3 items (model units).
+        radius: Distance beyond which nothing is pulled, in `units`; at most 1000000 sizes. 0 to 1e+27 (as `units`).
+            Default 0.2.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 0.5.
+        duration: How long the stick pulls. 0 to 10000 (seconds). Default 1.
+        threshold: Stretch that fur takes without growing. 0 to 1000 (share). Default 0.3.
+        max_stretch: Largest length over the length before any stretch. 1 to 100 (factor). Default 3.
         """
         return self._run(
             {
@@ -184,14 +194,17 @@ class Commands(Generic[R]):
         """Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its
         value.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        keys: What fur is like at one place: a direction, a length or both. 1 to 1024 items.
-        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27.
-            Default 0.2.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        distance: straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by
-            the heat method, slower. Default "dijkstra".
-        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        keys: What fur is like at a few places. 1 to 1024 items.
+        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27 (as
+            `units`). Default 0.2.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        distance: How distances are measured. straight: through space. dijkstra: along edges, too long by some
+            percent. heat: along the surface by the heat method, slower. Default "dijkstra".
+        strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
         """
         return self._run(
             {
@@ -219,15 +232,18 @@ class Commands(Generic[R]):
     ) -> R:
         """Lays the fur of the whole body along curves drawn on it, from the first point of each to the last.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        curves: 1 to 64 items.
-        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27.
-            Default 0.2.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        distance: straight: through space. dijkstra: along edges, too long by some percent. heat: along the surface by
-            the heat method, slower. Default "dijkstra".
-        inclination: The fur keeps its own unless given. 0 to 1.
-        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        curves: Curves on the model, each a list of points that fur follows from the first to the last. 1 to 64 items.
+        sigma: Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes. 1e-27 to 1e+27 (as
+            `units`). Default 0.2.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        distance: How distances are measured. straight: through space. dijkstra: along edges, too long by some
+            percent. heat: along the surface by the heat method, slower. Default "dijkstra".
+        inclination: How far fur leans: 0 upright, 1 lying. The fur keeps its own unless given. 0 to 1 (share).
+        strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
         """
         return self._run(
             {
@@ -255,15 +271,14 @@ class Commands(Generic[R]):
     ) -> R:
         """Blends each value with the mean of its neighbours, nearer ones counting more.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        t: Share of the mean in each pass; up to 0.5 nothing oscillates. 0 to 1. Default 0.5.
-        passes: 1 to 10000. Default 3.
-        keep_inclination: Smooth headings alone, so that no tuft rises where opposite directions meet. Default false.
-        fields: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
-            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
-            coat's. root_colour and tip_colour: linear colour and how much it covers. 1 to 12 items. Default
-            ["direction"].
+        flood: Works everywhere in place of under a stroke. Default false.
+        t: Share of the mean in each pass; up to 0.5 nothing oscillates. 0 to 1 (share). Default 0.5.
+        passes: How often the values are blended. 1 to 10000. Default 3.
+        keep_inclination: Smooths headings alone, so that no tuft rises where opposite directions meet. Default false.
+        fields: Fields that are smoothed. 1 to 12 items. Default ["direction"].
         """
         return self._run(
             {
@@ -291,17 +306,18 @@ class Commands(Generic[R]):
     ) -> R:
         """Adds random numbers that are a pure function of the seed and the place; inverted it takes them off.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        seed: 0 to 4294967295. Default 1.
-        amount: Of directions in inclinations; of length, stretch and width a share of the value; of other fields
-            added. 0 to 10. Default 0.2.
-        feature_size: Of the noise, in `units`; 0: every vertex for itself. 0 to 1e+27. Default 0.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        fields: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
-            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
-            coat's. root_colour and tip_colour: linear colour and how much it covers. 1 to 12 items. Default
-            ["direction"].
+        flood: Works everywhere in place of under a stroke. Default false.
+        seed: Other seeds give other noise. 0 to 4294967295. Default 1.
+        amount: How large the numbers are: for directions in inclinations; for length, stretch and width as a share of
+            the value; for other fields in their own unit. 0 to 10 (varies). Default 0.2.
+        feature_size: Size of the noise's features, in `units`. At 0 every vertex moves for itself. 0 to 1e+27 (as
+            `units`). Default 0.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        fields: Fields that noise is added to. 1 to 12 items. Default ["direction"].
         """
         return self._run(
             {
@@ -330,14 +346,18 @@ class Commands(Generic[R]):
     ) -> R:
         """Blends to a value, or to the mean under the brush.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        direction: Any length in [1e-6, 1e6]; only where it points counts. 3 items.
-        inclination: The fur keeps its own unless given. 0 to 1.
-        length: In `units`; at most 10 sizes. 0 to 1e+27.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        mean: Fields that go to their weighted mean. 0 to 12 items. Default [].
-        weight: Beside the brush's own strength. 0 to 1. Default 0.5.
+        flood: Works everywhere in place of under a stroke. Default false.
+        direction: Where fur is turned to. 3 items (any length).
+        inclination: How far fur leans: 0 upright, 1 lying. The fur keeps its own unless given. 0 to 1 (share).
+        length: Length that fur tends to, in `units`; at most 10 sizes. The fur keeps its own unless given. 0 to 1e+27
+            (as `units`).
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        mean: Fields that go to their weighted mean under the brush. 0 to 12 items. Default [].
+        weight: How far values go, on top of the brush's own strength. 0 to 1 (share). Default 0.5.
         """
         return self._run(
             {
@@ -361,8 +381,10 @@ class Commands(Generic[R]):
     ) -> R:
         """A line that fur leans away from on both sides; inverted fur leans to it.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1. Default 0.7.
+        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1 (share). Default 0.7.
         """
         return self._run(
             {"op": "part", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "lean": lean},
@@ -383,10 +405,12 @@ class Commands(Generic[R]):
     ) -> R:
         """Turns fur round the nearest place of the stroke: a cowlick. Inverted it turns the other way.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        turn_degrees: From outwards, counter-clockwise seen from outside: 0 points out, 90 circles, 180 points in.
-            -180 to 180. Default 70.
-        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1. Default 0.8.
+        turn_degrees: Way that fur turns, counter-clockwise seen from outside: at 0 it points out, at 90 it circles,
+            at 180 it points in. -180 to 180 (degrees). Default 70.
+        lean: Inclination that the fur tends to: 0 upright, 1 lying. 0 to 1 (share). Default 0.8.
         """
         return self._run(
             {
@@ -413,14 +437,17 @@ class Commands(Generic[R]):
     ) -> R:
         """Changes how long fur is.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        mode: average: to the mean under the brush. jitter: by a random share. min, max: not under, not over. Default
-            "set".
+        flood: Works everywhere in place of under a stroke. Default false.
+        mode: How `value` changes the length. average: to the mean under the brush. jitter: by a random share. min,
+            max: not under, not over. Default "set".
         value: A length in `units`, at most 10 sizes and below 0 for add only; a factor for scale, at most 1000000; a
-            share for jitter, at most 1. -1e+27 to 1e+27. Default 0.03.
-        units: relative: sizes; world: the model's unit. Default "relative".
-        seed: 0 to 4294967295. Default 1.
+            share for jitter, at most 1. -1e+27 to 1e+27 (varies). Default 0.03.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
+        seed: Other seeds give other random shares; for jitter. 0 to 4294967295. Default 1.
         """
         return self._run(
             {
@@ -448,10 +475,15 @@ class Commands(Generic[R]):
         """Cuts fur by a plane, by a sphere or to a height over the skin, by the way that it leans. A flood cuts
         wholly, whatever the strength.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        height: In `units`; at most 1000000 sizes. 0 to 1e+27.
-        units: relative: sizes; world: the model's unit. Default "relative".
+        flood: Works everywhere in place of under a stroke. Default false.
+        plane: Plane that fur is cut by.
+        sphere: Sphere that fur is cut by.
+        height: Height over the skin that fur is cut to, in `units`; at most 1000000 sizes. 0 to 1e+27 (as `units`).
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
         """
         return self._run(
             {
@@ -474,8 +506,10 @@ class Commands(Generic[R]):
     ) -> R:
         """Raises fur; inverted it lays it down. Fur that stands upright has no heading and stays.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
+        flood: Works everywhere in place of under a stroke. Default false.
         """
         return self._run(
             {"op": "lift", "stroke": stroke, "brush": brush, "edit_layer": edit_layer, "flood": flood},
@@ -499,11 +533,13 @@ class Commands(Generic[R]):
         """Goes back to the first groom, or to a checkpoint or a revision of this scene; with a layer and neither
         of them, takes away what the layer adds. The mask stays unless it is named.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        checkpoint: Default "".
-        revision: Of this model. 0 to 18446744073709551615.
-        fields: All but the mask when empty. 0 to 12 items. Default [].
+        flood: Works everywhere in place of under a stroke. Default false.
+        checkpoint: Name of the checkpoint to go back to. Empty: the first groom, or `revision`. Default "".
+        revision: Revision of this model to go back to. 0 to 18446744073709551615.
+        fields: Fields that go back; all but the mask when empty. 0 to 12 items. Default [].
         """
         return self._run(
             {
@@ -527,9 +563,11 @@ class Commands(Generic[R]):
     ) -> R:
         """Turns fur to the line of the stroke and gathers its tips; inverted it opens them.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        gather: How far fur turns. 0 to 1. Default 0.3.
-        amount: What the field clump tends to. 0 to 1. Default 0.6.
+        gather: How far fur turns. 0 to 1 (share). Default 0.3.
+        amount: Value that the field clump tends to. 0 to 1 (share). Default 0.6.
         """
         return self._run(
             {
@@ -554,10 +592,13 @@ class Commands(Generic[R]):
     ) -> R:
         """Curls fur and turns its heading; inverted it takes the curl out.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        amount: What the field curl tends to. 0 to 1. Default 0.6.
-        turn_degrees: Counter-clockwise seen from outside. -180 to 180. Default 0.
+        flood: Works everywhere in place of under a stroke. Default false.
+        amount: Value that the field curl tends to. 0 to 1 (share). Default 0.6.
+        turn_degrees: How far the heading turns, counter-clockwise seen from outside. -180 to 180 (degrees). Default
+            0.
         """
         return self._run(
             {
@@ -583,11 +624,15 @@ class Commands(Generic[R]):
     ) -> R:
         """Paints a field; inverted it takes it back to its default.
 
+        stroke: Where a brush goes, as samples in order. It can be sent in parts.
+        brush: How far and how strongly a tool reaches round a stroke.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
-        flood: Everywhere in place of a stroke. Default false.
-        field: Not direction, length or stretch, which have tools of their own. Default "density".
-        value: At most 1, of width 4. Of a colour how much it covers. 0 to 4. Default 1.
-        colour: Of root_colour and tip_colour only. Default "#ffffff".
+        flood: Works everywhere in place of under a stroke. Default false.
+        field: Field that is painted. Not direction, length or stretch, which have tools of their own. Default
+            "density".
+        value: Value that the field tends to: at most 1, for width 4. For a colour how much of the coat's own it
+            covers. 0 to 4 (varies). Default 1.
+        colour: Colour to paint; for root_colour and tip_colour only. Default "#ffffff".
         """
         return self._run(
             {
@@ -620,17 +665,22 @@ class Commands(Generic[R]):
         with `paint`. Only select takes a shape, combine and value; only grow and shrink a distance; only smooth
         passes.
 
-        action: Default "select".
+        action: What is done with the mask: select chooses, grow and shrink move its edge, smooth softens it, invert
+            swaps it. Default "select".
         all: Everything. What select takes when no shape is given.
-        vertices: 1 to 100000 items.
+        vertices: Numbers of the vertices that are chosen. 1 to 100000 items.
+        box: Chooses what lies in a box.
+        sphere: Chooses what lies in a sphere.
         part: The connected part of the model that is nearest.
         picture: An uploaded picture, read at the vertices' texture coordinates. luminance: by Rec. 709's weights of
             the file's own numbers, no curve undone.
-        combine: With what the mask is. With replace the rest gets 1 - value. Default "replace".
-        value: What the chosen get. 0 to 1. Default 1.
-        distance: Along edges, in `units`; at most 1000000 sizes. 0 to 1e+27. Default 0.02.
-        passes: 1 to 10000. Default 3.
-        units: relative: sizes; world: the model's unit. Default "relative".
+        combine: How the shape joins the mask that is there. With replace the rest gets 1 - value. Default "replace".
+        value: Mask value of what is chosen. 0 to 1 (share). Default 1.
+        distance: How far the edge moves along edges of the mesh, in `units`; at most 1000000 sizes. 0 to 1e+27 (as
+            `units`). Default 0.02.
+        passes: How often the mask is smoothed. 1 to 10000. Default 3.
+        units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
+            unit. Default "relative".
         """
         return self._run(
             {
@@ -661,17 +711,15 @@ class Commands(Generic[R]):
         is read. The commands of a batch read at most 8 different pictures.
 
         picture: The name that the upload of a picture was answered with.
-        field: A field on the surface. direction: where fur leans, its length is the inclination. length: sizes.
-            density, bare and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the
-            coat's. root_colour and tip_colour: linear colour and how much it covers. Default "length".
+        field: Field that is replaced. Default "length".
         encoding: What the pixels hold. value: a number, or a colour and its cover. uv_tangent: direction along +u and
             +v in red and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha. vector:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
-            1e-27 to 1e+27. Default 1.
-        units: Of a scale of lengths. relative: sizes; world: the model's unit. Default "relative".
-        strength: How far the field goes to the picture's. 0 to 1. Default 1.
+            1e-27 to 1e+27 (as `units`). Default 1.
+        units: Unit of a scale of lengths. relative: sizes; world: the model's unit. Default "relative".
+        strength: How far the field goes to the picture's. 0 to 1 (share). Default 1.
         tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture
             repeats, and all do. 0 to 9999. Default 0.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
@@ -701,11 +749,12 @@ class Commands(Generic[R]):
         surface. The mask holds.
 
         scene: Id of the source, on the same server.
-        revision: Of the source's model; the present one unless given. 0 to 18446744073709551615.
-        align: box: the models' boxes lie over each other, axis by axis, and lengths stay shares of the size; none:
-            both have the same coordinates, and lengths stay what they are in the model's unit. Default "box".
-        fields: All but the mask when empty. 0 to 12 items. Default [].
-        strength: 0 to 1. Default 1.
+        revision: Revision of the source's model; the present one unless given. 0 to 18446744073709551615.
+        align: How the models are laid over each other. box: their boxes lie over each other, axis by axis, and
+            lengths stay shares of the size. none: both have the same coordinates, and lengths stay what they are in
+            the model's unit. Default "box".
+        fields: Fields that are taken; all but the mask when empty. 0 to 12 items. Default [].
+        strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
         """
         return self._run(
@@ -726,7 +775,7 @@ class Commands(Generic[R]):
     ) -> R:
         """Places all winds that stay, for blow to use by their names, which differ.
 
-        blowers: 0 to 64 items.
+        blowers: All winds that stay. 0 to 64 items.
         """
         return self._run(
             {"op": "set_blowers", "blowers": blowers},
@@ -743,7 +792,7 @@ class Commands(Generic[R]):
     ) -> R:
         """Places all sticks that stay, for attract to use by their names, which differ.
 
-        attractors: 0 to 64 items.
+        attractors: All sticks that stay. 0 to 64 items.
         """
         return self._run(
             {"op": "set_attractors", "attractors": attractors},
@@ -761,7 +810,7 @@ class Commands(Generic[R]):
         """From now on each tool with a place works on all its images too, as one undo step. Places on the surface
         are mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.
 
-        symmetry: Mirror planes, all their combinations, and a rotation about an axis by equal steps.
+        symmetry: The new symmetry; with `planes` empty and `count` 1 there is none.
         """
         return self._run(
             {"op": "set_symmetry", "symmetry": symmetry},
@@ -779,7 +828,9 @@ class Commands(Generic[R]):
     ) -> R:
         """Gives this revision a name, or an earlier one; a name that is known moves.
 
-        revision: The one that this command makes unless given. 0 to 18446744073709551615.
+        name: Name of the checkpoint.
+        revision: Revision that gets the name; the one that this command makes unless given. 0 to
+            18446744073709551615.
         """
         return self._run(
             {"op": "checkpoint", "name": name, "revision": revision},
@@ -803,12 +854,14 @@ class Commands(Generic[R]):
         lowest layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is
         merged may be muted; the layer that is merged into comes to weight 1.
 
-        action: Default "add".
-        weight: Of add, 1 unless given, and set. Below 0 the opposite of what was groomed. Tools change edit layers of
-            at least .05 or at most -.05. -4 to 4.
-        muted: Of add and set.
-        rename: Of set: the new name. Default "".
-        above: Of add, else on top, and move, where it is required: the layer that it comes to lie on, or "" for none.
+        action: What is done with the edit layer. Default "add".
+        name: Name of the edit layer.
+        weight: How much the edit layer counts, for add and set; add takes 1 unless given. Below 0 it does the
+            opposite of what was groomed. Tools change edit layers of at least .05 or at most -.05. -4 to 4 (factor).
+        muted: Whether the edit layer is left out, for add and set.
+        rename: The new name, for set. Default "".
+        above: Edit layer that it comes to lie on, or "" for none. For add, where it lies on top unless given, and
+            move, where it is required.
         """
         return self._run(
             {
@@ -826,9 +879,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Sets what the scene has of `coat`.
+        """Sets how the strands of the fur are made: their form, colours and markings.
 
-        coat: How the strands of the sample tile are made. What is not given takes its default.
+        coat: The new coat.
         """
         return self._run(
             {"op": "set_coat", "coat": coat},
@@ -843,9 +896,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Sets what the scene has of `look`.
+        """Sets how fur is shaded.
 
-        look: How fur is shaded. What is not given takes its default.
+        look: The new look.
         """
         return self._run(
             {"op": "set_look", "look": look},
@@ -860,9 +913,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Sets what the scene has of `lights`.
+        """Places all lights of the scene; an empty list leaves the light from all around alone.
 
-        lights: 0 to 8 items.
+        lights: All lights of the scene. 0 to 8 items.
         """
         return self._run(
             {"op": "set_lights", "lights": lights},
@@ -877,10 +930,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Sets what the scene has of `environment`.
+        """Sets the light from all around.
 
-        environment: Light from all around: a gradient, or spherical harmonics. It scales the look's `ambient`; white
-            everywhere is constant light.
+        environment: The new light from all around.
         """
         return self._run(
             {"op": "set_environment", "environment": environment},
@@ -895,9 +947,9 @@ class Commands(Generic[R]):
         dry_run: bool = False,
         if_match: Optional[int] = None,
     ) -> R:
-        """Sets what the scene has of `ground`.
+        """Sets a ground that catches shadow.
 
-        ground: A level ground that catches shadow. It darkens the background and shows nothing else.
+        ground: The new ground.
         """
         return self._run(
             {"op": "set_ground", "ground": ground},
@@ -914,8 +966,7 @@ class Commands(Generic[R]):
     ) -> R:
         """Places all eyes of the scene; an empty list takes them away. A new creature has two.
 
-        eyes: A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look
-            at. 0 to 8 items.
+        eyes: All eyes of the scene. 0 to 8 items.
         """
         return self._run(
             {"op": "set_eyes", "eyes": eyes},
@@ -933,9 +984,7 @@ class Commands(Generic[R]):
         """Places all whiskers, lashes and brows of the scene; an empty list takes them away. At most 4096 curves
         in all, filled ones too. A new creature has some.
 
-        groups: Curves of one kind. Guides are drawn as they are given, and between each two that follow each other
-            more are filled in. They take the look's shading model, cast no shadow, and of the AOVs of an EXR are in
-            beauty and alpha alone. 0 to 16 items.
+        groups: All groups of curves of the scene. 0 to 16 items.
         """
         return self._run(
             {"op": "set_curves", "groups": groups},
@@ -953,8 +1002,7 @@ class Commands(Generic[R]):
         """Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears
         and pads.
 
-        regions: An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies
-            over the earlier. 0 to 64 items.
+        regions: All regions of bare skin. 0 to 64 items.
         """
         return self._run(
             {"op": "set_skin", "regions": regions},
@@ -972,6 +1020,8 @@ class Commands(Generic[R]):
         """Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is
         the name that the log has after an upload to `skin_texture`, made from the pixels alone; a picture that no
         scene of this server has used is refused. `own` takes it off again.
+
+        picture: Name of an uploaded picture, or `own` for the model's own colours.
         """
         return self._run(
             {"op": "set_skin_texture", "picture": picture},

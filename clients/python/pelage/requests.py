@@ -70,49 +70,50 @@ class Requests:
     ) -> Frame:
         """Draws the scene. `camera` is also taken as a word, such as "front".
 
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
-            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
-            "png".
-        jpeg_quality: 1 to 100. Default 90.
-        exr_type: Depth and position are always float. Default "half".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
+            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
+            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
+            width, channels]. Default "png".
+        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
-        revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
-            it is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
+        revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
+            is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
         progress: Called about once a second, on another thread, with how far the frame is.
         """
         return self._frame(
@@ -158,49 +159,50 @@ class Requests:
         anything is drawn. The file appears whole or not at all.
 
         path: Where to; what is there is replaced.
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
-            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
-            "png".
-        jpeg_quality: 1 to 100. Default 90.
-        exr_type: Depth and position are always float. Default "half".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
+            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
+            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
+            width, channels]. Default "png".
+        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
-        revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
-            it is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
+        revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
+            is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
         progress: Called about once a second, on another thread, with how far the frame is.
         """
         return self._save_frame(
@@ -243,49 +245,50 @@ class Requests:
     ) -> FrameCost:
         """What drawing such a frame is expected to take; nothing is drawn.
 
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
-            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
-            "png".
-        jpeg_quality: 1 to 100. Default 90.
-        exr_type: Depth and position are always float. Default "half".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
+            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
+            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
+            width, channels]. Default "png".
+        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
-        revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
-            it is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
+        revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
+            is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
         """
         return self._frame_cost(
             {
@@ -325,43 +328,44 @@ class Requests:
         """Draws the scene to a NumPy array: [height, width, 4], uint8 sRGB, row 0 at the top. With `linear`
         float32 [height, width, channels]: linear light multiplied by alpha, the channels of `aovs` in their order.
 
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
-        revision: Draws the scene as it was at this revision of its model, fields and settings; the present one when
-            it is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
+        revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
+            is not given. Neither with `progressive` nor with `after`. 0 to 18446744073709551615.
         linear: Linear light, without exposure, tone map and background.
         progress: Called about once a second, on another thread, with how far the frame is.
         """
@@ -404,47 +408,48 @@ class Requests:
         """Frames without an end: one now, and one each time the scene has changed. A scene that is removed raises
         `NotFound`.
 
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
-            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
-            "png".
-        jpeg_quality: 1 to 100. Default 90.
-        exr_type: Depth and position are always float. Default "half".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
+            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
+            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
+            width, channels]. Default "png".
+        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
         """
         return self._live_frames(
             {
@@ -484,52 +489,53 @@ class Requests:
         """Better and better pictures: shells first, then traced strands. Ends with the last picture, whose
         `trace["end"]` says why it is the last. Where the scene changes meanwhile it begins again with shells.
 
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
-        camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
-            up is not along the view. Default {"auto": "three_quarter"}.
-        quality: Default "interactive".
-        budget_ms: In place of `quality`: the knobs whose drawing time keeps to the budget and whose error, as 95% of
-            frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the
-            milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-            encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.
-            1 to 600000.
-        max_error: In place of `quality`: the cheapest knobs with at most this error in 95% of frames: mean FLIP where
-            there is fur, against the same fur in many sorted shells. 1e-06 to 1.
-        max_seconds: Refused where drawing shells is expected to take longer; a dry run says how long. 1 to 86400.
-            Default 60.
-        background: `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
-        exposure: Stops. -20 to 20. Default 0.
-        tone_map: Default "filmic".
-        look: In place of the scene's, for this frame.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
+        quality: A tier, or single knobs. Default "interactive".
+        budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
+            whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
+            Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
+            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
+            shadow maps come on top. 1 to 600000 (milliseconds).
+        max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
+            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
+            86400 (seconds). Default 60.
+        background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
+            0.61].
+        exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
+        tone_map: How bright light is brought into the picture's range. Default "filmic".
+        look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without exposure, tone map
-            and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
-            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
-            "png".
-        jpeg_quality: 1 to 100. Default 90.
-        exr_type: Depth and position are always float. Default "half".
-        aovs: Of exr and npy_linear; `[beauty]` when absent. Drawn pixels times AOVs at most 67108864. Channels: R, G,
-            B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of
-            albedo and direct; AOV.Y of shadow and shell_count. 1 to 10 items.
-        overlay: A field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-            and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-            `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-            (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
+            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
+            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
+            width, channels]. Default "png".
+        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
+            Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
+            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
+            shell_count. 1 to 10 items.
+        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
+            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
+            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
+            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
             changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
             a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
             white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
             reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
             light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
             without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        progressive: Shells at once; strands of the same revision are then traced while somebody waits for them with
-            `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to
-            this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes,
+        progressive: Draws shells at once; strands of the same revision are then traced while somebody waits for them
+            with `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are
+            to this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes,
             the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16
             pictures wait to be traced.
-        overlay_from: The revision that the overlay `difference` compares what is drawn with: one of this model. Only
-            with it. 0 to 18446744073709551615.
+        overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
+            it. 0 to 18446744073709551615.
         """
         return self._better_frames(
             {
@@ -563,21 +569,23 @@ class Requests:
         with it; one that is not there gives a UserWarning. Not repeated when the connection is lost on the way.
 
         path: Of the model. `format` follows from its ending unless given.
+        format: Format of the file.
         up: The file's axis that points up. Unless given: z of stl, else y.
         front: The file's axis that the model faces, on another line than `up`. Unless given it follows from joints
             that are called left and right; without such -y where z is up, else z.
-        pose: NAME@SECONDS of an animation of a glTF, at most 200 bytes: the model stands as it shows it then. Unless
-            given it stands as the file has it. Default "".
+        pose: Moment of an animation of a glTF as NAME@SECONDS, at most 200 bytes: the model stands as it shows it
+            then. Unless given it stands as the file has it. Default "".
         crease_degrees: An edge whose triangles' normals differ by more is seen as an edge, and skin and fur beside it
-            are lit by their own side alone; 180: none is. 0 to 180. Default 60.
+            are lit by their own side alone; 180: none is. 0 to 180 (degrees). Default 60.
         flip: Parts that are turned inside out, by the numbers that `doubtful_parts` of the answer gives. 0 to 1000
             items.
         two_sided: Parts of one layer that get a back, so that fur grows on both sides, by the numbers that `sheets`
             of the answer gives; the only part of a model is 1. 0 to 1000 items.
-        length: Sizes. 0 to 10. Default 0.03.
-        inclination: 0 upright, 1 lying. Where fur begins, ends and parts it stands up. 0 to 1. Default 0.45.
-        form: animal: shorter on face and paws, longer on chest and tail, estimated from where they lie in the model's
-            box. Default "animal".
+        length: Length of the first fur. 0 to 10 (sizes). Default 0.03.
+        inclination: How far fur leans: 0 upright, 1 lying. Where fur begins, ends and parts it stands up. 0 to 1
+            (share). Default 0.45.
+        form: How lengths differ over the body. animal: shorter on face and paws, longer on chest and tail, estimated
+            from where they lie in the model's box. Default "animal".
         fur_patches: How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same
             with hard borders, where nothing is drawn twice; or by the model's own texture coordinates, which of the
             built-in models torus, knot, plane and cloth have. Default "overlapping".
@@ -608,8 +616,9 @@ class Requests:
         """Lights the scene from all around with an EXR or a Radiance HDR, as one undo step.
 
         picture: The bytes of a file, or its path.
-        intensity: Factor on its light. 0 to 100. Default 1.
-        turn_degrees: About +y, counter-clockwise seen from above; of harmonics. -360 to 360. Default 0.
+        intensity: Factor on its light. 0 to 100 (factor). Default 1.
+        turn_degrees: How far the harmonics are turned about +y, counter-clockwise seen from above. -360 to 360
+            (degrees). Default 0.
         author: Who makes the change, for the log; at most 200 bytes of UTF-8.
         if_match: A revision. At another one nothing is done, and `Conflict` is raised.
         progress: Called with how much of the file is sent.
@@ -642,13 +651,13 @@ class Requests:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
-            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
-        units: Of a scale of lengths. Default "relative".
-        format: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size] or [size, size,
-            channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without size and dilate.
-            Default "png16".
-        size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
-        dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
+            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27 (as `units`).
+        units: Unit of a scale of lengths. Default "relative".
+        format: Format of the file: 8 or 16 bits, an EXR of floats or halfs, or a NumPy array of floats: [size, size]
+            or [size, size, channels], rows from the top; of `vertices` [vertices] or [vertices, channels], without
+            size and dilate. Default "png16".
+        size: Width and height. Above 4096 one map is made at a time. 1 to 8192 (pixels). Default 1024.
+        dilate: How far islands grow over their seams. 0 to 64 (pixels). Default 8.
         tile: UDIM tile to draw, from 1001; 0: all of them over one another. 0 to 9999. Default 0.
         """
         return self._download_map(
@@ -682,9 +691,9 @@ class Requests:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for. With neither it nor `units`: what the file says of itself, else 1.
-            1e-27 to 1e+27.
-        units: Of a scale of lengths. Default "relative".
-        strength: How far the field goes to the picture's. 0 to 1. Default 1.
+            1e-27 to 1e+27 (as `units`).
+        units: Unit of a scale of lengths. Default "relative".
+        strength: How far the field goes to the picture's. 0 to 1 (share). Default 1.
         tile: UDIM tile that the picture is of, from 1001: only vertices that lie in it change. 0: the picture
             repeats, and all do. 0 to 9999. Default 0.
         author: Who makes the change, for the log; at most 200 bytes of UTF-8.
@@ -715,11 +724,12 @@ class Requests:
         """Lets the fur follow guide curves in the model's coordinates, root first, as one undo step.
 
         curves: The bytes of a file, or its path. `format` follows from the path's ending unless given.
+        format: Format of the file.
         keys: Curves that are used at most, chosen evenly by their order; fewer where the model has so many vertices
             that they would be too much work. 1 to 1024. Default 1024.
-        sigma: Width of the Gaussians that spread them, sizes; from the distance between roots unless given. 1e-06 to
-            1000000.
-        strength: 0 does nothing, 1 all. 0 to 1. Default 1.
+        sigma: Width of the Gaussians that spread them; from the distance between roots unless given. 1e-06 to 1000000
+            (sizes).
+        strength: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
         author: Who makes the change, for the log; at most 200 bytes of UTF-8.
         if_match: A revision. At another one nothing is done, and `Conflict` is raised.
         progress: Called with how much of the file is sent.
@@ -752,10 +762,10 @@ class Requests:
             direction and length as one vector of floats, along +u, +v and the normal. automatic: uv_tangent of
             direction, else value. Default "automatic".
         scale: What 1 in the picture stands for, in the field's unit; of fast_fur the width, of vector the length.
-            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27.
-        units: Of a scale of lengths. Default "relative".
-        size: Pixels of a side. Above 4096 one map is made at a time. 1 to 8192. Default 1024.
-        dilate: Pixels by which islands grow over their seams. 0 to 64. Default 8.
+            Unless given the field's largest value for PNG, else 1. 1e-27 to 1e+27 (as `units`).
+        units: Unit of a scale of lengths. Default "relative".
+        size: Width and height. Above 4096 one map is made at a time. 1 to 8192 (pixels). Default 1024.
+        dilate: How far islands grow over their seams. 0 to 64 (pixels). Default 8.
         tile: UDIM tile to draw, from 1001; 0: all of them over one another. 0 to 9999. Default 0.
         """
         return self._map_array(
@@ -777,12 +787,13 @@ class Requests:
         """Writes the groom to a file in another program's format. The file appears whole or not at all.
 
         path: Where to; what is there is replaced. `format` follows from its ending unless given.
-        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they
-            are widened. 1 to 1000000. Default 1.
+        format: What is written, as the operation says.
+        every: Writes about one strand of so many, chosen by numbers of their own; above 1 they count as guides,
+            unless they are widened. 1 to 1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
-        curves: With whiskers, lashes and brows. Default true.
-        shells: Layers of `shells`. 1 to 32. Default 16.
-        cards: Of the finest level of `cards`, about. 100 to 200000. Default 6000.
+        curves: Whether whiskers, lashes and brows are in it. Default true.
+        shells: Number of layers; of format `shells` only. 1 to 32. Default 16.
+        cards: Number of cards of the finest level, about; of format `cards` only. 100 to 200000. Default 6000.
         """
         return self._export(
             {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells, "cards": cards},
@@ -801,12 +812,13 @@ class Requests:
     ) -> ExportAbout:
         """What such a file would hold; nothing is written.
 
-        every: About one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless they
-            are widened. 1 to 1000000. Default 1.
+        format: What is written, as the operation says.
+        every: Writes about one strand of so many, chosen by numbers of their own; above 1 they count as guides,
+            unless they are widened. 1 to 1000000. Default 1.
         widen: Makes strands `every` times as wide, which keeps what they cover. Default false.
-        curves: With whiskers, lashes and brows. Default true.
-        shells: Layers of `shells`. 1 to 32. Default 16.
-        cards: Of the finest level of `cards`, about. 100 to 200000. Default 6000.
+        curves: Whether whiskers, lashes and brows are in it. Default true.
+        shells: Number of layers; of format `shells` only. 1 to 32. Default 16.
+        cards: Number of cards of the finest level, about; of format `cards` only. 100 to 200000. Default 6000.
         """
         return self._export_about(
             {"format": format, "every": every, "widen": widen, "curves": curves, "shells": shells, "cards": cards},
@@ -828,8 +840,8 @@ class Requests:
         y: Pixels from the top; centres at .5.
         camera: A view that the server frames, or a pinhole camera, whose position differs from its target and whose
             up is not along the view. Default {"auto": "three_quarter"}.
-        width: Pixels. 1 to 8192. Default 512.
-        height: Pixels. 1 to 8192. Default 512.
+        width: Width of the picture. 1 to 8192 (pixels). Default 512.
+        height: Height of the picture. 1 to 8192 (pixels). Default 512.
         """
         return self._pick(
             {"camera": camera, "width": width, "height": height},
@@ -844,7 +856,8 @@ class Requests:
     ) -> bytes:
         """A light mesh of the model, as binary glTF.
 
-        triangles: At most so many, but where the model cannot be made simpler. 100 to 200000. Default 20000.
+        triangles: Largest count of triangles; more come where the model cannot be made simpler. 100 to 200000.
+            Default 20000.
         """
         return self._mesh(
             {"triangles": triangles},
