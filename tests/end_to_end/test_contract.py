@@ -385,7 +385,7 @@ class Answers(ServedTest):
                 "subdivide": {"levels": 1, "masked": False}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
-                 "{field}": png([[[1, 2, 3]]])}
+                 "{field}": png([[[1, 2, 3]]]), "guides": b'{"curves": [[[0.2, 0.2, 0], [0.2, 0.3, 0.1]]]}'}
         asset = re.search(rb'"/assets/([^"]+)"', self.server.get("/").body)[1].decode()
         seen = 0
         for path, method, _ in operations():
@@ -393,7 +393,7 @@ class Answers(ServedTest):
             if method == "delete" or name == "events":  # which do not end: test_events.py
                 continue
             revision = scene.info()["revision"] if name != "scenes" else 0
-            query = {"model": "?format=obj", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
+            query = {"model": "?format=obj", "guides": "?format=json", "frame.png": "?width=16&height=16", "compare": f"?from={revision}&to={revision}"}
             file = "comb.html" if path.startswith("/docs") else asset
             address = path.replace("{id}", scene.id).replace("{field}", "length").replace("{format}", "hair").replace("{name}", file) + query.get(name, "")
             body["revert"] = {"revision": revision}
