@@ -42,6 +42,7 @@ inline void fit(ChangeMask& mask) {
   if (auto* box = std::get_if<MaskBox>(&mask.shape)) box->max = glm::max(box->min, box->max);
 }
 inline void fit(ApplyMap& map) {
+  if (map.tile < first_udim || map.encoding == MapEncoding::vertices) map.tile = 0;
   if (!fits(map.field, map.encoding)) map.encoding = MapEncoding::automatic;
 }
 template <class T>
