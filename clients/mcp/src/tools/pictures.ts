@@ -105,7 +105,7 @@ function pick({service, schemas}: Context): Tool {
   return {
     name: "pick", annotations: reads,
     description: "What lies under a pixel of a view: position, normal and fur there, and the place in each form that samples of strokes take.",
-    inputSchema: schemas.input({scene: scene_member, ...schemas.named("PickRequest").oneOf?.[0]?.properties}, ["scene", "pixel"]),
+    inputSchema: schemas.input({scene: scene_member, ...(schemas.named("PickRequest")["oneOf"] as {properties: object}[])[0]?.properties}, ["scene", "pixel"]),
     run: async (input, caller) => {
       const request = without(input, "scene");
       const picked = await service.post<Answers["Pick"]>(`${await scenePath(service, textIn(input, "scene"), caller)}/pick`, request, caller);
