@@ -8,7 +8,7 @@ GROUPS = {
     "Coat, body and light": ["set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_eyes", "set_curves", "set_skin",
                              "set_skin_texture"],
 }
-# Pages of docs/ that say more; the reference is read without them, so their addresses are those of the repository.
+# What the words in the column of units mean, for the first page; degrees and the like say it themselves.
 UNITS = {
     "sizes": "Fractions of the diagonal of the model's box.",
     "model units": "The model's own coordinates, right-handed with Y up.",
@@ -16,5 +16,4 @@ UNITS = {
     "share": "A number from 0, nothing, to 1, all.",
     "factor": "A number that another one is multiplied by.",
     "varies": "The meaning says it.",
-    "degrees": "Angles; 360 are a whole turn.",
 }

@@ -56,7 +56,7 @@ class Lock {
         const std::size_t from = index(x, y);
         std::uint8_t* to = &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                             static_cast<std::size_t>(left + x))];
-        std::fill_n(to, 3, byte(srgb_from_linear(brightest * std::min(lightness_[from], 1 / brightest))));
+        std::fill_n(to, 3, byte(srgb_from_linear(double{card_lightness} * lightness_[from])));
         to[3] = byte(opacity_[from]);
       }
     }
@@ -64,7 +64,6 @@ class Lock {
 
  private:
   static constexpr std::size_t texels = std::size_t{lock_width} * lock_height;
-  static constexpr double brightest = 0.75;  // of the texture, for strands of the mean lightness
 
   static std::size_t index(int x, int y) {
     return static_cast<std::size_t>(y) * lock_width + static_cast<std::size_t>(x);

@@ -60,9 +60,8 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
     const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
     const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
-    const float light =
-        glm::mix(light_at(slices, height), 1.0f, 0.5f);  // cards lie one over another: their roots are hidden
-    const glm::vec4 colour(glm::min(light * clump.colours[at] / 0.75f, 1.0f), 1);
+    const float light = glm::mix(light_at(slices, height), 1.0f, 0.5f);  // cards hide the roots of those below
+    const glm::vec4 colour(glm::min(light * clump.colours[at] / card_lightness, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
       mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
       mesh.normals.push_back(clump.normal);

@@ -13,15 +13,15 @@ inline constexpr int card_levels = 3;
 
 struct CardFile {
   std::string glb;
-  std::uint64_t triangles = 0;  // of the skin, the eyes and the finest level
+  std::uint64_t triangles = 0;  // of the skin and the finest level
   std::uint64_t cards = 0;      // of the finest level
 };
 
 /// A GLB with a scene for each level of detail, "LOD0" the finest and first: the skin with the eyes, and one mesh of
 /// cards ("fur_LOD0"), about request.cards of them, in the next levels a half and a quarter, wider and with fewer rows.
 /// A card follows the mean of the strands of a clump, flat on the fur but for a turn of its own. Its texture is cut at
-/// half opacity; COLOR_0 is the colour of the `strands`, darker where fur shades it, NORMAL that of the skin. Whiskers
-/// are left out.
+/// an opacity of .4; COLOR_0 is the colour of the `strands`, darker where fur shades it, NORMAL that of the skin.
+/// Whiskers are left out.
 CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 
 }  // namespace pelage

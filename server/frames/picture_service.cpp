@@ -50,6 +50,8 @@ Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, cons
                                        const std::function<bool()>& abandoned) {
   if (request.knobs.method != Method::strands) return frames_.cost(scene, request);
   const FrameRequest probe = probe_of(request);
+  // The first one also pays for what is then kept for the frame itself.
+  if (const auto first = traces_.trace(scene, probe, abandoned); !first) return first.status();
   const auto picture = traces_.trace(scene, probe, abandoned);
   return picture ? cost_of(request, probe, (*picture)->report) : Result<FrameCost>(picture.status());
 }

@@ -77,8 +77,9 @@ class UsdaReader {
   Status read_body(Prim& prim, int depth) {
     if (depth > deepest) return broken_guides("its prims lie too deep.");
     std::string name;
-    for (UsdaToken token = tokens_.take(); token.kind != UsdaToken::Kind::end && !token.is('}');
-         token = tokens_.take()) {
+    for (UsdaToken token = tokens_.take(); !token.is('}'); token = tokens_.take()) {
+      if (token.kind == UsdaToken::Kind::end && depth > 0) return broken_guides("it is cut off.");
+      if (token.kind == UsdaToken::Kind::end) break;
       Status status;
       if (is_word(token, "def") || is_word(token, "over") || is_word(token, "class")) {
         status = read_prim(prim, depth);

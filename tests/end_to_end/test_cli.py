@@ -215,8 +215,7 @@ f 2 6 8 4
         self.pelage("run", scene, "-", text=json.dumps(flood([0, 1, 0], lean=0.9)))
         part = self.file("part.json", self.lengths(0.1))
         recipe = self.file("watched.json", json.dumps({"include": ["part.json"], "steps": [{"use": "part"}, {"op": "mask"}]}))
-        command = [BIN / "pelage", "--server", self.server.address, "run", scene, recipe, "--watch"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as client:
+        with self.watching(scene, recipe) as client:
             self.assertRegex(client.stdout.readline(), r"^2 steps, \d+ vertices touched, (1 warning, )?\d.*, revision \d+$")
             one = self.lengths_of(scene)
             part.write_text(self.lengths(0.2))
@@ -236,8 +235,7 @@ f 2 6 8 4
     def test_watch_leaves_the_work_of_others_alone(self):
         scene = self.new("--builtin", "sphere", "--triangles", 500)
         recipe = self.file("mine.json", self.lengths(0.1))
-        command = [BIN / "pelage", "--server", self.server.address, "run", scene, recipe, "--watch"]
-        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as client:
+        with self.watching(scene, recipe) as client:
             client.stdout.readline()
             time.sleep(0.5)  # it looks at the revision once more
             self.pelage("run", scene, "-", text=json.dumps(flood([0, 1, 0], lean=0.9)))
@@ -245,6 +243,19 @@ f 2 6 8 4
             self.assertEqual(client.wait(timeout=20), 3)
             self.assertIn("changed by someone else", client.stderr.read())
         self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["revision"], 2)
+
+    @contextlib.contextmanager
+    def watching(self, scene, recipe):
+        """The client; it ends with the test whatever that finds."""
+        command = [BIN / "pelage", "--server", self.server.address, "run", scene, recipe, "--watch"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as client:
+            late = threading.Timer(60, client.kill)
+            late.start()
+            try:
+                yield client
+            finally:
+                late.cancel()
+                client.kill()
 
     @staticmethod
     def lengths(value):

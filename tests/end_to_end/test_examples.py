@@ -154,7 +154,7 @@ class OtherPrograms(ExampleTest):
         program_or_skip(shutil.which("node") and (WEB_PACKAGES / "three").is_dir(), "node, or the studio's packages")
         self.example("to_threejs/to_threejs.py", "--triangles", 1000, "--output", "page", "--chromium", chromium,
                      "--quality", "draft", "--size", 200)
-        for name in ("pelage", "shells", "shader"):
+        for name in ("pelage", "shells", "cards", "shader"):
             with self.subTest(name):
                 pixels = self.picture(f"page/{name}.png")
                 fur = (pixels[..., 0] - pixels[..., 2] > 30).mean()  # brown, over a background of bluish grey
