@@ -114,10 +114,9 @@ TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
   EXPECT_NEAR(one.front().places.back().z, 0.5f, 1e-6f) << "the mean of both";
 }
 
-/// Roots close the card, tips leave it open, and its sides stay free.
+/// Roots close the card, tips leave it open.
 TEST(CardTexture, IsDenseAtTheRootsAndOpenAtTheTips) {
   const Image image = card_texture(Coat{}, 0.03);
-  const int lock = image.width / card_locks;
   const auto cover = [&](int y) {
     double sum = 0;
     for (int x = 0; x < image.width; ++x)
@@ -127,9 +126,19 @@ TEST(CardTexture, IsDenseAtTheRootsAndOpenAtTheTips) {
   EXPECT_GT(cover(image.height - 1), 0.7);
   EXPECT_LT(cover(0), 0.2);
   EXPECT_GT(cover(image.height / 2), cover(10));
-  for (int y = 0; y < image.height; ++y) {
-    for (const int x : {0, lock - 1, lock, image.width - 1})
-      ASSERT_EQ(image.rgba[4 * static_cast<std::size_t>(y * image.width + x) + 3], 0) << x << ' ' << y;
+}
+
+/// So that no lock shows beside another, with the thickest strands that there are too.
+TEST(CardTexture, HasFreeSidesAroundEachLock) {
+  Coat thick;
+  thick.width_root = thick.width_tip = 0.05;
+  for (const Coat& coat : {Coat{}, thick}) {
+    const Image image = card_texture(coat, 0.03);
+    const int lock = image.width / card_locks;
+    for (int y = 0; y < image.height; ++y) {
+      for (const int x : {0, lock - 1, lock, image.width - 1})
+        ASSERT_EQ(image.rgba[4 * static_cast<std::size_t>(y * image.width + x) + 3], 0) << x << ' ' << y;
+    }
   }
 }
 

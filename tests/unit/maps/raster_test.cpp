@@ -216,5 +216,20 @@ TEST(MapTaps, CountsTrianglesOutside) {
   EXPECT_EQ(count_outside(loose_triangles({{{{0, 0}, {1, 0}, {0, 1}}}, {{{0, 0}, {1.5f, 0}, {0, 1}}}})), 1u);
 }
 
+TEST(Udim, ATileHasItsOwnTrianglesAloneAndAllOfItsSquare) {
+  UvCorners uvs = loose_triangles({{{{0, 0}, {1, 0}, {0, 1}}}, {{{1, 1}, {2, 1}, {1, 2}}}, {{{1, 0}, {2, 0}, {2, 1}}}});
+  uvs.first = {0, static_cast<std::uint32_t>(uvs.corners.size())};
+  EXPECT_EQ(udims_of(uvs), (std::vector<int>{1001, 1002, 1012}));
+  const UvCorners inside = in_udim(uvs, 1012);
+  ASSERT_EQ(inside.of_triangle.size(), 1u);
+  ASSERT_EQ(inside.corners.size(), 3u);
+  EXPECT_EQ(inside.of_vertex(0).size(), 3u);
+  EXPECT_EQ(inside.corners[inside.of_triangle[0].x].uv, glm::vec2(0, 0));
+  EXPECT_EQ(inside.corners[inside.of_triangle[0].y].uv, glm::vec2(1, 0)) << "the far side, and not the near one";
+  EXPECT_EQ(inside.corners[inside.of_triangle[0].z].uv, glm::vec2(0, 1));
+  EXPECT_EQ(in_udim(uvs, 0).of_triangle.size(), 3u);
+  EXPECT_TRUE(in_udim(uvs, 1003).of_triangle.empty());
+}
+
 }  // namespace
 }  // namespace pelage
