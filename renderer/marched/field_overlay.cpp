@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float strength = 0.6f;  // of colours over the frame
+constexpr float overlay_strength = 0.6f;  // of colours over the frame
 
 float fraction(float x) { return x - std::floor(x); }
 
@@ -179,7 +179,7 @@ FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threa
   if (frame.overlay != Overlay::strokes) {
     return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) {
       const VisibleTriangle& at = visible(x, y);
-      return at.there() ? glm::vec4(colour_of(frame.overlay, value_at(at)), strength) : glm::vec4(0);
+      return at.there() ? glm::vec4(colour_of(frame.overlay, value_at(at)), overlay_strength) : glm::vec4(0);
     });
   }
   const StrokeField field = stroke_field(frame.width, frame.height, [&](int x, int y) {
@@ -197,7 +197,7 @@ FloatImage count_overlay(const FloatImage& counts, int shells) {
   return plain_overlay(counts.width, counts.height, 1, [&](int x, int y) {
     const float count = counts.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.width) +
                                          static_cast<std::size_t>(x))];
-    return glm::vec4(ramp_of(count / most), count > 0 ? strength : 0.0f);
+    return glm::vec4(ramp_of(count / most), count > 0 ? overlay_strength : 0.0f);
   });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,8 @@ Result<std::vector<GuideCurve>> read_hair_curves(std::string_view bytes);
 Result<std::vector<GuideCurve>> read_json_curves(std::string_view text);
 
 /// A refusal of a file.
-inline Status broken_guides(std::string why) { return failure(Code::invalid, "The file cannot be read: " + why); }
+inline Status broken_guides(const std::string& why) {
+  return failure(Code::invalid, "The file cannot be read: " + why);
+}
 
 }  // namespace pelage

@@ -48,7 +48,8 @@ std::string four_bytes(std::size_t number) {
 
 std::string with_node_weights(std::string document) {
   Result<json> root = parse_json(document);
-  return root && move_weights(*root) ? root->dump() : document;
+  if (!root || !move_weights(*root)) return document;
+  return root->dump();
 }
 
 std::string with_node_weights_of_glb(std::string bytes) {

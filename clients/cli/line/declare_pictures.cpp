@@ -107,7 +107,7 @@ void declare_pick(CLI::App& app, Options& options) {
   CLI::Option* name = pick->add_option("--as", options.place_name, "Name of the place, for --places");
   pick->add_option("--places", options.places, "JSON file of places by name that gets this one, for `pelage run`")
       ->needs(name);
-  pick->callback([&options, pick] {
+  pick->callback([&options] {
     options.action = Action::pick;
     if (options.ray.empty() && options.farthest.empty() && options.nearest.empty() && !options.x)
       throw CLI::ValidationError("pick", "a pixel, --ray, --farthest or --nearest is required");
