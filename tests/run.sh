@@ -26,7 +26,7 @@ passed=yes no_skips=()
 PELAGE_OSMESA_EIGHTH=$eighth ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "$@" || passed=no
 if [ $# -eq 0 ]; then  # all of them
   tests/tidy.sh "$eighth" 8 || passed=no
-  halves=("unit_base unit_protocol property_json" "unit_fields unit_history")
+  halves=("unit_base unit_protocol property_json" "unit_fields unit_history unit_guides")
   read -ra half <<< "${halves[eighth % 2]}"
   tests/sanitizers.sh 30 "${half[@]}" || passed=no
 fi
