@@ -43,6 +43,7 @@ inline constexpr int subdivide_levels = 8;
 inline constexpr std::size_t scenes = 64;
 inline constexpr std::size_t undo_bytes = std::size_t{256} << 20;  // of a scene's undo steps in memory
 inline constexpr std::size_t name_bytes = 200;
+inline constexpr std::size_t path_bytes = 4096;
 inline constexpr int json_depth = 32;
 inline constexpr double model_coordinate = 1e20;
 inline constexpr double command_coordinate_sizes = 1e6;  // positions in a command, in sizes of the model

@@ -29,6 +29,14 @@ using Task = std::function<void(Renderer*)>;
 
 constexpr int max_restarts = 2;  // of a frame whose scene changed meanwhile
 
+void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest& request,
+                   const ModelPlacement& placement, PngEncoder& png, const FileTexts& texts) {
+  const Stopwatch passed;
+  answer.bytes =
+      encode_frame(std::move(picture), request, placement, png, texts ? texts(answer) : std::vector<ImageText>());
+  answer.timings.encode = passed.milliseconds();
+}
+
 }  // namespace
 
 struct FrameService::Impl {
@@ -261,7 +269,7 @@ FrameService::~FrameService() {
 }
 
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                        const std::function<bool()>& abandoned) {
+                                        const std::function<bool()>& abandoned, const FileTexts& texts) {
   const YieldGate::Turn turn = impl_->gate.go_first();
   auto job =
       std::make_unique<FrameJob>(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
@@ -272,15 +280,14 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   impl_->add(std::move(job));
   Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
-  const Stopwatch encoding;
-  FrameAnswer result{.bytes = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
+  FrameAnswer result{.bytes = {},
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
                      .knobs = drawn->knobs,
                      .timings = drawn->timings,
                      .counters = drawn->counters,
                      .estimate = std::move(drawn->estimate)};
-  result.timings.encode = encoding.milliseconds();
+  encode_answer(result, std::move(drawn->picture), request, drawn->placement, impl_->png, texts);
   return result;
 }
 
@@ -335,7 +342,8 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   });
 }
 
-Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request) {
+Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request,
+                                         const FileTexts& texts) {
   FrameTimings timings = picture.timings;
   const Stopwatch asked;
   Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
@@ -349,15 +357,14 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   }
   if (!finished) return finished.status();
   timings.read += asked.milliseconds();
-  const Stopwatch encoding;
-  FrameAnswer answer{.bytes = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
+  FrameAnswer answer{.bytes = {},
                      .content_type = content_type_of(request.format),
                      .revision = picture.revision,
                      .knobs = knobs_of(picture),
                      .timings = timings,
                      .counters = picture.counters,
                      .trace = picture.report};
-  answer.timings.encode = encoding.milliseconds();
+  encode_answer(answer, std::move(*finished), request, picture.placement, impl_->png, texts);
   return answer;
 }
 

@@ -5,11 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
+#include "renderer/image/image.h"
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
@@ -26,6 +28,9 @@ struct FrameAnswer {
   std::optional<TraceReport> trace = {};       // of a traced picture, and of a request with progressive
   std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are a row of the dial
 };
+
+/// Texts that the file of a picture carries, by all of the answer but its bytes; null for none.
+using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
 
 /// What a picture is traced from, all of one revision.
 struct TraceStart {
@@ -59,7 +64,7 @@ class FrameService {
   /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision, and (invalid,
   /// "/max_seconds") when drawing is expected to take longer than asked.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                            const std::function<bool()>& abandoned = {});
+                            const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
   /// What drawing the frame is expected to take; nothing is drawn. Refused as `frame` is.
   Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
@@ -71,7 +76,7 @@ class FrameService {
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.
-  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
+  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
 
   /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
   /// kept of its earlier revisions. Waits for no frame.
