@@ -46,6 +46,8 @@ void declare(CLI::App& app, Options& options) {
          "--gl", [&options](const std::string& name) { options.draw.gl = gl_names.at(name); },
          "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]")
       ->check(CLI::IsMember(gl_names));
+  app.add_option("--device", options.draw.device, "Number of the EGL device that draws, where there are several GPUs")
+      ->check(CLI::Range(0, 31));
   app.add_flag("--check", options.check, "Check job and scene and print what would be drawn, as JSON; draw nothing");
   app.add_option("--measure", options.measure, "With --check: draw so many frames for their seconds, and keep none")
       ->check(CLI::Range(1, 1000));

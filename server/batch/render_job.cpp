@@ -27,7 +27,7 @@ JobRenderer::JobRenderer(const JobScene& scene, double fps, const DrawOptions& o
 
 Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, double fps, const DrawOptions& options) {
   auto gate = std::make_unique<YieldGate>();
-  auto frames = FrameService::start(options.gl, options.threads, *gate);
+  auto frames = FrameService::start(options.gl, options.threads, *gate, options.device);
   if (!frames) return frames.status();
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }

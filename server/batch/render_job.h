@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -17,8 +18,9 @@ namespace pelage {
 
 struct DrawOptions {
   GlChoice gl = GlChoice::automatic;
-  int threads = 0;             // 0 for all cores
-  bool skip_existing = false;  // frames whose file has their fingerprint
+  std::optional<int> device = {};  // of several GPUs
+  int threads = 0;                 // 0 for all cores
+  bool skip_existing = false;      // frames whose file has their fingerprint
 };
 
 struct JobOutcome {

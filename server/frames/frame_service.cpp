@@ -62,7 +62,7 @@ struct FrameService::Impl {
   std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
-  void run(GlChoice choice, int asked_threads, std::promise<Status>& started);
+  void run(GlChoice choice, int asked_threads, std::optional<int> device, std::promise<Status>& started);
   void serve(Renderer& renderer);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
@@ -80,8 +80,9 @@ struct FrameService::Impl {
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
 };
 
-void FrameService::Impl::run(GlChoice choice, int asked_threads, std::promise<Status>& started) {
-  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads);
+void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<int> device,
+                             std::promise<Status>& started) {
+  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads, device);
   if (!context) return started.set_value(context.status());
   threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
@@ -246,11 +247,13 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate) {
+Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate,
+                                                          std::optional<int> device) {
   auto impl = std::make_unique<Impl>(gate);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
-  impl->thread = std::thread([&started, choice, threads, raw = impl.get()] { raw->run(choice, threads, started); });
+  impl->thread = std::thread(
+      [&started, choice, threads, device, raw = impl.get()] { raw->run(choice, threads, device, started); });
   const Status status = outcome.get();
   if (!status.ok()) {
     impl->thread.join();

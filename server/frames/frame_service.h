@@ -48,8 +48,9 @@ class FrameService {
  public:
   /// Starts the render thread, and its context where the choice has one. Fails (unavailable) with what was tried when a
   /// GL that was asked for does not work. `threads` bounds those that the CPU or a software GL draws on, 0 for all
-  /// cores. What yields at the gate waits while frames are drawn and encoded.
-  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
+  /// cores; `device` as for select_context. What yields at the gate waits while frames are drawn and encoded.
+  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate,
+                                                     std::optional<int> device = {});
   ~FrameService();
 
   /// What frames are planned by from now on; the safe defaults until then.

@@ -126,6 +126,12 @@ class RenderTest(unittest.TestCase):
         self.render(code=2)
         self.render(self.job(), "--frames", "7", code=3)
 
+    def test_a_device_that_is_not_there_is_refused(self):
+        run = self.render(self.job(frames="1"), "--device", 31, code=4)
+        self.assertIn("none of number 31", run.stderr)
+        self.render(self.job(frames="1"), "--device", 0)  # the software device, where there is no GPU
+        self.assertEqual(len(self.frames()), 1)
+
     def test_an_output_that_cannot_be_written_says_so(self):
         (self.folder / "out").write_text("a file, no folder")
         run = self.render(self.job(), code=1)
