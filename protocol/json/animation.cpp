@@ -23,11 +23,12 @@ using nlohmann::json;
 struct Section {
   std::string_view name, op, member;
 };
-constexpr std::array<Section, 8> sections{{{"coat", "set_coat", "coat"},
+constexpr std::array<Section, 9> sections{{{"coat", "set_coat", "coat"},
                                            {"look", "set_look", "look"},
                                            {"lights", "set_lights", "lights"},
                                            {"environment", "set_environment", "environment"},
                                            {"ground", "set_ground", "ground"},
+                                           {"wind", "set_wind", "wind"},
                                            {"eyes", "set_eyes", "eyes"},
                                            {"curves", "set_curves", "groups"},
                                            {"skin", "set_skin", "regions"}}};

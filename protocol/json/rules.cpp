@@ -365,7 +365,7 @@ void check(const Value& value, const Paint& paint) {
   const Field unpaintable[] = {Field::direction, Field::length, Field::stretch};
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
     value.refuse_below("field", "Other tools change this field.",
-                       "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
+                       "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour | stiffness");
   if (paint.value > shape.max) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 

@@ -55,6 +55,8 @@ class Planner {
   Result<JobFrame> frame(int number, std::size_t index, std::size_t count) const {
     Result<AnimatedFrame> animated = animation_.at(number);
     if (!animated) return animated.status();
+    std::optional<double>& time = animated->request.time;
+    if (!time) time = number / job_.fps;
     if (Status format = take_format(animated->request); !format.ok()) return format;
     if (job_.turntable) turn(*animated, static_cast<double>(index) / static_cast<double>(count));
     if (job_.time_lapse) animated->request.revision = revision_at(index, count);

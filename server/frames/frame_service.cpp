@@ -55,6 +55,7 @@ struct FrameService::Impl {
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
+  MovedFur moved_fur;  // of the render thread
   FramePlanner planner;
   int threads = 1;  // that fur is drawn on
   PngEncoder png;   // of whoever asked, not of the render thread
@@ -126,7 +127,8 @@ bool FrameService::Impl::forget_gone(Renderer& renderer) {
   gone.insert(gone.end(), forgotten.begin(), forgotten.end());
   forgotten.clear();
   if (gone.empty()) return false;
-  for (const std::uint64_t model : gone) renderer.forget(model), memory.forget(renderer, model);
+  for (const std::uint64_t model : gone)
+    renderer.forget(model), memory.forget(renderer, model), moved_fur.forget(model);
   return true;
 }
 
@@ -171,7 +173,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
 
 void FrameService::Impl::mark_outdated(const FrameJob& job) {
   for (FrameJob* other : running)
-    other->outdated = other->outdated || (other->same_subject(job) && other->revision != job.revision);
+    other->outdated = other->outdated || (other->same_subject(job) && !other->shows_same(job));
 }
 
 void FrameService::Impl::count(double milliseconds, const Status& outcome) {
@@ -186,9 +188,9 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   frame.timings.queue = job.asked.milliseconds();
   const Stopwatch passed;
   const double paused = job.paused;
-  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, false, true);
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, moved_fur, false, true);
   if (!shown) return shown.status();
-  job.revision = shown->revision;
+  job.revision = shown->revision, job.moment = shown->moment;
   mark_outdated(job);
   frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
   frame.cost = planner.cost_of(*shown->features, shown->fur);
@@ -326,7 +328,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
     FrameTimings timings{.queue = asked.milliseconds()};
     const Stopwatch passed;
-    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, true, false);
+    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, impl_->moved_fur, true, false);
     if (!shown) return shown.status();
     timings.upload = passed.milliseconds();
     DrawTimes times;
@@ -341,6 +343,8 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
                       std::move(*base),
                       timings,
                       times.counters,
+                      shown->moment,
+                      std::move(shown->direction),
                       past->copy};
   });
 }

@@ -12,6 +12,7 @@
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
 #include "renderer/image/image.h"
+#include "server/frames/moved_fur.h"
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
@@ -40,6 +41,8 @@ struct TraceStart {
   Backplate base;
   FrameTimings timings;
   FrameCounters counters;
+  std::optional<double> moment = {};  // of fur that the wind moves
+  MovedDirection direction = {};
   std::shared_ptr<const SceneCopy> past = {};  // as TracedPicture has it
 };
 
