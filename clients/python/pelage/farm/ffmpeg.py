@@ -35,7 +35,7 @@ def convert(files: Sequence[str], fps: float, arguments: Sequence[str], output: 
     if ending not in CODECS:
         raise FarmError(f"{files[0]} is neither PNG nor EXR", "name frames of these formats", BAD_INPUT)
     part = os.path.join(os.path.dirname(os.path.abspath(output)), f".part-{os.getpid()}-{os.path.basename(output)}")
-    command = [ffmpeg_program(), "-v", "error", "-y", *input_arguments(files[0])]
+    command = [ffmpeg_program(), "-v", "error", "-xerror", "-y", *input_arguments(files[0])]
     command += ["-f", "image2pipe", "-framerate", f"{fps:g}", "-c:v", CODECS[ending], "-i", "-", *arguments, part]
     try:
         feed(command, files)

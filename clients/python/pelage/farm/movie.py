@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import glob
 import math
-import os
 import re
 from typing import Dict, List, NamedTuple, Sequence
 
 from .check import plan_for
 from .errors import BAD_INPUT, FarmError
 from .ffmpeg import convert, ending_of
-from .frame_files import inspect
+from .frame_files import ShortFile, inspect
 
 FRAMES_STEP = "name a folder of `pelage farm submit`, a job, or frames as out/fox.####.png"
 # Straight alpha over black; EXR is premultiplied as it is.
@@ -32,11 +31,19 @@ def clip_of(path: str) -> Clip:
         found = Clip(files_like(path), [], 24)
     else:
         plan = plan_for(path)
-        there = {frame.frame: frame.file for frame in plan.frames if os.path.exists(frame.file)}
+        there = {frame.frame: frame.file for frame in plan.frames if is_whole(frame.file)}
         found = Clip(there, [frame.frame for frame in plan.frames if frame.frame not in there], plan.fps)
     if not found.files:
         raise FarmError(f"{path} has no frames", FRAMES_STEP, BAD_INPUT)
     return found
+
+
+def is_whole(file: str) -> bool:
+    try:
+        inspect(file)
+    except (OSError, ShortFile):
+        return False
+    return True
 
 
 def files_like(pattern: str) -> Dict[int, str]:
