@@ -55,8 +55,9 @@ void declare_farm_status(CLI::App& farm, Options& options) {
 }
 
 void declare_farm_check(CLI::App& farm, Options& options) {
-  CLI::App* check = add_action(farm, options, Action::farm, "check",
-                               "Find missing, short and black frames, those of another size, and those of another scene");
+  CLI::App* check =
+      add_action(farm, options, Action::farm, "check",
+                 "Find missing, short and black frames, those of another size, and those of another scene");
   add_value(check, "job", "Folder of `pelage farm submit`, or a job")->required();
   add_number(check, "--black", "Brightness that some pixel of a frame must exceed, 0 to 1 [0.02]", 0, 1);
 }

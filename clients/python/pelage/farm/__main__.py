@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import sys
 import time
 from typing import Callable, Dict, List, Optional, Sequence
@@ -189,6 +190,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     everywhere.add_argument("--json", action="store_true")
     line, rest = everywhere.parse_known_args(arguments)
     line = parser().parse_args(rest, line)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # so that it ends its tasks too
     try:
         return RUNNERS[line.action](line)
     except KeyboardInterrupt:

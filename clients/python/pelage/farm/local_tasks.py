@@ -22,6 +22,7 @@ class LocalTasks:
         self._running: Dict[int, "subprocess.Popen[bytes]"] = {}
         self._lock = threading.Lock()
         self._stopped = False
+        self._ended = threading.Event()  # all chunks were tried
         self._threads = [
             threading.Thread(target=self._work, daemon=True) for _ in range(min(at_once, len(chunks)))
         ]
@@ -34,12 +35,14 @@ class LocalTasks:
     def __exit__(self, *_: object) -> None:
         with self._lock:
             self._stopped = True
-            for process in self._running.values():
-                process.send_signal(signal.SIGTERM)
-        for thread in self._threads:
-            thread.join(STOP_SECONDS)
-        for process in self._running.values():
-            process.kill()
+            running = list(self._running.values())
+        for process in running:
+            process.send_signal(signal.SIGTERM)
+        for process in running:
+            try:
+                process.wait(STOP_SECONDS)
+            except subprocess.TimeoutExpired:
+                process.kill()
 
     def live(self) -> Dict[int, str]:
         """Chunks that wait or run, as `status_of` takes them."""
@@ -48,10 +51,9 @@ class LocalTasks:
 
     def follow(self, every: float, report: Callable[[], None]) -> None:
         """Calls report every so many seconds, until all chunks were tried."""
-        for thread in self._threads:
-            while thread.is_alive():
-                thread.join(every)
-                report()
+        while self.live():
+            self._ended.wait(every)  # no join: Python takes a thread whose join Ctrl-C interrupts for ended
+            report()
 
     def _work(self) -> None:
         while True:
@@ -64,6 +66,8 @@ class LocalTasks:
             with self._lock:
                 del self._running[chunk]
                 self._left.remove(chunk)
+                if not self._left:
+                    self._ended.set()
 
     def _start(self, chunk: int) -> "subprocess.Popen[bytes]":
         command = ["sh", str(self._folder.path / "chunk.sh"), str(chunk)]

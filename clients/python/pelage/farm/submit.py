@@ -75,7 +75,7 @@ def prepare(folder: FarmFolder, given: pathlib.Path, options: Options) -> None:
         return
     folder.write_plan(plan)
     cost = plan.frame_seconds or options.chunk_seconds
-    chunks = chunks_of(frames, cost, options.chunk_seconds, options.at_once)
+    chunks = chunks_of(frames, cost, options.chunk_seconds, at_once_of(options))
     print(f"{len(frames)} frames, about {cost:.2g} s each: {len(chunks)} chunks of up to {max(map(len, chunks))} frames")
     folder.write_chunks(chunks)
     (folder.path / "sent.json").unlink(missing_ok=True)
@@ -96,7 +96,7 @@ def write_engine_files(folder: FarmFolder, chunks: List[int], options: Options) 
     renderer = RENDERER if options.engine == "kubernetes" else renderer_program()
     threads = options.threads
     if options.engine == "local" and not threads:
-        threads = max(1, (os.cpu_count() or 1) // (options.at_once or LOCAL_AT_ONCE))
+        threads = max(1, (os.cpu_count() or 1) // at_once_of(options))
     folder.write("chunk.sh", chunk_script(renderer, threads))
     texts: Dict[str, str] = {}
     if options.engine == "slurm":
@@ -111,9 +111,13 @@ def write_engine_files(folder: FarmFolder, chunks: List[int], options: Options) 
         print(folder.path / name)
 
 
+def at_once_of(options: Options) -> int:
+    return options.at_once or (LOCAL_AT_ONCE if options.engine == "local" else 0)
+
+
 def send(folder: FarmFolder, chunks: List[int], options: Options) -> bool:
     if options.engine == "local":
-        return run_here(folder, chunks, options.at_once or LOCAL_AT_ONCE)
+        return run_here(folder, chunks, at_once_of(options))
     job = slurm.submit(folder) if options.engine == "slurm" else ""
     folder.write_sent(Sent(options.engine, job, chunks, options.at_once, time.time()))
     if options.engine == "slurm":
