@@ -55,7 +55,7 @@ class FarmTest(unittest.TestCase):
 
     def write_job(self, frames="1-12", **more):
         """A job of small frames of a built-in model; gives its file."""
-        job = {"model": {"builtin": "sphere", "triangles": 500}, "frames": frames, "output": "out/ball.####.png",
+        job = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": frames, "output": "out/ball.####.png",
                "frame": {"width": 64, "height": 48, "quality": "draft"}, "turntable": {"degrees": 360}, **more}
         file = self.folder / "ball.json"
         file.write_text(json.dumps({name: value for name, value in job.items() if value is not None}))

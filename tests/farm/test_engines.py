@@ -27,10 +27,25 @@ class Yaml(unittest.TestCase):
             self.assertEqual(yaml.safe_load(to_yaml(value)), value)
 
 
+# Says of a job what pelage-render says of one of 12 frames, without 3 s for a renderer that draws none of them.
+RENDERER = """#!/bin/sh
+echo '{"seconds_per_frame": 0.5, "fps": 24, "frames": ['
+for k in 1 2 3 4 5 6 7 8 9 10 11 12; do
+  [ $k = 1 ] || echo ,
+  echo "{\\"frame\\": $k, \\"file\\": \\"out/$k.png\\", \\"fingerprint\\": \\"f$k\\", \\"width\\": 16, \\"height\\": 8}"
+done
+echo ']}'
+"""
+
+
 class Engines(FarmTest):
     def written(self, engine, name, *words, **more):
         """The folder, and the file that the engine takes."""
-        self.farm("submit", self.write_job(**more), "--engine", engine, "--dry-run", "--max-parallel", 4, *words)
+        renderer = self.folder / "pelage-render"
+        renderer.write_text(RENDERER)
+        renderer.chmod(0o755)
+        self.farm("submit", self.write_job(**more), "--engine", engine, "--dry-run", "--max-parallel", 4, *words,
+                  environment={"PELAGE_RENDER": str(renderer)})
         folder = self.folder / "ball.farm"
         return folder, (folder / name).read_text()
 

@@ -2,7 +2,6 @@
 
 import os
 import pathlib
-import shutil
 import signal
 import subprocess
 import time
@@ -81,7 +80,7 @@ class Local(FarmTest):
         self.assertIn("5-1", said)
         self.assertIn("  next:", said)
         self.assertIn("cannot be read", self.farm("submit", "none.json", code=3).stderr)
-        self.assertIn("scene cannot be read", self.farm("submit", self.write_job(model=None, scene="none.pelage"), code=3).stderr)
+        self.assertIn("scene cannot be read", self.farm("submit", self.write_job(builtin=None, scene="none.pelage"), code=3).stderr)
         self.assertIn("no folder of a farm job", self.farm("status", self.folder, code=3).stderr)
         self.farm("submit", job, "--engine", "lsf", code=2)
 
@@ -89,12 +88,11 @@ class Local(FarmTest):
         recipe = self.folder / "groom.json"
         recipe.write_text('{"variables": {"fur": 0.02}, "steps": [{"op": "length", "flood": true, "value": "${fur}"}]}')
         self.farm("pack", "--builtin", "sphere", "--triangles", 500, "--recipe", recipe, "--set", "fur=0.05", "-o", "ball.pelage")
-        job = self.write_job(frames="1-2", model=None, scene="ball.pelage")
+        job = self.write_job(frames="1-2", builtin=None, scene="ball.pelage")
         self.assertIn("2 of 2 frames", self.submit(job))
         self.assertIn("from a server or from a model", self.farm("pack", "-o", "x.pelage", code=2).stderr)
         self.assertIn("groom.jsn", self.farm("pack", "--builtin", "sphere", "--recipe", "groom.jsn", "-o", "x.pelage", code=3).stderr)
 
-    @unittest.skipUnless(shutil.which("script"), "there is no program script")
     def test_a_bar_on_a_terminal(self):
         job = self.write_job(frames="1-40")
         done = subprocess.run(["script", "-qec", f"{BIN}/pelage farm submit {job} --engine local", "/dev/null"], capture_output=True,

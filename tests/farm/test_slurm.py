@@ -122,8 +122,8 @@ class Slurm(FarmTest):
         self.assertIn(f"All {FRAMES} frames are there", self.farm("submit", folder).stdout)
         self.assertEqual(sorted(file.name for file in (folder / "out").iterdir()), [f"ball.{k:04}.png" for k in range(1, FRAMES + 1)])
 
-    def test_a_time_limit_ends_a_task_gently(self):
-        """scancel sends SIGTERM as a time limit does: the task ends with whole frames and nothing else."""
+    def test_a_job_that_is_cancelled(self):
+        """Slurm sends SIGTERM, as at a time limit: whole frames are left and nothing else."""
         job = self.write_job("1-200", frame={"width": 256, "height": 256, "quality": {"shells": 64}})
         folder = self.folder / "ball.farm"
         self.farm("submit", job)

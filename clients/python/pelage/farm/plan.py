@@ -49,7 +49,8 @@ class Plan(NamedTuple):
 def plan_from(document: Dict[str, Any], folder: str) -> Plan:
     """folder: Where relative paths of files begin."""
     def planned(one: Dict[str, Any]) -> PlannedFrame:
-        return PlannedFrame(**{**one, "file": os.path.join(folder, one["file"])})
+        file = os.path.join(folder, one["file"])
+        return PlannedFrame(one["frame"], file, one["fingerprint"], one["width"], one["height"])
 
     frames = sorted(planned(one) for one in document["frames"])
     return Plan(frames, document["fps"], document.get("seconds_per_frame"))
@@ -69,7 +70,8 @@ def plan_of(job: str, measured_frames: int = 0) -> Plan:
 
     Raises FarmError with what pelage-render says about the job.
     """
-    command = [renderer_program(), job, "--check"]
+    path = os.path.abspath(job)
+    command = [renderer_program(), path, "--check"]
     if measured_frames:
         command += ["--measure", str(measured_frames)]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
@@ -78,4 +80,4 @@ def plan_of(job: str, measured_frames: int = 0) -> Plan:
         code = BAD_INPUT if done.returncode in REFUSED_CODES else FAILED
         message, _, step = text.partition("\n  next:")
         raise FarmError(message.replace(f"{RENDERER}: ", "", 1), step.strip() or f"see `{RENDERER} {job} --check`", code)
-    return plan_from(json.loads(done.stdout), os.path.dirname(os.path.abspath(job)))
+    return plan_from(json.loads(done.stdout), os.path.dirname(path))
