@@ -39,13 +39,16 @@ echo ']}'
 
 
 class Engines(FarmTest):
+    def renderer(self):
+        program = self.folder / "pelage-render"
+        program.write_text(RENDERER)
+        program.chmod(0o755)
+        return program
+
     def written(self, engine, name, *words, **more):
         """The folder, and the file that the engine takes."""
-        renderer = self.folder / "pelage-render"
-        renderer.write_text(RENDERER)
-        renderer.chmod(0o755)
         self.farm("submit", self.write_job(**more), "--engine", engine, "--dry-run", "--max-parallel", 4, *words,
-                  environment={"PELAGE_RENDER": str(renderer)})
+                  environment={"PELAGE_RENDER": str(self.renderer())})
         folder = self.folder / "ball.farm"
         return folder, (folder / name).read_text()
 
@@ -115,6 +118,11 @@ class Engines(FarmTest):
         _, text = self.written("slurm", "submit.sbatch", "--threads", 3)
         for line in ("--array=0-3%4", "--requeue", "--signal=B:TERM@30", "--output=logs/%a.log", "--cpus-per-task=3"):
             self.assertIn(f"#SBATCH {line}\n", text)
+
+    def test_what_other_engines_draw_is_counted_on_disk(self):
+        self.farm("submit", self.write_job(), "--engine", "openjd", environment={"PELAGE_RENDER": str(self.renderer())})
+        status = self.status(self.folder / "ball.farm")
+        self.assertEqual((status["failed"], {chunk["state"] for chunk in status["chunks"]}), (0, {"sent"}))
 
     def test_a_dry_run_submits_nothing(self):
         folder, _ = self.written("slurm", "submit.sbatch")

@@ -74,6 +74,18 @@ class Local(FarmTest):
         self.assertLess(0, len(list(out.glob("*.png"))))
         self.assertEqual(list(out.glob(".*.tmp")), [])
 
+    def test_two_do_not_draw_the_same_frames(self):
+        job = self.write_job(frames="1-400", frame={"width": 256, "height": 256})
+        folder = self.folder / "ball.farm"
+        with subprocess.Popen([str(BIN / "pelage"), "farm", "submit", str(job), "--engine", "local"], stdout=subprocess.DEVNULL) as process:
+            while not list((folder / "logs").glob("*.log")) and process.poll() is None:
+                time.sleep(0.05)
+            self.assertIn("Another `pelage farm submit`", self.farm("submit", folder, code=1).stderr)
+            status = self.status(folder)
+            self.assertEqual((status["failed"], status["chunks"][0]["state"]), (0, "running"))
+            process.terminate()
+        self.assertGreater(self.status(folder, code=1)["failed"], 0)
+
     def test_refusals(self):
         job = self.write_job(frames="5-1")
         said = self.farm("submit", job, code=3).stderr

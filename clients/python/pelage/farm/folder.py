@@ -5,17 +5,20 @@
     chunk.sh               what every engine runs: sh chunk.sh N
     plan.json              the frames, their files and fingerprints
     sent.json              engine, its job, the chunks that were sent
+    lock                   held while `submit` works
     logs/                  a file for each chunk that an engine's own logs do not hold
 """
 
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import glob
 import json
 import os
 import pathlib
 import shutil
-from typing import Any, Dict, List, NamedTuple, Optional
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional
 
 from ..files import write_whole
 from .errors import BAD_INPUT, FarmError
@@ -23,6 +26,7 @@ from .plan import Plan, PlannedFrame, plan_from
 from .ranges import frames_of, range_of
 
 JOB = "job.json"
+LOCK = "lock"  # with the engine `local`, `submit` holds it until all is drawn
 
 
 class Sent(NamedTuple):
@@ -81,6 +85,26 @@ class FarmFolder:
 
     def write_sent(self, sent: Sent) -> None:
         self.write("sent.json", json.dumps(sent._asdict()))
+
+    @contextlib.contextmanager
+    def locked(self) -> Iterator[None]:
+        """Makes the folder; nobody else may submit it until the end of the block. Raises FarmError."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        with open(self.path / LOCK, "ab") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                step = f"follow it with `pelage farm status {self.path} --watch`"
+                raise FarmError(f"Another `pelage farm submit` works in {self.path}", step) from error
+            yield
+
+    def is_locked(self) -> bool:
+        try:
+            with open(self.path / LOCK, "rb") as file:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError as error:
+            return isinstance(error, BlockingIOError)
+        return False
 
     def remove_leftovers(self) -> None:
         """Of tasks that were killed while they wrote a file. Only while no task runs."""

@@ -72,7 +72,7 @@ def mp4_arguments(chain: str) -> List[str]:
 
 
 def webp_arguments(chain: str) -> List[str]:
-    return ["-vf", chain + "format=yuv420p", "-c:v", "libwebp_anim", "-quality", "75", "-loop", "0", "-f", "webp"]
+    return ["-vf", chain + "format=yuv420p", "-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6", "-loop", "0", "-f", "webp"]
 
 
 def gif_arguments(chain: str) -> List[str]:

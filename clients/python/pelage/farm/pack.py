@@ -34,11 +34,12 @@ def pack_model(model: Sequence[str], recipe: Optional[str], variables: Sequence[
 
 
 def client(server: Server, words: List[str]) -> None:
-    """Runs `pelage`, which knows recipes, on the server; its messages go where ours go."""
+    """Runs `pelage`, which knows recipes, on the server; what goes wrong it says where we do."""
     program = shutil.which(CLIENT)
     if program is None:
         raise FarmError(f"There is no program {CLIENT}", "build or install all programs in one folder, and set PATH")
     environment = {name: value for name, value in os.environ.items() if name != "PELAGE_TOKEN"}
-    done = subprocess.run([program, "--server", server.address, *words], stdin=subprocess.DEVNULL, env=environment)
+    command = [program, "--server", server.address, *words]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=environment)
     if done.returncode:
         raise FarmError(f"`pelage {words[0]}` ended with {done.returncode}", "correct what it says above", done.returncode)

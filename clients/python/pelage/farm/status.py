@@ -19,7 +19,7 @@ PROGRESS = re.compile(r"^openjd_progress: ([\d.]+)$", re.M)
 
 
 class ChunkState(NamedTuple):
-    """state: done, running, waiting, failed, or unsent where no engine has it.
+    """state: done, running, waiting, failed; sent where the engine tells us nothing, unsent where none has it.
 
     missing: Frames that are not there. reason: The last complaint in the log of a failed chunk.
     """
@@ -43,7 +43,7 @@ class Status(NamedTuple):
 
     @property
     def is_over(self) -> bool:
-        return not any(chunk.state in ("running", "waiting") for chunk in self.chunks)
+        return not any(chunk.state in ("running", "waiting", "sent") for chunk in self.chunks)
 
     def to_json(self) -> Dict[str, Any]:
         chunks = [{**chunk._asdict(), "frames": range_of(chunk.frames), "missing": range_of(chunk.missing)} for chunk in self.chunks]
@@ -54,7 +54,7 @@ def status_of(folder: FarmFolder, live: Optional[Dict[int, str]] = None) -> Stat
     """live: Tasks that wait or run, by chunk; asked of the engine unless given. Raises FarmError."""
     sent = folder.sent()
     if live is None:
-        live = slurm.live_tasks(sent.job) if sent and sent.engine == "slurm" else {}
+        live = live_tasks(folder, sent) if sent else {}
     planned = folder.planned_chunks()
     chunks = [chunk_state(folder, sent, live, number, frames) for number, frames in enumerate(planned)]
     missing = sum(len(chunk.missing) for chunk in chunks)
@@ -66,6 +66,18 @@ def status_of(folder: FarmFolder, live: Optional[Dict[int, str]] = None) -> Stat
     return Status(total, total - missing, failed, running, left, chunks)
 
 
+def live_tasks(folder: FarmFolder, sent: Sent) -> Dict[int, str]:
+    """Tasks that wait, run, or of which nobody knows; by chunk."""
+    if sent.engine == "slurm":
+        return slurm.live_tasks(sent.job)
+    if sent.engine != "local":
+        return {chunk: "sent" for chunk in sent.chunks}
+    if not folder.is_locked():
+        return {}
+    begun = {chunk for chunk in sent.chunks if time_of(str(folder.logs / f"{chunk}.log")) > sent.at}
+    return {chunk: "running" if chunk in begun else "waiting" for chunk in sent.chunks}
+
+
 def chunk_state(
     folder: FarmFolder, sent: Optional[Sent], live: Dict[int, str], chunk: int, frames: Sequence[PlannedFrame]
 ) -> ChunkState:
@@ -73,6 +85,8 @@ def chunk_state(
     its task is over, and one is not there."""
     missing = [frame.frame for frame in frames if not frame.is_done()]
     state = live.get(chunk, "done")
+    if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
+        state = "done"
     if missing and chunk not in live:
         state = "failed" if sent and chunk in sent.chunks else "unsent"
     reason = reason_of(folder, chunk) if state == "failed" else ""

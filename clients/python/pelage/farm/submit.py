@@ -13,7 +13,7 @@ from ..progress import Progress, print_progress
 from . import kubernetes, openjd, slurm
 from .chunk_script import chunk_script
 from .errors import FarmError
-from .folder import FarmFolder, Sent, default_folder
+from .folder import FarmFolder, Sent, default_folder, read_job
 from .local_tasks import LocalTasks
 from .plan import MEASURED_FRAMES, RENDERER, Plan, plan_of, renderer_program
 from .ranges import chunks_of
@@ -43,7 +43,17 @@ class Options(NamedTuple):
 def submit(options: Options) -> bool:
     """Gives whether all frames that it waited for came. Raises FarmError."""
     given = pathlib.Path(options.job)
-    folder = FarmFolder(given if given.is_dir() else pathlib.Path(options.folder or default_folder(given)))
+    if given.is_dir():
+        folder = FarmFolder(given)
+        folder.plan()  # refuses other folders
+    else:
+        read_job(given)
+        folder = FarmFolder(pathlib.Path(options.folder or default_folder(given)))
+    with folder.locked():
+        return submit_in(folder, given, options)
+
+
+def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool:
     refuse_while_running(folder)
     prepare(folder, given, options)
     folder.remove_leftovers()
