@@ -9,7 +9,7 @@ import unittest
 
 import yaml
 
-from support import FarmTest, needs
+from support import REPOSITORY, FarmTest, needs
 from pelage.farm.yaml import to_yaml
 
 NODE = os.environ.get("PELAGE_NODE", shutil.which("node"))
@@ -113,6 +113,20 @@ class Engines(FarmTest):
             environment = {**os.environ, "PELAGE_RENDER": str(fake), "PELAGE_CHUNKS": "1 3", "JOB_COMPLETION_INDEX": str(index)}
             printed = subprocess.run(container["command"], cwd=folder, env=environment, capture_output=True, text=True, check=True).stdout
             self.assertEqual(printed.split()[:3], ["job.json", f"--frames={chunks[number]}", "--skip-existing"])
+
+    def test_flamenco(self):
+        """The job type compiles, on a stand-in for Flamenco's manager."""
+        needs(NODE, "node")
+        script = (REPOSITORY / "deploy" / "farm" / "pelage.js").read_text() + """
+            const tasks = [];
+            const author = {Command: (name, parameters) => ({name, ...parameters}),
+                            Task: (name, type) => ({name, type, commands: [], addCommand(one) { this.commands.push(one); }})};
+            compileJob({settings: {folder: "/shared/fox.farm", chunks: 3}, addTask: (task) => tasks.push(task)});
+            console.log(JSON.stringify({tasks, settings: JOB_TYPE.settings.map((one) => one.key)}));"""
+        made = json.loads(subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(made["settings"], ["folder", "chunks"])
+        self.assertEqual([task["commands"] for task in made["tasks"]],
+                         [[{"name": "exec", "exe": "sh", "args": ["/shared/fox.farm/chunk.sh", str(k)]}] for k in range(3)])
 
     def test_slurm(self):
         _, text = self.written("slurm", "submit.sbatch", "--threads", 3)

@@ -108,7 +108,8 @@ class Slurm(FarmTest):
         self.kill_node("n1")
 
         status = self.wait("the end", self.over)
-        self.assertEqual([chunk["chunk"] for chunk in status["chunks"] if chunk["state"] == "failed"], [killed], self.farm_log())
+        failed = {chunk["chunk"]: chunk["reason"] for chunk in status["chunks"] if chunk["state"] == "failed"}
+        self.assertEqual(failed, {killed: "FAILED: its log ends without an error: it was killed"}, self.farm_log())
         printed = (folder / "logs" / f"{lost}.log").read_text()
         self.assertIn("Skipped: ", printed, "the frames that the dead node had drawn are not drawn again")
 

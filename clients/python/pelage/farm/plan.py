@@ -29,7 +29,7 @@ class PlannedFrame(NamedTuple):
     def is_done(self) -> bool:
         """Whether its file is whole and of this job."""
         try:
-            return inspect(self.file).fingerprint == self.fingerprint
+            return inspect(self.file) == (self.width, self.height, self.fingerprint)
         except (OSError, ShortFile):
             return False
 

@@ -50,18 +50,17 @@ def submit(folder: FarmFolder) -> str:
     return printed.strip().partition(";")[0]
 
 
-def live_tasks(job: str) -> Dict[int, str]:
-    """Tasks that wait or run, by chunk. Raises FarmError where Slurm does not answer."""
-    if not job:
-        return {}
+def task_states(job: str) -> Dict[int, str]:
+    """Slurm's word for each task, by chunk; of those that are over only for some minutes. Raises FarmError where Slurm
+    does not answer."""
     try:
-        printed = run("squeue", "--noheader", "--array", "--job", job, "--format=%K %T")
+        printed = run("squeue", "--noheader", "--array", "--states=all", "--job", job, "--format=%K %T")
     except FarmError as error:
         if "Invalid job id" in str(error):  # long over, so that Slurm has forgotten it
             return {}
         raise
     pairs: List[List[str]] = [line.split() for line in printed.splitlines()]
-    return {int(task): LIVE[state] for task, state in pairs if state in LIVE}
+    return {int(task): state for task, state in pairs}
 
 
 def run(*command: str) -> str:

@@ -50,13 +50,23 @@ class Status(NamedTuple):
         return {**self._asdict(), "chunks": chunks}
 
 
-def status_of(folder: FarmFolder, live: Optional[Dict[int, str]] = None) -> Status:
-    """live: Tasks that wait or run, by chunk; asked of the engine unless given. Raises FarmError."""
+class Tasks(NamedTuple):
+    """By chunk. live: Those that wait, run, or of which nobody knows (sent). ended: The engine's word for others."""
+
+    live: Dict[int, str]
+    ended: Dict[int, str]
+
+
+NO_TASKS = Tasks({}, {})
+
+
+def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
+    """tasks: Asked of the engine unless given. Raises FarmError."""
     sent = folder.sent()
-    if live is None:
-        live = live_tasks(folder, sent) if sent else {}
+    if tasks is None:
+        tasks = tasks_of(folder, sent) if sent else NO_TASKS
     planned = folder.planned_chunks()
-    chunks = [chunk_state(folder, sent, live, number, frames) for number, frames in enumerate(planned)]
+    chunks = [chunk_state(folder, sent, tasks, number, frames) for number, frames in enumerate(planned)]
     missing = sum(len(chunk.missing) for chunk in chunks)
     total = sum(len(frames) for frames in planned)
     running = sum(chunk.state == "running" for chunk in chunks)
@@ -66,30 +76,32 @@ def status_of(folder: FarmFolder, live: Optional[Dict[int, str]] = None) -> Stat
     return Status(total, total - missing, failed, running, left, chunks)
 
 
-def live_tasks(folder: FarmFolder, sent: Sent) -> Dict[int, str]:
-    """Tasks that wait, run, or of which nobody knows; by chunk."""
+def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
+    """Raises FarmError."""
     if sent.engine == "slurm":
-        return slurm.live_tasks(sent.job)
+        states = slurm.task_states(sent.job)
+        live = {chunk: slurm.LIVE[state] for chunk, state in states.items() if state in slurm.LIVE}
+        return Tasks(live, {chunk: state for chunk, state in states.items() if chunk not in live})
     if sent.engine != "local":
-        return {chunk: "sent" for chunk in sent.chunks}
+        return Tasks({chunk: "sent" for chunk in sent.chunks}, {})
     if not folder.is_locked():
-        return {}
+        return NO_TASKS
     begun = {chunk for chunk in sent.chunks if time_of(str(folder.logs / f"{chunk}.log")) > sent.at}
-    return {chunk: "running" if chunk in begun else "waiting" for chunk in sent.chunks}
+    return Tasks({chunk: "running" if chunk in begun else "waiting" for chunk in sent.chunks}, {})
 
 
 def chunk_state(
-    folder: FarmFolder, sent: Optional[Sent], live: Dict[int, str], chunk: int, frames: Sequence[PlannedFrame]
+    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, frames: Sequence[PlannedFrame]
 ) -> ChunkState:
     """The frames count, not the engine's word: a chunk is done when its frames are there, and failed when it was sent,
     its task is over, and one is not there."""
     missing = [frame.frame for frame in frames if not frame.is_done()]
-    state = live.get(chunk, "done")
+    state = tasks.live.get(chunk, "done")
     if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
         state = "done"
-    if missing and chunk not in live:
+    if missing and chunk not in tasks.live:
         state = "failed" if sent and chunk in sent.chunks else "unsent"
-    reason = reason_of(folder, chunk) if state == "failed" else ""
+    reason = reason_of(folder, chunk, tasks.ended.get(chunk, "")) if state == "failed" else ""
     return ChunkState(chunk, state, [frame.frame for frame in frames], missing, reason)
 
 
@@ -102,10 +114,12 @@ def log_end(folder: FarmFolder, chunk: int) -> str:
         return ""
 
 
-def reason_of(folder: FarmFolder, chunk: int) -> str:
+def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
+    """What the log complains of last, and the engine's word, such as OUT_OF_MEMORY."""
     text = log_end(folder, chunk)
     reasons: List[str] = REASON.findall(text)
-    return reasons[-1] if reasons else "its log names no error" if text else "it has no log"
+    reason = reasons[-1] if reasons else "its log ends without an error: it was killed" if text else "it has no log"
+    return f"{ended}: {reason}" if ended else reason
 
 
 def seconds_left(

@@ -17,7 +17,7 @@ from .folder import FarmFolder, Sent, default_folder, read_job
 from .local_tasks import LocalTasks
 from .plan import MEASURED_FRAMES, RENDERER, Plan, plan_of, renderer_program
 from .ranges import chunks_of
-from .status import bar, status_of, table
+from .status import NO_TASKS, Tasks, bar, status_of, table, tasks_of
 from .yaml import to_yaml
 
 ENGINES = ("slurm", "local", "openjd", "kubernetes")
@@ -57,7 +57,7 @@ def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool
     refuse_while_running(folder)
     prepare(folder, given, options)
     folder.remove_leftovers()
-    status = status_of(folder, {})
+    status = status_of(folder, NO_TASKS)
     chunks = [chunk.chunk for chunk in status.chunks if chunk.missing]
     if not chunks:
         print(f"All {status.frames} frames are there: {folder.path}")
@@ -69,7 +69,7 @@ def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool
 
 def refuse_while_running(folder: FarmFolder) -> None:
     sent = folder.sent() if folder.exists() else None
-    if sent and sent.engine == "slurm" and slurm.live_tasks(sent.job):
+    if sent and sent.engine == "slurm" and tasks_of(folder, sent).live:
         step = f"wait with `pelage farm status {folder.path} --watch`, or end it with `scancel {sent.job}`"
         raise FarmError(f"Job {sent.job} still draws in {folder.path}", step)
 
@@ -145,12 +145,12 @@ def run_here(folder: FarmFolder, chunks: List[int], at_once: int) -> bool:
     with LocalTasks(folder, chunks, at_once) as tasks:
         tasks.follow(LOOKED_EVERY, lambda: show_bar(folder, tasks.live()))
     folder.remove_leftovers()
-    status = status_of(folder, {})
+    status = status_of(folder, NO_TASKS)
     print(table(folder, status))
     return status.done == status.frames
 
 
 def show_bar(folder: FarmFolder, live: Dict[int, str]) -> None:
     if sys.stderr.isatty():
-        line = bar(status_of(folder, live)) if live else ""
+        line = bar(status_of(folder, Tasks(live, {}))) if live else ""
         print(f"\r\033[K{line}", end="", file=sys.stderr, flush=True)
