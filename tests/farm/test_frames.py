@@ -105,6 +105,13 @@ class Frames(FarmTest):
         self.assertEqual((self.folder / "ball.webp").read_bytes().count(b"ANMF"), FRAMES)
         self.assertEqual(list(self.folder.glob(".part*")), [])
 
+    def test_odd_sides(self):
+        for k in range(1, FRAMES + 1):
+            self.path(k).write_bytes(self.picture(k, width=15, height=7))
+        self.farm("movie", self.made.path, "-o", "ball.mp4")
+        stream = self.frames_in(self.folder / "ball.mp4")
+        self.assertEqual((stream["width"], stream["height"]), (16, 8))
+
     def test_a_clip_has_all_frames_or_is_refused(self):
         self.path(3).write_bytes(self.picture(3)[:-30])
         self.path(5).unlink()
