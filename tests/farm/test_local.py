@@ -8,6 +8,7 @@ import time
 import unittest
 
 from support import BIN, FarmTest
+import pelage
 
 
 class Local(FarmTest):
@@ -44,8 +45,11 @@ class Local(FarmTest):
     def test_a_changed_job_is_drawn_anew(self):
         self.submit(self.write_job())
         self.assertIn("All 12", self.submit(self.write_job()))
-        job = self.write_job(frames="1-6", frame={"width": 64, "height": 40, "quality": "draft"})
-        self.assertIn("6 of 6 frames", self.submit(job))
+        said = self.submit(self.write_job(frame={"width": 64, "height": 40, "quality": "draft"}))
+        self.assertIn("12 frames, about", said, "it is measured again")
+        self.assertIn("2 of 2 chunks to draw, 12 of 12 frames", said)
+        self.farm("check", self.folder / "ball.farm")
+        self.assertIn("6 of 6 frames", self.submit(self.write_job(frames="1-6")))
         self.assertEqual(len(self.files()), 12, "frames that this job does not have stay")
         self.farm("check", self.folder / "ball.farm")
 
@@ -71,6 +75,8 @@ class Local(FarmTest):
             process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
         self.assertEqual(renderers_in(self.folder), [])
+        for log in (self.folder / "ball.farm" / "logs").iterdir():
+            self.assertIn("stopped", log.read_text(), "it had the time to end")
         self.assertLess(0, len(list(out.glob("*.png"))))
         self.assertEqual(list(out.glob(".*.tmp")), [])
 
@@ -104,6 +110,25 @@ class Local(FarmTest):
         self.assertIn("2 of 2 frames", self.submit(job))
         self.assertIn("from a server or from a model", self.farm("pack", "-o", "x.pelage", code=2).stderr)
         self.assertIn("groom.jsn", self.farm("pack", "--builtin", "sphere", "--recipe", "groom.jsn", "-o", "x.pelage", code=3).stderr)
+
+    def test_pack_a_scene_of_a_server(self):
+        with pelage.local(BIN / "pelaged") as server:
+            server.create("ball", model={"builtin": "sphere", "triangles": 500})
+            self.assertIn("ball.pelage, ", self.farm("pack", "ball", "-o", "ball.pelage", "--server", server.address).stdout)
+            self.assertIn("no scene", self.farm("pack", "bal", "-o", "x.pelage", "--server", server.address, code=3).stderr)
+        self.assertIn("1 of 1 frames", self.submit(self.write_job(frames="1", builtin=None, scene="ball.pelage")))
+
+    def test_exr(self):
+        job = self.write_job(frames="1-2", output="out/ball.#.exr")
+        self.submit(job)
+        folder = self.folder / "ball.farm"
+        self.farm("check", folder)
+        file = folder / "out" / "ball.2.exr"
+        file.write_bytes((folder / "out" / "ball.1.exr").read_bytes())
+        self.assertIn("ball.2.exr: stale", self.farm("check", folder, code=1).stdout)
+        self.assertIn("1 of 2 chunks to draw, 1 of 2 frames", self.submit(folder))
+        self.farm("movie", folder, "-o", "ball.mp4")
+        self.assertIn("frames 1-2", self.farm("sheet", folder, "-o", "ball.png").stdout)
 
     def test_a_bar_on_a_terminal(self):
         job = self.write_job(frames="1-40")
