@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
-from .ffmpeg import ffmpeg_program, input_arguments
+from .ffmpeg import ffmpeg_program, input_of
 from .folder import FarmFolder
 from .frame_files import FrameFile, ShortFile, inspect
 from .plan import Plan, PlannedFrame, plan_of
@@ -64,9 +64,10 @@ def look_at(planned: PlannedFrame) -> Look:
 
 def brightest_of(path: str) -> float:
     """Of all pixels, decoded. Raises ShortFile where they cannot be."""
-    command = [ffmpeg_program(), "-v", "error", "-xerror", "-err_detect", "crccheck+explode", *input_arguments(path)]
-    command += ["-i", f"file:{path}", "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True)
+    with input_of([path], 1) as given:
+        command = [ffmpeg_program(), "-v", "error", "-xerror", "-err_detect", "crccheck+explode", *given]
+        command += ["-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True)
     if done.returncode or not done.stdout:
         lines = done.stderr.decode("utf-8", "replace").strip().splitlines() or ["no picture in it"]
         raise ShortFile(f"it cannot be decoded: {lines[0]}")

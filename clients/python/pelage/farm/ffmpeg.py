@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import pathlib
 import shutil
 import subprocess
-from typing import List, Sequence
+import tempfile
+from typing import Iterator, List, Sequence
 
 from .errors import BAD_INPUT, FarmError
+from .exr import without_extras
 
-CODECS = {".png": "png", ".exr": "exr"}
+ENDINGS = (".png", ".exr")
 
 
 def ffmpeg_program() -> str:
@@ -24,37 +28,34 @@ def ending_of(path: str) -> str:
     return os.path.splitext(path)[1].lower()
 
 
-def input_arguments(path: str) -> List[str]:
-    """What a decoder needs to know: EXR holds linear light, and is shown as sRGB."""
-    return ["-apply_trc", "iec61966_2_1"] if ending_of(path) == ".exr" else []
+@contextlib.contextmanager
+def input_of(files: Sequence[str], fps: float) -> Iterator[List[str]]:
+    """Arguments that make pictures of one format, in their order, the input of ffmpeg. Raises FarmError."""
+    ending = ending_of(files[0])
+    if ending not in ENDINGS:
+        raise FarmError(f"{files[0]} is neither PNG nor EXR", "name frames of these formats", BAD_INPUT)
+    with tempfile.TemporaryDirectory(prefix="pelage-farm-") as folder:
+        for number, file in enumerate(files):
+            path = pathlib.Path(folder, f"{number:08}{ending}")
+            if ending == ".exr":
+                path.write_bytes(without_extras(pathlib.Path(file).read_bytes()))
+            else:
+                path.symlink_to(os.path.abspath(file))
+        shown = ["-apply_trc", "iec61966_2_1"] if ending == ".exr" else []  # it holds linear light
+        yield [*shown, "-f", "image2", "-framerate", f"{fps:g}", "-i", os.path.join(folder, f"%08d{ending}")]
 
 
 def convert(files: Sequence[str], fps: float, arguments: Sequence[str], output: str) -> None:
-    """Runs ffmpeg on pictures of one format, in their order; what it writes appears whole. Raises FarmError."""
-    ending = ending_of(files[0])
-    if ending not in CODECS:
-        raise FarmError(f"{files[0]} is neither PNG nor EXR", "name frames of these formats", BAD_INPUT)
+    """Makes one file of pictures; it appears whole. Raises FarmError."""
     part = os.path.join(os.path.dirname(os.path.abspath(output)), f".part-{os.getpid()}-{os.path.basename(output)}")
-    command = [ffmpeg_program(), "-v", "error", "-xerror", "-y", *input_arguments(files[0])]
-    command += ["-f", "image2pipe", "-framerate", f"{fps:g}", "-c:v", CODECS[ending], "-i", "-", *arguments, part]
     try:
-        feed(command, files)
+        with input_of(files, fps) as given:
+            command = [ffmpeg_program(), "-v", "error", "-xerror", "-y", *given, *arguments, part]
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True)
+        if done.returncode:
+            said = done.stderr.decode("utf-8", "replace").strip()
+            raise FarmError(f"ffmpeg: {said or done.returncode}", "look for bad frames with `pelage farm check`")
         os.replace(part, output)
     finally:
         if os.path.exists(part):
             os.unlink(part)
-
-
-def feed(command: List[str], files: Sequence[str]) -> None:
-    process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
-    assert process.stdin and process.stderr
-    try:
-        for file in files:
-            with open(file, "rb") as source:
-                shutil.copyfileobj(source, process.stdin)
-        process.stdin.close()
-    except BrokenPipeError:
-        pass  # ffmpeg has ended, and says why
-    said = process.stderr.read().decode("utf-8", "replace").strip()
-    if process.wait():
-        raise FarmError(f"ffmpeg: {said or process.returncode}", "look for bad frames with `pelage farm check`")

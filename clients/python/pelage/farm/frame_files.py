@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import struct
-from typing import BinaryIO, Dict, NamedTuple
+from typing import BinaryIO, NamedTuple
+
+from .exr import read_header
 
 FINGERPRINT = "pelage/fingerprint"
-# Lines in a block of EXR, by its compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
-EXR_BLOCK_LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
 
 
 class ShortFile(Exception):
@@ -33,7 +33,7 @@ def inspect(path: str) -> FrameFile:
                 return inspect_png(file, size)
             if start[:4] == b"\x76\x2f\x31\x01":
                 return inspect_exr(file, size)
-        except (struct.error, IndexError, ValueError) as error:
+        except (struct.error, LookupError, ValueError) as error:
             raise ShortFile("it ends inside of its header") from error
     raise ShortFile("it is empty" if not size else "it is neither PNG nor EXR")
 
@@ -59,40 +59,11 @@ def inspect_png(file: BinaryIO, size: int) -> FrameFile:
 
 
 def inspect_exr(file: BinaryIO, size: int) -> FrameFile:
-    """Of one part with scan lines, as pelage-render writes it."""
-    attributes = exr_attributes(file)
-    left, top, right, bottom = struct.unpack("<4i", attributes["dataWindow"])
-    lines = EXR_BLOCK_LINES[attributes["compression"][0]]
-    count = -(-(bottom - top + 1) // lines)
-    offsets = struct.unpack(f"<{count}Q", file.read(8 * count))
+    header = read_header(file)
     end = 0
-    if min(offsets) > 0:
-        file.seek(max(offsets) + 4)
-        end = max(offsets) + 8 + struct.unpack("<I", file.read(4))[0]
+    if min(header.offsets) > 0:
+        file.seek(max(header.offsets) + 4)
+        end = max(header.offsets) + 8 + struct.unpack("<I", file.read(4))[0]
     if not 0 < end <= size:
         raise ShortFile(f"it ends after {size} bytes, inside of its data")
-    return FrameFile(right - left + 1, bottom - top + 1, attributes.get(FINGERPRINT, b"").decode("latin-1"))
-
-
-def exr_attributes(file: BinaryIO) -> Dict[str, bytes]:
-    """The header, by name; leaves the file at the table of offsets."""
-    file.seek(8)
-    attributes: Dict[str, bytes] = {}
-    while True:
-        name = text_of(file)
-        if not name:
-            return attributes
-        text_of(file)  # the type
-        (length,) = struct.unpack("<I", file.read(4))
-        attributes[name] = file.read(length)
-
-
-def text_of(file: BinaryIO) -> str:
-    text = b""
-    while True:
-        byte = file.read(1)
-        if not byte or len(text) > 255:
-            raise ValueError("no end of a text")
-        if byte == b"\0":
-            return text.decode("latin-1")
-        text += byte
+    return FrameFile(header.width, header.height, header.attributes.get(FINGERPRINT, (b"", b""))[1].decode("latin-1"))
