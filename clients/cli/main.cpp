@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   if (exit_code) return *exit_code;
   if (options.action == pelage::Action::compare) return hand_over("pelage-compare", argv);
   if (options.action == pelage::Action::trade) return hand_over("pelage-trade", argv);
+  if (options.action == pelage::Action::farm) return hand_over("pelage-farm", argv);
   if (options.action == pelage::Action::calibrate) return calibrate(options);
   pelage::HttpHeaders headers;
   if (!options.author.empty()) headers.emplace(pelage::author_header, pelage::encoded_author(options.author));

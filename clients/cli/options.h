@@ -36,6 +36,7 @@ enum class Action {
   subdivide,
   compare,
   trade,
+  farm,
   calibrate,
   completions,
   man

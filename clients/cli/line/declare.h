@@ -36,5 +36,6 @@ void declare_history_actions(CLI::App& app, Options& options);
 void declare_picture_actions(CLI::App& app, Options& options);
 void declare_file_actions(CLI::App& app, Options& options);
 void declare_program_actions(CLI::App& app, Options& options);
+void declare_farm_actions(CLI::App& app, Options& options);
 
 }  // namespace pelage

@@ -56,6 +56,7 @@ void declare_line(CLI::App& app, Options& options) {
   declare_picture_actions(app, options);
   declare_file_actions(app, options);
   declare_program_actions(app, options);
+  declare_farm_actions(app, options);
 }
 
 ParsedLine parse_line(int argc, char** argv) {

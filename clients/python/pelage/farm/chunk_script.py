@@ -1,0 +1,21 @@
+"""What each engine runs for a chunk: one line of chunks.txt through pelage-render."""
+
+from __future__ import annotations
+
+import shlex
+
+# The shell becomes pelage-render, so that a signal for the task's first process comes to it.
+CHUNK_SCRIPT = """\
+#!/bin/sh
+# Draws the frames in line N + 1 of chunks.txt that are not there yet. usage: sh chunk.sh N
+cd "$(dirname "$0")" || exit 1
+frames=$(sed -n "$(($1 + 1))p" chunks.txt)
+[ -n "$frames" ] || {{ echo "openjd_fail: chunks.txt has no line for chunk $1"; exit 2; }}
+renderer={renderer}
+exec "${{PELAGE_RENDER:-$renderer}}" job.json "--frames=$frames" --skip-existing --threads {threads}
+"""
+
+
+def chunk_script(renderer: str, threads: int) -> str:
+    """renderer: Program or path. threads: 0 for all cores that the task has."""
+    return CHUNK_SCRIPT.format(renderer=shlex.quote(renderer), threads=threads)

@@ -1,0 +1,16 @@
+"""What goes wrong, with what to do next."""
+
+from __future__ import annotations
+
+from ..errors import PelageError
+
+FAILED, WRONG_USE, BAD_INPUT = 1, 2, 3  # exit codes, as of `pelage`
+
+
+class FarmError(PelageError):
+    """step: What to do next. code: The exit code of the program."""
+
+    def __init__(self, message: str, step: str, code: int = FAILED) -> None:
+        super().__init__(message)
+        self.step = step
+        self.code = code

@@ -1,0 +1,178 @@
+"""The folder of a job on a farm: a copy of the job and its scene, the chunks, logs, and what was sent when.
+
+    job.json, fox.pelage   copies, so that whoever edits the originals changes no frame of a running job
+    chunks.txt             a frame range a line; task N draws line N + 1
+    chunk.sh               what every engine runs: sh chunk.sh N
+    plan.json              the frames, their files and fingerprints
+    sent.json              engine, its job, the chunks that were sent
+    lock                   held while `submit` works
+    logs/                  a file for each chunk that an engine's own logs do not hold
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import glob
+import json
+import os
+import pathlib
+import shutil
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional
+
+from ..files import write_whole
+from .errors import BAD_INPUT, FarmError
+from .plan import Plan, PlannedFrame, plan_from
+from .ranges import frames_of, range_of
+
+JOB = "job.json"
+LOCK = "lock"  # with the engine `local`, `submit` holds it until all is drawn
+
+
+class Sent(NamedTuple):
+    """What an engine was given last. job: Its name there; "" where it has none. chunks: Numbers from 0. at: Seconds of
+    the epoch."""
+
+    engine: str
+    job: str
+    chunks: List[int]
+    at_once: int
+    at: float
+
+
+class FarmFolder:
+    """A folder as above. path: Absolute."""
+
+    def __init__(self, path: pathlib.Path) -> None:
+        self.path = path.absolute()
+
+    @property
+    def job(self) -> pathlib.Path:
+        return self.path / JOB
+
+    @property
+    def logs(self) -> pathlib.Path:
+        return self.path / "logs"
+
+    @property
+    def name(self) -> str:
+        """Of the job, for the lists of an engine."""
+        return self.path.name.replace(".farm", "") or "frames"
+
+    def exists(self) -> bool:
+        return self.job.exists() and (self.path / "plan.json").exists()
+
+    def plan(self) -> Plan:
+        """Raises FarmError where there is none."""
+        try:
+            document = json.loads((self.path / "plan.json").read_text(encoding="utf-8"))
+        except OSError as error:
+            step = "name a folder that `pelage farm submit` made"
+            raise FarmError(f"{self.path} is no folder of a farm job: {error}", step, BAD_INPUT) from error
+        return plan_from(document, str(self.path))
+
+    def chunks(self) -> List[List[int]]:
+        lines = (self.path / "chunks.txt").read_text(encoding="utf-8").splitlines()
+        return [frames_of(line) for line in lines if line]
+
+    def planned_chunks(self) -> List[List[PlannedFrame]]:
+        frames = {frame.frame: frame for frame in self.plan().frames}
+        return [[frames[number] for number in chunk] for chunk in self.chunks()]
+
+    def sent(self) -> Optional[Sent]:
+        file = self.path / "sent.json"
+        return Sent(**json.loads(file.read_text(encoding="utf-8"))) if file.exists() else None
+
+    def write_sent(self, sent: Sent) -> None:
+        self.write("sent.json", json.dumps(sent._asdict()))
+
+    @contextlib.contextmanager
+    def locked(self) -> Iterator[None]:
+        """Makes the folder; nobody else may submit it until the end of the block. Raises FarmError."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        with open(self.path / LOCK, "ab") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError as error:
+                step = f"follow it with `pelage farm status {self.path} --watch`"
+                raise FarmError(f"Another `pelage farm submit` works in {self.path}", step) from error
+            yield
+
+    def is_locked(self) -> bool:
+        try:
+            with open(self.path / LOCK, "rb") as file:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except OSError as error:
+            return isinstance(error, BlockingIOError)
+        return False
+
+    def remove_leftovers(self) -> None:
+        """Of tasks that were killed while they wrote a file. Only while no task runs."""
+        for frame in self.plan().frames:
+            folder, name = os.path.split(frame.file)
+            for left in glob.glob(os.path.join(glob.escape(folder), f".{glob.escape(name)}.*.tmp")):
+                os.unlink(left)
+
+    def write_plan(self, plan: Plan) -> None:
+        """Files below this folder are written as relative to it, so that the folder can be moved."""
+        document = plan.to_json()
+        for frame in document["frames"]:
+            if frame["file"].startswith(f"{self.path}{os.sep}"):
+                frame["file"] = os.path.relpath(frame["file"], self.path)
+        self.write("plan.json", json.dumps(document, indent=1))
+
+    def write_chunks(self, chunks: List[List[int]]) -> None:
+        self.write("chunks.txt", "".join(range_of(chunk) + "\n" for chunk in chunks))
+
+    def write(self, name: str, text: str) -> None:
+        write_whole(self.path / name, text.encode())
+
+    def copy_job(self, source: pathlib.Path) -> bool:
+        """Copies a job and its scene. Gives whether they differ from what was there. Raises FarmError."""
+        document = read_job(source)
+        self.logs.mkdir(parents=True, exist_ok=True)
+        changed = False
+        if isinstance(document.get("scene"), str):
+            scene = source.parent / document["scene"]
+            document["scene"] = scene.name
+            changed = copy_changed(scene, self.path / scene.name)
+        text = json.dumps(document, indent=2) + "\n"
+        changed |= not self.job.exists() or self.job.read_text(encoding="utf-8") != text
+        self.write(JOB, text)
+        return changed
+
+
+def read_job(path: pathlib.Path) -> Dict[str, Any]:
+    """Raises FarmError for what cannot be read or is no object."""
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise FarmError(f"{path} cannot be read: {error}", "name a job's file, as docs/farm.md shows one", BAD_INPUT) from error
+    if not isinstance(document, dict):
+        raise FarmError(f"{path} is no job", "write an object with scene, frames and output", BAD_INPUT)
+    return document
+
+
+def copy_changed(source: pathlib.Path, target: pathlib.Path) -> bool:
+    """Copies a file unless the target has the same bytes. Raises FarmError."""
+    try:
+        content = source.read_bytes()
+    except OSError as error:
+        step = "export the scene with `pelage farm pack`, or correct the job's `scene`"
+        raise FarmError(f"The job's scene cannot be read: {error}", step, BAD_INPUT) from error
+    if target.exists() and target.read_bytes() == content:
+        return False
+    write_whole(target, content)
+    shutil.copymode(source, target)
+    return True
+
+
+def farm_folder(path: str) -> FarmFolder:
+    """Of a folder that `submit` made, or of the job that it was made of."""
+    given = pathlib.Path(path)
+    return FarmFolder(given if given.is_dir() else default_folder(given))
+
+
+def default_folder(job: pathlib.Path) -> pathlib.Path:
+    """Beside the job: fox.json has fox.farm."""
+    return job.with_suffix(".farm")

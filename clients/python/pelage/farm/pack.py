@@ -1,0 +1,45 @@
+"""A .pelage file for a job: of a scene on a server, or of a model and a recipe on a private one."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from typing import List, Optional, Sequence
+
+from ..local import local
+from ..server import Server
+from .errors import FarmError
+
+CLIENT = "pelage"
+SCENE = "packed"
+
+
+def pack_scene(server: Server, scene: str, output: str) -> int:
+    """Of a scene on a server, by id or name. Gives the file's bytes."""
+    server.open(scene).export(output, format="pelage")
+    return os.path.getsize(output)
+
+
+def pack_model(model: Sequence[str], recipe: Optional[str], variables: Sequence[str], output: str) -> int:
+    """Of a model and a recipe, on a server that is started for it. Gives the file's bytes.
+
+    model: Options of `pelage new`, such as ["--file", "fox.glb"]. variables: NAME=VALUE of the recipe. Raises FarmError.
+    """
+    with local() as server:
+        client(server, ["new", "--name", SCENE, *model])
+        if recipe:
+            client(server, ["run", SCENE, recipe, *(word for one in variables for word in ("--set", one))])
+        return pack_scene(server, SCENE, output)
+
+
+def client(server: Server, words: List[str]) -> None:
+    """Runs `pelage`, which knows recipes, on the server; what goes wrong it says where we do."""
+    program = shutil.which(CLIENT)
+    if program is None:
+        raise FarmError(f"There is no program {CLIENT}", "build or install all programs in one folder, and set PATH")
+    environment = {name: value for name, value in os.environ.items() if name != "PELAGE_TOKEN"}
+    command = [program, "--server", server.address, *words]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=environment)
+    if done.returncode:
+        raise FarmError(f"`pelage {words[0]}` ended with {done.returncode}", "correct what it says above", done.returncode)

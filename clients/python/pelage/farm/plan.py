@@ -1,0 +1,83 @@
+"""What a job would draw, as `pelage-render --check` says it."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from typing import Any, Dict, List, NamedTuple, Optional
+
+from .errors import BAD_INPUT, FAILED, FarmError
+from .frame_files import ShortFile, inspect
+
+RENDERER = "pelage-render"
+RENDERER_VARIABLE = "PELAGE_RENDER"
+MEASURED_FRAMES = 3
+REFUSED_CODES = (2, 3)  # of pelage-render: wrong use, bad job or scene
+
+
+class PlannedFrame(NamedTuple):
+    """file: Its path. fingerprint: What a file that was drawn of this job has. width, height: Pixels."""
+
+    frame: int
+    file: str
+    fingerprint: str
+    width: int
+    height: int
+
+    def is_done(self) -> bool:
+        """Whether its file is whole and of this job."""
+        try:
+            return inspect(self.file) == (self.width, self.height, self.fingerprint)
+        except (OSError, ShortFile):
+            return False
+
+
+class Plan(NamedTuple):
+    """frames: In ascending order. frame_seconds: Measured on this machine; None where it was not asked for."""
+
+    frames: List[PlannedFrame]
+    fps: float
+    frame_seconds: Optional[float]
+
+    def to_json(self) -> Dict[str, Any]:
+        frames = [frame._asdict() for frame in self.frames]
+        return {"frames": frames, "fps": self.fps, "seconds_per_frame": self.frame_seconds}
+
+
+def plan_from(document: Dict[str, Any], folder: str) -> Plan:
+    """folder: Where relative paths of files begin."""
+    def planned(one: Dict[str, Any]) -> PlannedFrame:
+        file = os.path.join(folder, one["file"])
+        return PlannedFrame(one["frame"], file, one["fingerprint"], one["width"], one["height"])
+
+    frames = sorted(planned(one) for one in document["frames"])
+    return Plan(frames, document["fps"], document.get("seconds_per_frame"))
+
+
+def renderer_program() -> str:
+    """The path of pelage-render: PELAGE_RENDER, else the one on the PATH. Raises FarmError."""
+    wanted = os.environ.get(RENDERER_VARIABLE, RENDERER)
+    found = shutil.which(wanted)
+    if found is None:
+        raise FarmError(f"There is no program {wanted}", f"set {RENDERER_VARIABLE} or PATH so that it is found")
+    return os.path.abspath(found)
+
+
+def plan_of(job: str, measured_frames: int = 0) -> Plan:
+    """Checks a job's file with pelage-render. measured_frames: How many frames to draw, to learn what one costs.
+
+    Raises FarmError with what pelage-render says about the job.
+    """
+    path = os.path.abspath(job)
+    command = [renderer_program(), path, "--check"]
+    if measured_frames:
+        command += ["--measure", str(measured_frames)]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode:
+        text = done.stderr.strip() or f"{RENDERER} ended with {done.returncode}"
+        code = BAD_INPUT if done.returncode in REFUSED_CODES else FAILED
+        message, _, step = text.partition("\n  next:")
+        raise FarmError(message.replace(f"{RENDERER}: ", "", 1), step.strip() or f"see `{RENDERER} {job} --check`", code)
+    return plan_from(json.loads(done.stdout), os.path.dirname(path))

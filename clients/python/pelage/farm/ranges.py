@@ -1,0 +1,64 @@
+"""Frames as text, such as `1-10,20-30x5`, and chunks of them."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import List, Sequence
+
+PART = re.compile(r"(-?\d+)(?:-(-?\d+)(?:[x:](\d+))?)?")
+# Slurm takes 1,000 tasks in an array unless MaxArraySize says more; Open Job Description takes a list of 1,024.
+MAX_CHUNKS = 1000
+
+
+def frames_of(text: str) -> List[int]:
+    """Of a range, in its order. Raises ValueError for what is none."""
+    frames: List[int] = []
+    for part in text.strip().split(","):
+        match = PART.fullmatch(part.strip())
+        if not match:
+            raise ValueError(f"{part!r} is no frame range; write it as 1-10, 1-10x3 or 7")
+        first, last, step = int(match[1]), int(match[2] or match[1]), int(match[3] or 1)
+        if step < 1:
+            raise ValueError(f"{part!r} has a step below 1")
+        frames.extend(range(first, last + 1, step))
+    return frames
+
+
+def range_of(frames: Sequence[int]) -> str:
+    """The shortest text with runs of even steps. frames: ascending."""
+    parts: List[str] = []
+    start = 0
+    while start < len(frames):
+        end = end_of_run(frames, start)
+        step = frames[start + 1] - frames[start] if end > start else 1
+        if end == start:
+            parts.append(str(frames[start]))
+        elif end == start + 1 and step > 1:  # two frames are no run
+            parts.append(str(frames[start]))
+            end = start
+        else:
+            parts.append(f"{frames[start]}-{frames[end]}" + (f"x{step}" if step > 1 else ""))
+        start = end + 1
+    return ",".join(parts)
+
+
+def end_of_run(frames: Sequence[int], start: int) -> int:
+    """The index of the last frame that goes on with the step of the first two."""
+    end = min(start + 1, len(frames) - 1)
+    while end + 1 < len(frames) and frames[end + 1] - frames[end] == frames[start + 1] - frames[start]:
+        end += 1
+    return end
+
+
+def chunks_of(frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1) -> List[List[int]]:
+    """Frames in neighbouring chunks whose sizes differ by at most one.
+
+    A chunk takes about chunk_seconds; there are at least as many chunks as run at once, so that no node waits, and at
+    most MAX_CHUNKS.
+    """
+    in_one = max(1, int(chunk_seconds / max(frame_seconds, 1e-6)))
+    count = max(math.ceil(len(frames) / in_one), at_once)
+    count = max(1, min(count, len(frames), MAX_CHUNKS))
+    bounds = [len(frames) * index // count for index in range(count + 1)]
+    return [list(frames[first:last]) for first, last in zip(bounds, bounds[1:])]

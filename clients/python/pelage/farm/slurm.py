@@ -1,0 +1,76 @@
+"""Slurm: an array job with a task for each chunk."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from typing import Dict, List, Sequence
+
+from .errors import FarmError
+from .folder import FarmFolder
+from .ranges import range_of
+
+# Slurm sends SIGTERM so many seconds before a time limit ends the task.
+GRACE_SECONDS = 30
+SCRIPT = """\
+#!/bin/sh
+#SBATCH --job-name={name}
+#SBATCH --array={array}
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --signal=B:TERM@{grace}
+#SBATCH --output=logs/%a.log
+{more}# A task of a node that died is queued again by Slurm; of its chunk it draws what is missing.
+exec sh chunk.sh "$SLURM_ARRAY_TASK_ID"
+"""
+# Of Slurm's states, what a task is to `pelage farm status`; all others are over.
+LIVE = {
+    "PENDING": "waiting",
+    "CONFIGURING": "waiting",
+    "REQUEUED": "waiting",
+    "REQUEUE_HOLD": "waiting",
+    "SUSPENDED": "waiting",
+    "RUNNING": "running",
+    "COMPLETING": "running",
+    "STAGE_OUT": "running",
+}
+
+
+def script(folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int) -> str:
+    """The text for sbatch. at_once: Tasks that may run at the same time; 0 for all. threads: Cores; 0 for the default."""
+    array = range_of(chunks).replace("x", ":") + (f"%{at_once}" if at_once else "")
+    more = f"#SBATCH --cpus-per-task={threads}\n" if threads else ""
+    return SCRIPT.format(name=folder.name, array=array, grace=GRACE_SECONDS, more=more)
+
+
+def submit(folder: FarmFolder) -> str:
+    """Hands submit.sbatch to Slurm; gives the job's number. Raises FarmError."""
+    printed = run("sbatch", "--parsable", f"--chdir={folder.path}", str(folder.path / "submit.sbatch"))
+    return printed.strip().partition(";")[0]
+
+
+def task_states(job: str) -> Dict[int, str]:
+    """Slurm's word for each task, by chunk; of those that are over only for some minutes. Raises FarmError where Slurm
+    does not answer."""
+    try:
+        printed = run("squeue", "--noheader", "--array", "--states=all", "--job", job, "--format=%K %T")
+    except FarmError as error:
+        if "Invalid job id" in str(error):  # long over, so that Slurm has forgotten it
+            return {}
+        raise
+    pairs: List[List[str]] = [line.split() for line in printed.splitlines()]
+    return {int(task): state for task, state in pairs}
+
+
+def run(*command: str) -> str:
+    """What a program of Slurm prints."""
+    if shutil.which(command[0]) is None:
+        step = "install slurm-client, or take another --engine; --dry-run only writes the folder"
+        raise FarmError(f"There is no program {command[0]}", step)
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode:
+        where = f" (SLURM_CONF={os.environ['SLURM_CONF']})" if "SLURM_CONF" in os.environ else ""
+        step = f"see whether `sinfo` answers on this machine{where}"
+        raise FarmError(f"{command[0]}: {done.stderr.strip()}", step)
+    return done.stdout

@@ -1,0 +1,169 @@
+"""How far a job on a farm is, by the frames on disk, by what the engine says of its tasks, and by their logs."""
+
+from __future__ import annotations
+
+import os
+import re
+import time
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence
+
+from . import slurm
+from .folder import FarmFolder, Sent
+from .plan import PlannedFrame
+from .ranges import range_of
+
+BAR_CELLS = 20
+LOG_END = 20_000  # bytes of a log that are looked at
+REASON = re.compile(r"^(?:openjd_fail|pelage-render|sh): (?!heartbeat|done)(.*)$", re.M)
+PROGRESS = re.compile(r"^openjd_progress: ([\d.]+)$", re.M)
+
+
+class ChunkState(NamedTuple):
+    """state: done, running, waiting, failed; sent where the engine tells us nothing, unsent where none has it.
+
+    missing: Frames that are not there. reason: The last complaint in the log of a failed chunk.
+    """
+
+    chunk: int
+    state: str
+    frames: List[int]
+    missing: List[int]
+    reason: str
+
+
+class Status(NamedTuple):
+    """seconds_left: None while nothing runs."""
+
+    frames: int
+    done: int
+    failed: int
+    running_tasks: int
+    seconds_left: Optional[float]
+    chunks: List[ChunkState]
+
+    @property
+    def is_over(self) -> bool:
+        return not any(chunk.state in ("running", "waiting", "sent") for chunk in self.chunks)
+
+    def to_json(self) -> Dict[str, Any]:
+        chunks = [{**chunk._asdict(), "frames": range_of(chunk.frames), "missing": range_of(chunk.missing)} for chunk in self.chunks]
+        return {**self._asdict(), "chunks": chunks}
+
+
+class Tasks(NamedTuple):
+    """By chunk. live: Those that wait, run, or of which nobody knows (sent). ended: The engine's word for others."""
+
+    live: Dict[int, str]
+    ended: Dict[int, str]
+
+
+NO_TASKS = Tasks({}, {})
+
+
+def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
+    """tasks: Asked of the engine unless given. Raises FarmError."""
+    sent = folder.sent()
+    if tasks is None:
+        tasks = tasks_of(folder, sent) if sent else NO_TASKS
+    planned = folder.planned_chunks()
+    chunks = [chunk_state(folder, sent, tasks, number, frames) for number, frames in enumerate(planned)]
+    missing = sum(len(chunk.missing) for chunk in chunks)
+    total = sum(len(frames) for frames in planned)
+    running = sum(chunk.state == "running" for chunk in chunks)
+    failed = sum(len(chunk.missing) for chunk in chunks if chunk.state == "failed")
+    waited_for = missing - failed - sum(len(chunk.missing) for chunk in chunks if chunk.state == "unsent")
+    left = seconds_left(folder, sent, planned, waited_for, running)
+    return Status(total, total - missing, failed, running, left, chunks)
+
+
+def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
+    """Raises FarmError."""
+    if sent.engine == "slurm":
+        states = slurm.task_states(sent.job)
+        live = {chunk: slurm.LIVE[state] for chunk, state in states.items() if state in slurm.LIVE}
+        return Tasks(live, {chunk: state for chunk, state in states.items() if chunk not in live})
+    if sent.engine != "local":
+        return Tasks({chunk: "sent" for chunk in sent.chunks}, {})
+    if not folder.is_locked():
+        return NO_TASKS
+    begun = {chunk for chunk in sent.chunks if time_of(str(folder.logs / f"{chunk}.log")) > sent.at}
+    return Tasks({chunk: "running" if chunk in begun else "waiting" for chunk in sent.chunks}, {})
+
+
+def chunk_state(
+    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, frames: Sequence[PlannedFrame]
+) -> ChunkState:
+    """The frames count, not the engine's word: a chunk is done when its frames are there, and failed when it was sent,
+    its task is over, and one is not there."""
+    missing = [frame.frame for frame in frames if not frame.is_done()]
+    state = tasks.live.get(chunk, "done")
+    if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
+        state = "done"
+    if missing and chunk not in tasks.live:
+        state = "failed" if sent and chunk in sent.chunks else "unsent"
+    reason = reason_of(folder, chunk, tasks.ended.get(chunk, "")) if state == "failed" else ""
+    return ChunkState(chunk, state, [frame.frame for frame in frames], missing, reason)
+
+
+def log_end(folder: FarmFolder, chunk: int) -> str:
+    try:
+        with open(folder.logs / f"{chunk}.log", "rb") as file:
+            file.seek(max(0, os.fstat(file.fileno()).st_size - LOG_END))
+            return file.read().decode("utf-8", "replace")
+    except OSError:
+        return ""
+
+
+def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
+    """What the log complains of last, and the engine's word, such as OUT_OF_MEMORY."""
+    text = log_end(folder, chunk)
+    reasons: List[str] = REASON.findall(text)
+    reason = reasons[-1] if reasons else "its log ends without an error: it was killed" if text else "it has no log"
+    return f"{ended}: {reason}" if ended else reason
+
+
+def seconds_left(
+    folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[PlannedFrame]], waited_for: int, running: int
+) -> Optional[float]:
+    """From the frames that came since the job was sent; before there are enough, from the measured cost."""
+    if not sent or not running or not waited_for:
+        return None
+    times = sorted(time_of(frame.file) for chunk in planned for frame in chunk)
+    times = [moment for moment in times if moment > sent.at]
+    if len(times) > 2 * running:
+        return waited_for * (time.time() - sent.at) / len(times)
+    measured = folder.plan().frame_seconds
+    return waited_for * measured / running if measured else None
+
+
+def time_of(file: str) -> float:
+    try:
+        return os.stat(file).st_mtime
+    except OSError:
+        return 0.0
+
+
+def bar(status: Status) -> str:
+    """One line for a terminal."""
+    share = status.done / max(1, status.frames)
+    full = int(share * BAR_CELLS)
+    return f"[{'#' * full}{'.' * (BAR_CELLS - full)}] {share:4.0%}, {summary(status)}"
+
+
+def summary(status: Status) -> str:
+    words = f"{status.done} of {status.frames} frames, {status.running_tasks} tasks running, {status.failed} frames failed"
+    return words + (f", about {status.seconds_left:.0f} s left" if status.seconds_left is not None else "")
+
+
+def table(folder: FarmFolder, status: Status) -> str:
+    """All chunks that are not done, a line each."""
+    lines = [summary(status)]
+    for chunk in status.chunks:
+        if chunk.state == "done":
+            continue
+        words = chunk.reason
+        if chunk.state == "running":
+            shares = PROGRESS.findall(log_end(folder, chunk.chunk))
+            words = f"{float(shares[-1]):.0f} %" if shares else "starting"
+        lines.append(f"{chunk.chunk:5}  {chunk.state:8} {range_of(chunk.missing) or 'all drawn':24} {words}".rstrip())
+    return "\n".join(lines)

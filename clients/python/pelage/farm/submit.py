@@ -1,0 +1,156 @@
+"""Hands a job to an engine: all chunks at first, later those with frames that are missing."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import shutil
+import sys
+import time
+from typing import Dict, List, NamedTuple
+
+from ..progress import Progress, print_progress
+from . import kubernetes, openjd, slurm
+from .chunk_script import chunk_script
+from .errors import FarmError
+from .folder import FarmFolder, Sent, default_folder, read_job
+from .local_tasks import LocalTasks
+from .plan import MEASURED_FRAMES, RENDERER, Plan, plan_of, renderer_program
+from .ranges import chunks_of
+from .status import NO_TASKS, Tasks, bar, status_of, table, tasks_of
+from .yaml import to_yaml
+
+ENGINES = ("slurm", "local", "openjd", "kubernetes")
+LOCAL_AT_ONCE = 2
+LOOKED_EVERY = 1.0  # seconds
+
+
+class Options(NamedTuple):
+    """job: A job's file, or a folder that was made of one. folder: "" for the default. at_once: 0 for the engine's
+    default. threads: 0 for all of a task. image, claim: Of Kubernetes."""
+
+    job: str
+    engine: str
+    folder: str
+    chunk_seconds: float
+    at_once: int
+    threads: int
+    image: str
+    claim: str
+    dry_run: bool
+
+
+def submit(options: Options) -> bool:
+    """Gives whether all frames that it waited for came. Raises FarmError."""
+    given = pathlib.Path(options.job)
+    if given.is_dir():
+        folder = FarmFolder(given)
+        folder.plan()  # refuses other folders
+    else:
+        read_job(given)
+        folder = FarmFolder(pathlib.Path(options.folder or default_folder(given)))
+    with folder.locked():
+        return submit_in(folder, given, options)
+
+
+def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool:
+    refuse_while_running(folder)
+    prepare(folder, given, options)
+    folder.remove_leftovers()
+    status = status_of(folder, NO_TASKS)
+    chunks = [chunk.chunk for chunk in status.chunks if chunk.missing]
+    if not chunks:
+        print(f"All {status.frames} frames are there: {folder.path}")
+        return True
+    print(f"{len(chunks)} of {len(status.chunks)} chunks to draw, {status.frames - status.done} of {status.frames} frames")
+    write_engine_files(folder, chunks, options)
+    return options.dry_run or send(folder, chunks, options)
+
+
+def refuse_while_running(folder: FarmFolder) -> None:
+    sent = folder.sent() if folder.exists() else None
+    if sent and sent.engine == "slurm" and tasks_of(folder, sent).live:
+        step = f"wait with `pelage farm status {folder.path} --watch`, or end it with `scancel {sent.job}`"
+        raise FarmError(f"Job {sent.job} still draws in {folder.path}", step)
+
+
+def prepare(folder: FarmFolder, given: pathlib.Path, options: Options) -> None:
+    """The copies, the plan and the chunks. Chunks stay while the job does, so that a task keeps its number."""
+    changed = not given.is_dir() and folder.copy_job(given)
+    known = folder.sent() is not None and not changed
+    plan = checked_plan(folder, 0 if known else MEASURED_FRAMES)
+    frames = [frame.frame for frame in plan.frames]
+    if known and [frame for chunk in folder.chunks() for frame in chunk] == frames:
+        folder.write_plan(plan._replace(frame_seconds=folder.plan().frame_seconds))
+        return
+    folder.write_plan(plan)
+    cost = plan.frame_seconds or options.chunk_seconds
+    chunks = chunks_of(frames, cost, options.chunk_seconds, at_once_of(options))
+    print(f"{len(frames)} frames, about {cost:.2g} s each: {len(chunks)} chunks of up to {max(map(len, chunks))} frames")
+    folder.write_chunks(chunks)
+    (folder.path / "sent.json").unlink(missing_ok=True)
+    shutil.rmtree(folder.logs, ignore_errors=True)
+    folder.logs.mkdir()
+
+
+def checked_plan(folder: FarmFolder, measured_frames: int) -> Plan:
+    if measured_frames:
+        print_progress(Progress(0.0, f"drawing {measured_frames} frames to learn what one costs"))
+    plan = plan_of(str(folder.job), measured_frames)
+    print_progress(Progress(1.0, ""))
+    return plan
+
+
+def write_engine_files(folder: FarmFolder, chunks: List[int], options: Options) -> None:
+    """chunk.sh, and what the engine takes. It says what was written."""
+    renderer = RENDERER if options.engine == "kubernetes" else renderer_program()
+    threads = options.threads
+    if options.engine == "local" and not threads:
+        threads = max(1, (os.cpu_count() or 1) // at_once_of(options))
+    folder.write("chunk.sh", chunk_script(renderer, threads))
+    texts: Dict[str, str] = {}
+    if options.engine == "slurm":
+        texts["submit.sbatch"] = slurm.script(folder, chunks, options.at_once, threads)
+    elif options.engine == "openjd":
+        texts["template.yaml"] = to_yaml(openjd.template(folder, chunks, threads))
+    elif options.engine == "kubernetes":
+        made = kubernetes.manifest(folder, chunks, options.at_once, threads, options.image, options.claim)
+        texts["kubernetes.yaml"] = to_yaml(made)
+    for name, text in texts.items():
+        folder.write(name, text)
+        print(folder.path / name)
+
+
+def at_once_of(options: Options) -> int:
+    return options.at_once or (LOCAL_AT_ONCE if options.engine == "local" else 0)
+
+
+def send(folder: FarmFolder, chunks: List[int], options: Options) -> bool:
+    if options.engine == "local":
+        return run_here(folder, chunks, at_once_of(options))
+    job = slurm.submit(folder) if options.engine == "slurm" else ""
+    folder.write_sent(Sent(options.engine, job, chunks, options.at_once, time.time()))
+    if options.engine == "slurm":
+        print(f"Slurm job {job}; follow it with: pelage farm status {folder.path} --watch")
+    elif options.engine == "openjd":
+        print(f"Give it to a farm, or try it here: openjd run {folder.path}/template.yaml --step Draw")
+    else:
+        print(f"Copy the folder to the volume of {options.claim}, then: kubectl create -f {folder.path}/kubernetes.yaml")
+    return True
+
+
+def run_here(folder: FarmFolder, chunks: List[int], at_once: int) -> bool:
+    """Waits for all chunks, with a bar on a terminal."""
+    folder.write_sent(Sent("local", "", chunks, at_once, time.time()))
+    with LocalTasks(folder, chunks, at_once) as tasks:
+        tasks.follow(LOOKED_EVERY, lambda: show_bar(folder, tasks.live()))
+    folder.remove_leftovers()
+    status = status_of(folder, NO_TASKS)
+    print(table(folder, status))
+    return status.done == status.frames
+
+
+def show_bar(folder: FarmFolder, live: Dict[int, str]) -> None:
+    if sys.stderr.isatty():
+        line = bar(status_of(folder, Tasks(live, {}))) if live else ""
+        print(f"\r\033[K{line}", end="", file=sys.stderr, flush=True)
