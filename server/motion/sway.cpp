@@ -84,12 +84,11 @@ double counts_after(double seconds) {
 glm::dvec2 body_offset(const BodyMotion& body, const Spring& spring, double length, const Plane2& plane,
                        std::uint32_t vertex, double time) {
   glm::dvec2 sum(0);
-  double until = 0;
-  for (int k = 0; until < warm_up_seconds; ++k) {
-    const double from = step_response(spring.oscillator, until);
-    const double middle = (k + 0.5) * body.step;
-    until = (k + 1) * body.step;
-    const double share = (step_response(spring.oscillator, until) - from) * counts_after(middle);
+  double answered = 0;
+  for (int k = 0; k * body.step < warm_up_seconds; ++k) {
+    const double middle = (k + 0.5) * body.step, before = answered;
+    answered = step_response(spring.oscillator, (k + 1) * body.step);
+    const double share = (answered - before) * counts_after(middle);
     if (share != 0) sum += share * plane.part(body.acceleration(vertex, time - middle));
   }
   return -1 / (spring.oscillator.rate * spring.oscillator.rate * length) * sum;

@@ -26,9 +26,9 @@ GRASS = {"count": 5000, "width_root": 0.0011, "width_tip": 0.0002, "length_sprea
          "root_share": 0.1, "mess": 0.3,
          "ramp": [{"at": 0, "colour": "#1d2a0c"}, {"at": 0.6, "colour": "#587a26"}, {"at": 1, "colour": "#a8b860"}]}
 SUN = [{"kind": "directional", "direction": [-0.6, -0.8, -0.35], "colour": "#fff1d8", "intensity": 1.3}]
-WINDS = {"meadow": {"speed": 0.35, "direction": [1, 0, 0.35], "gusts": 0.7, "turbulence": 0.3, "turbulence_scale": 0.12, "frequency": 1.6},
+WINDS = {"meadow": {"speed": 0.3, "direction": [1, 0, 0.35], "gusts": 0.7, "turbulence": 0.3, "turbulence_scale": 0.12, "frequency": 1.6},
          "creature": {"speed": 0.7, "direction": [-1, 0, 0.4], "gusts": 0.6, "turbulence": 0.4, "turbulence_scale": 0.2}}
-CAMERAS = {"meadow": {"position": [0.15, 0.42, 1.55], "target": [0, -0.02, 0.1], "fov_degrees": 36},
+CAMERAS = {"meadow": {"position": [0, 0.62, 0.95], "target": [0, -0.03, -0.02], "fov_degrees": 36},
            "creature": {"auto": "three_quarter"}}
 
 

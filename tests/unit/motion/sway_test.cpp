@@ -19,7 +19,8 @@ TEST(Sway, WithoutWindNothingMoves) {
 TEST(Sway, FurWithoutLengthStays) {
   Meadow meadow = make_meadow();
   meadow.length[3] = 0;
-  const std::vector<glm::vec2> moved = swayed(meadow.fur(), breeze(), 1);
+  const BodyMotion pushed{[](std::uint32_t, double) { return glm::dvec3(1, 0, 0); }};
+  const std::vector<glm::vec2> moved = swayed(meadow.fur(), breeze(), 1, &pushed);
   EXPECT_EQ(moved[3], meadow.direction[3]);
   EXPECT_NE(moved[4], meadow.direction[4]);
 }
@@ -93,6 +94,10 @@ TEST(Sway, BentKeepsRestAndDiscAndIsSmooth) {
     }
   }
   EXPECT_NEAR(glm::length(bent({0.1, 0}, {1e9, 1e9})), 1, 1e-9);
+  for (double far = 0; far < 2; far += 0.01) {  // the speed does not jump at the border
+    const auto length = [&](double at) { return glm::length(bent({0.3, 0}, {at, 0})); };
+    EXPECT_LT(std::abs(length(far + 0.02) - 2 * length(far + 0.01) + length(far)), 3e-4);
+  }
 }
 
 TEST(Wind, GustsTravelWithTheWind) {

@@ -61,9 +61,9 @@ TEST(MovingStrands, ARayMeetsThemWhereTheyAreAtItsTime) {
     const std::size_t at = i * static_cast<std::size_t>(set.segments + 1) + static_cast<std::size_t>(set.segments) / 2;
     for (const float time : {0.0f, 0.5f, 1.0f}) {
       const glm::vec3 place = glm::mix(set.points[at].place, set.closing[at].place, time);
-      const Ray ray{.origin = place - glm::vec3(0, 0.002f, 0), .direction = {0, 1, 0}, .t_max = 0.004f, .time = time};
+      const Ray ray{.origin = place - glm::vec3(0, 0.005f, 0), .direction = {0, 1, 0}, .t_max = 0.01f, .time = time};
       const Hit hit = world.intersect(ray);
-      met += hit.kind == HitKind::strand && std::abs(hit.distance - 0.002f) < 5e-4f;
+      met += hit.kind == HitKind::strand && std::abs(hit.distance - 0.005f) < 5e-4f;
       EXPECT_TRUE(world.occluded(ray));
       EXPECT_LT(world.transmittance(ray, 1).r, 0.9f);
       if (hit.strand.strand != i) continue;
