@@ -572,6 +572,9 @@ class Tracing(TypedDict, total=False):
     noise: Ends when the estimated mean error of a shown channel is below this, and leaves parts that are; 0 never. 0
         to 1 (share). Default 0.
     seconds: Ends after as many seconds; 0 never. 0 to 3600 (seconds). Default 0.
+    shutter: How long the shutter is open, half before the frame's time and half after: fur that the wind moves is
+        blurred. Strands go straight from where they are first to where they are last; 0 for none. 0 to 10 (seconds).
+        Default 0.
     filter: Whether direction, depth and colour guide a filter over pictures of few passes. Default true.
     seed: Other seeds give other noise. 0 to 4294967295. Default 1.
     """
@@ -583,6 +586,7 @@ class Tracing(TypedDict, total=False):
     strands: int
     noise: float
     seconds: float
+    shutter: float
     filter: bool
     seed: int
 
