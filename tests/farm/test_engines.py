@@ -114,6 +114,19 @@ class Engines(FarmTest):
             printed = subprocess.run(container["command"], cwd=folder, env=environment, capture_output=True, text=True, check=True).stdout
             self.assertEqual(printed.split()[:3], ["job.json", f"--frames={chunks[number]}", "--skip-existing"])
 
+    def test_threads_are_what_the_task_was_given(self):
+        for words, environment, wanted in ((("--threads", 3), {"SLURM_CPUS_ON_NODE": "5"}, "3"), ((), {"SLURM_CPUS_ON_NODE": "5"}, "5"), ((), {}, "0")):
+            folder, _ = self.written("slurm", "submit.sbatch", *words)
+            (self.folder / "pelage-render").write_text("#!/bin/sh\necho \"$@\"\n")
+            printed = subprocess.run(["sh", folder / "chunk.sh", "0"], env={"PATH": os.environ["PATH"], **environment}, capture_output=True,
+                                     text=True, check=True, cwd="/").stdout
+            self.assertEqual(printed.split()[-2:], ["--threads", wanted])
+
+    def test_names_with_spaces(self):
+        job = self.write_job().rename(self.folder / "my ball.json")
+        self.farm("submit", job, "--dry-run", environment={"PELAGE_RENDER": str(self.renderer())})
+        self.assertIn("#SBATCH --job-name=my-ball\n", (self.folder / "my ball.farm" / "submit.sbatch").read_text())
+
     def test_flamenco(self):
         """The job type compiles, on a stand-in for Flamenco's manager."""
         needs(NODE, "node")

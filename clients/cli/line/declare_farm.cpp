@@ -11,13 +11,14 @@ constexpr const char* frames_help = "Folder of `pelage farm submit`, job, or fra
 // No value is kept: pelage-farm takes the line as it is.
 
 CLI::Option* add_value(CLI::App* command, const char* flag, const std::string& help) {
-  return command->add_option(flag, help);
+  return command->add_option(flag, help)->type_name("TEXT");
 }
 
 void add_flag(CLI::App* command, const char* flag, const std::string& help) { command->add_flag(flag, help); }
 
-void add_number(CLI::App* command, const char* flag, const char* help, double least, double greatest) {
-  add_value(command, flag, help)->check(CLI::Range(least, greatest));
+template <typename Number>
+void add_number(CLI::App* command, const char* flag, const char* help, Number min, Number max) {
+  add_value(command, flag, help)->type_name("")->check(CLI::Range(min, max));
 }
 
 void declare_farm_pack(CLI::App& farm, Options& options) {
@@ -27,7 +28,7 @@ void declare_farm_pack(CLI::App& farm, Options& options) {
   add_value(pack, "-o,--output", "The file, .pelage")->required();
   add_value(pack, "--file", "Model to groom on a private server");
   add_value(pack, "--builtin", "Built-in model to groom on a private server: creature, sphere, torus or plane");
-  add_value(pack, "--triangles", "Of a built-in model, about");
+  add_number(pack, "--triangles", "Of a built-in model, about, 2 to 1000000 [5000]", 2, 1000000);
   add_value(pack, "--recipe", "Recipe that grooms the model");
   add_value(pack, "--set", "NAME=VALUE of a recipe's variable; may be repeated")->expected(-1);
 }
@@ -39,7 +40,7 @@ void declare_farm_submit(CLI::App& farm, Options& options) {
   add_value(submit, "--engine", "slurm, local (this machine), openjd or kubernetes [slurm]")
       ->check(CLI::IsMember({"slurm", "local", "openjd", "kubernetes"}));
   add_value(submit, "--folder", "Where job, scene, chunks, logs and frames are [fox.farm beside fox.json]");
-  add_number(submit, "--chunk-seconds", "What a chunk should take, 1 to 86400 [120]", 1, 86400);
+  add_number(submit, "--chunk-seconds", "What a chunk should take, 1 to 86400 [120]", 1.0, 86400.0);
   add_number(submit, "--max-parallel", "Chunks at the same time, 0 to 1000 [0: all of them; local: 2]", 0, 1000);
   add_number(submit, "--threads", "Cores of a chunk, 0 to 1024 [0: what the engine gives]", 0, 1024);
   add_value(submit, "--image", "Container image of kubernetes [pelage]");
@@ -59,14 +60,14 @@ void declare_farm_check(CLI::App& farm, Options& options) {
       add_action(farm, options, Action::farm, "check",
                  "Find missing, short and black frames, those of another size, and those of another scene");
   add_value(check, "job", "Folder of `pelage farm submit`, or a job")->required();
-  add_number(check, "--black", "Brightness that some pixel of a frame must exceed, 0 to 1 [0.02]", 0, 1);
+  add_number(check, "--black", "Brightness that some pixel of a frame must exceed, 0 to 1 [0.02]", 0.0, 1.0);
 }
 
 void declare_farm_movie(CLI::App& farm, Options& options) {
   CLI::App* movie = add_action(farm, options, Action::farm, "movie", "Make a clip of frames, with ffmpeg");
   add_value(movie, "frames", frames_help)->required();
   add_value(movie, "-o,--output", "The clip, .mp4, .webp or .gif")->required();
-  add_number(movie, "--fps", "Frames a second, 0 to 1000 [the job's, or 24]", 0, 1000);
+  add_number(movie, "--fps", "Frames a second, 0 to 1000 [the job's, or 24]", 0.0, 1000.0);
   add_number(movie, "--width", "Pixels, 0 to 8192 [0: as the frames are]", 0, 8192);
 }
 

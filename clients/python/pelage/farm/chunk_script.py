@@ -18,4 +18,5 @@ exec "${{PELAGE_RENDER:-$renderer}}" job.json "--frames=$frames" --skip-existing
 
 def chunk_script(renderer: str, threads: int) -> str:
     """renderer: Program or path. threads: 0 for all cores that the task has."""
-    return CHUNK_SCRIPT.format(renderer=shlex.quote(renderer), threads=threads)
+    given = str(threads) if threads else '"${SLURM_CPUS_ON_NODE:-0}"'
+    return CHUNK_SCRIPT.format(renderer=shlex.quote(renderer), threads=given)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from typing import Dict, List, Sequence
@@ -41,7 +42,8 @@ def script(folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int
     """The text for sbatch. at_once: Tasks that may run at the same time; 0 for all. threads: Cores; 0 for the default."""
     array = range_of(chunks).replace("x", ":") + (f"%{at_once}" if at_once else "")
     more = f"#SBATCH --cpus-per-task={threads}\n" if threads else ""
-    return SCRIPT.format(name=folder.name, array=array, grace=GRACE_SECONDS, more=more)
+    name = re.sub(r"[^\w.-]+", "-", folder.name)
+    return SCRIPT.format(name=name, array=array, grace=GRACE_SECONDS, more=more)
 
 
 def submit(folder: FarmFolder) -> str:
