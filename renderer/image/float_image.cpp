@@ -176,7 +176,7 @@ OIIO::ImageSpec exr_spec(int width, int height, std::span<const ExrPlane> planes
     const bool is_rate = text.key == frame_rate_text;
     int rate[2] = {0, 1};
     if (is_rate && std::sscanf(text.value.c_str(), "%d/%d", &rate[0], &rate[1]) > 0)
-      spec.attribute(text.key, OIIO::TypeRational, rate);
+      spec.attribute("framesPerSecond", OIIO::TypeRational, rate);  // as the standard writes it
     if (!is_rate) spec.attribute(text.key, text.value);
   }
   return spec;

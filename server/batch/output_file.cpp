@@ -16,6 +16,7 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
+#include "protocol/json/names.h"
 #include "renderer/image/float_image.h"
 #include "server/batch/job_scene.h"
 
@@ -48,6 +49,14 @@ int write_synced(const std::string& path, std::string_view bytes) {
 std::string host_name() {
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+std::string text_of(const Camera& camera) {
+  if (camera.automatic != AutoView::none)
+    return std::string(json_names::text_of(json_names::auto_views, camera.automatic));
+  const auto list = [](glm::dvec3 v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); };
+  return fmt::format("position {}, target {}, up {}, fov {:.6g}", list(camera.position), list(camera.target),
+                     list(camera.up), camera.fov_degrees);
 }
 
 /// As EXR wants a rate: a ratio of whole numbers.
@@ -85,9 +94,12 @@ std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer
                                {"pelage/revision", std::to_string(frame.request.revision.value_or(scene.revision))},
                                {"pelage/fieldsHash", to_hex(scene.fields_hash)},
                                {"pelage/quality", encode(answer.knobs)},
-                               {"pelage/request", encode(frame.request)},
+                               {"pelage/camera", text_of(frame.request.camera)},
                                {fingerprint_key, frame.fingerprint}};
-  if (frame.request.format != FrameFormat::exr) return texts;
+  if (frame.request.format != FrameFormat::exr) {
+    texts.push_back({"pelage/request", encode(frame.request)});  // ffmpeg 5.1 loses its way in so long a text of an EXR
+    return texts;
+  }
   const std::time_t now = std::time(nullptr);
   texts.push_back({"DateTime", fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(now))});
   texts.push_back({"HostComputer", host_name()});

@@ -9,7 +9,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from support.server import BIN, ServedTest, flood
+from support.server import BIN, REPOSITORY, ServedTest, flood
 
 JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
        "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
@@ -104,15 +104,15 @@ class RenderTest(unittest.TestCase):
     def test_an_exr_says_where_it_comes_from(self):
         self.render(self.job(output="out/#.exr", frames="7", frame={"width": 32, "height": 32, "aovs": ["beauty", "depth"]}))
         header = self.frames()[0].read_bytes()[:8192]
-        self.assertIn(b"FramesPerSecond\0rational\0\x08\0\0\0\x18\0\0\0\x01\0\0\0", header)  # 24 / 1
+        self.assertIn(b"framesPerSecond\0rational\0\x08\0\0\0\x18\0\0\0\x01\0\0\0", header)  # 24 / 1
         self.assertRegex(header, rb"capDate\0string\0\x13\0\0\0\d{4}:\d\d:\d\d \d\d:\d\d:\d\d")
-        for name in (b"HostComputer", b"Software", b"pelage/renderTime", b"pelage/fingerprint", b"pelage/quality"):
+        for name in (b"HostComputer", b"Software", b"pelage/renderTime", b"pelage/fingerprint", b"pelage/quality", b"pelage/camera"):
             self.assertIn(name + b"\0string\0", header)
 
     def test_what_is_wrong_is_refused_before_any_work(self):
         for more, pointer in (({"frames": "5-1"}, "/frames"), ({"output": "fox.png"}, "/output"), ({"fsp": 3}, "/fsp"),
                               ({"frame": {"width": 9000}}, "/frame/width"),
-                              ({"keyframes": [{"parameter": "/lamps/0", "keys": [{"frame": 1, "value": 1}]}]},
+                              ({"keyframes": [{"parameter": "/lihgts/0", "keys": [{"frame": 1, "value": 1}]}]},
                                "/keyframes/0/parameter"),
                               ({"keyframes": [{"parameter": "/frame/exposure", "keys": [{"frame": 1, "value": 1},
                                                                                      {"frame": 6, "value": 99}]}]},
@@ -125,6 +125,26 @@ class RenderTest(unittest.TestCase):
         self.render("--frobnicate", code=2)
         self.render(code=2)
         self.render(self.job(), "--frames", "7", code=3)
+
+    def test_the_wind_moves_the_fur_from_frame_to_frame(self):
+        wind = {"op": "set_wind", "wind": {"speed": 1, "gusts": 1}}
+        still = {"turntable": {"degrees": 0, "turns": "camera"}, "frames": "1-4", "fps": 2}
+        self.render(self.job(**still))
+        self.assertEqual(len({b"".join(body for name, body in chunks_of(path) if name == b"IDAT") for path in self.frames()}), 1)
+        self.render(self.job(**still, commands=[wind]))
+        moved = self.hashes()
+        self.assertEqual(len(set(moved.values())), 4)
+        self.render(self.job(**still, commands=[wind]), "--frames", "4,2")  # whatever was drawn before
+        self.assertEqual(self.hashes(), moved)
+        grow = [{"parameter": "/wind/speed", "keys": [{"frame": 1, "value": 0}, {"frame": 4, "value": 2}]}]
+        self.render(self.job(**still, commands=[wind], keyframes=grow))
+        self.assertNotEqual(self.hashes()["ball.004.png"], moved["ball.004.png"])
+
+    def test_jobs_that_come_with_the_program_are_right(self):
+        jobs = sorted((REPOSITORY / "clients" / "jobs").glob("*.json"))
+        self.assertTrue(jobs)
+        for job in jobs:
+            self.assertTrue(json.loads(self.render(job, "--check").stdout)["frames"], job)
 
     def test_a_device_that_is_not_there_is_refused(self):
         run = self.render(self.job(frames="1"), "--device", 31, code=4)
