@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "protocol/base/limits.h"
@@ -35,6 +36,7 @@ struct Options {
   std::string port_file;
   std::string data = "pelage-data";
   GlChoice gl = GlChoice::automatic;
+  std::optional<int> device;  // of several GPUs
   int threads = 0;
   std::size_t memory = 0;   // bytes of open scenes, 0 for a half of the machine's
   double trace_memory = 4;  // GiB
@@ -56,6 +58,8 @@ void declare(CLI::App& app, Options& options) {
          "--gl", [&options](const std::string& name) { options.gl = gl_names.at(name); },
          "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]")
       ->check(CLI::IsMember(gl_names));
+  app.add_option("--device", options.device, "Number of the EGL device that draws, where there are several GPUs")
+      ->check(CLI::Range(0, 31));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));
   app.add_option("--memory", options.memory, "Bytes that open scenes may take, as in 4G [a half of the machine's]")
@@ -137,7 +141,7 @@ void plan_frames(FrameService& frames, const Options& options) {
 int serve(const Options& options, const HttpOptions& http) {
   const sigset_t signals = block_stop_signals();
   YieldGate gate;
-  const auto frames = FrameService::start(options.gl, options.threads, gate);
+  const auto frames = FrameService::start(options.gl, options.threads, gate, options.device);
   if (!frames) return fail(no_gl, frames.status());
   plan_frames(**frames, options);
   const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes,

@@ -71,7 +71,7 @@ Below: five strokes down the flank.""", "Clump"),
 Raises the field `curl` and turns the heading by `turn_degrees`, counter-clockwise seen from outside. Inverted it takes the
 curl out and turns back.""", "Curl"),
     "paint": page("Paint", """
-Paints a field: density, width, curl, clump, wetness, bare, mask, or the colour of roots or tips, which covers the coat's own
+Paints a field: density, width, curl, clump, wetness, stiffness in the wind, bare, mask, or the colour of roots or tips, which covers the coat's own
 by `value`. Inverted it takes the field back to rest. Below, from the shoulder to the haunch: a wet patch, a dark spot, and a
 thin place.""", "Paint"),
     "mask": page("Mask", """

@@ -14,6 +14,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
 #include "protocol/commands/tool_list.h"
+#include "protocol/commands/wind.h"
 
 namespace pelage {
 
@@ -41,6 +42,11 @@ struct SetGround {
   static constexpr const char* op = "set_ground";
   static constexpr Inputs inputs = Inputs::none;
   Ground ground;
+};
+struct SetWind {
+  static constexpr const char* op = "set_wind";
+  static constexpr Inputs inputs = Inputs::none;
+  Wind wind;
 };
 struct SetEyes {
   static constexpr const char* op = "set_eyes";
@@ -112,8 +118,9 @@ struct Checkpoint {
 };
 
 /// Commands that set something about the scene, and change no field of their own.
-using Settings = CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook,
-                             SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture>;
+using Settings =
+    CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook, SetLights,
+                SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture, SetWind>;
 
 template <class C>
 concept SettingCommand = Settings::holds<C>;

@@ -25,6 +25,7 @@ enum class Field : std::uint8_t {
   mask,         // how much tools may change: 1 all, 0 nothing
   root_colour,  // linear red, green, blue, and how much of the coat's colour they cover
   tip_colour,   // the same at the tips
+  stiffness,    // of fur in the wind: 2 leans half as far; its number is stored, so it comes last
 };
 
 struct FieldShape {
@@ -34,7 +35,7 @@ struct FieldShape {
   float min = 0, max = 1;
 };
 
-inline constexpr std::array<FieldShape, 12> field_shapes{{{"direction", 2, 0, -1, 1},
+inline constexpr std::array<FieldShape, 13> field_shapes{{{"direction", 2, 0, -1, 1},
                                                           {"length", 1, 0, 0, 10},
                                                           {"stretch", 1, 0, 0, 1e7f},
                                                           {"density", 1, 1, 0, 1},
@@ -45,7 +46,8 @@ inline constexpr std::array<FieldShape, 12> field_shapes{{{"direction", 2, 0, -1
                                                           {"bare", 1, 0, 0, 1},
                                                           {"mask", 1, 1, 0, 1},
                                                           {"root_colour", 4, 0, 0, 1},
-                                                          {"tip_colour", 4, 0, 0, 1}}};
+                                                          {"tip_colour", 4, 0, 0, 1},
+                                                          {"stiffness", 1, 1, 0, 4}}};
 
 inline constexpr std::size_t field_count = field_shapes.size();
 inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::density);  // and all after it

@@ -96,6 +96,7 @@ struct Tracing {
   int strands = 2'000'000;  // at most, [1, 8000000]; fewer are drawn wider
   double noise = 0;         // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never
   double seconds = 0;       // stops after them, [0, 3600]; 0 never
+  double shutter = 0;       // seconds that it is open about the frame's time, [0, 10]: blurs fur that moves
   bool filter = true;       // features filter pictures of few passes
   std::uint32_t seed = 1;
 
@@ -162,8 +163,10 @@ struct FrameRequest {
   std::optional<Tracing> progressive =
       {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
   std::optional<std::uint64_t> revision = {};  // of this model: the scene as it was then; without progressive
-  double max_seconds = 60;                     // refused where drawing shells is expected to take longer, [1, 86400]
-  std::string view;  // name of the viewer; of several frames asked for one view only the newest is drawn
+  std::optional<double> time =
+      {};                   // seconds, [-1e6, 1e6]: when the wind has moved the fur so; the scene's time unless given
+  double max_seconds = 60;  // refused where drawing shells is expected to take longer, [1, 86400]
+  std::string view;         // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }
 };

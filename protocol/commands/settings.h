@@ -22,6 +22,7 @@ struct SceneSettings {
   std::vector<Light> lights = default_lights();
   Environment environment;
   Ground ground;
+  Wind wind;
   std::vector<Eye> eyes;
   std::vector<CurveGroup> curves;
   std::vector<SkinRegion> skin;

@@ -45,6 +45,8 @@ Result<NewScene> decode_new_scene(std::string_view text) { return decode_documen
 
 Result<FrameRequest> decode_frame_request(std::string_view text) { return decode_document<FrameRequest>(text); }
 
+Result<RenderJob> decode_job(std::string_view text) { return decode_document<RenderJob>(text); }
+
 Result<PickRequest> decode_pick(std::string_view text) { return decode_document<PickRequest>(text); }
 
 Result<int> decode_steps(std::string_view text) {

@@ -14,6 +14,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/guides.h"
 #include "protocol/commands/history.h"
+#include "protocol/commands/job.h"
 #include "protocol/commands/map.h"
 #include "protocol/commands/pick.h"
 #include "protocol/commands/quality.h"
@@ -29,6 +30,8 @@ namespace pelage {
 Result<std::vector<Command>> decode_commands(std::string_view text);
 Result<NewScene> decode_new_scene(std::string_view text);
 Result<FrameRequest> decode_frame_request(std::string_view text);
+/// A job of pelage-render. Paths and frame ranges are for the batch renderer to check.
+Result<RenderJob> decode_job(std::string_view text);
 
 /// Names and values of a query string, decoded.
 using Query = std::vector<std::pair<std::string, std::string>>;

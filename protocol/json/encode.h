@@ -45,6 +45,9 @@ std::string encode(const MapAnswer& answer);
 std::string encode(const PictureAnswer& answer);
 std::string encode(const Problem& problem);
 
+/// The JSON Schema (draft 2020-12) of a job's file, with all that it refers to.
+std::string job_schema();
+
 /// A text as a JSON string, with its quotes.
 std::string json_text(std::string_view text);
 

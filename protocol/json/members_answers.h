@@ -312,7 +312,8 @@ void members(V& v, Visited<V, PaintedValues>& c) {
                                           "1 where skin shows.",
                                           "How much tools may change: 1 all, 0 nothing.",
                                           "Colour at the roots, and how much it covers.",
-                                          "Colour at the tips, and how much it covers."};
+                                          "Colour at the tips, and how much it covers.",
+                                          "Factor on how stiff fur is in the wind."};
   static_assert(std::size(words) == std::tuple_size_v<PaintedValues>);
   v.answer("PaintedValues",
            "What is painted at a place. A colour is linear red, green and blue, and how much of the coat's colour it "

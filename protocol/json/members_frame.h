@@ -37,6 +37,9 @@ void members(V& v, Visited<V, Tracing>& c) {
   v.number("noise", c.noise, share,
            "Ends when the estimated mean error of a shown channel is below this, and leaves parts that are; 0 never.");
   v.number("seconds", c.seconds, {0, 3600, "seconds"}, "Ends after as many seconds; 0 never.");
+  v.number("shutter", c.shutter, {0, 10, "seconds"},
+           "How long the shutter is open, half before the frame's time and half after: fur that the wind moves is "
+           "blurred. Strands go straight from where they are first to where they are last; 0 for none.");
   v.boolean("filter", c.filter, "Whether direction, depth and colour guide a filter over pictures of few passes.");
   v.seed("seed", c.seed, "Other seeds give other noise.");
 }
@@ -96,6 +99,9 @@ void members(V& v, Visited<V, FrameRequest>& c) {
            "where there is fur, against the same fur in many sorted shells.");
   v.number("max_seconds", c.max_seconds, {1, limits::frame_seconds, "seconds"},
            "Refuses the frame where drawing shells is expected to take longer; a dry run says how long.");
+  v.number("time", c.time, moment,
+           "Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless "
+           "given. The same time gives the same picture, whatever was drawn before.");
   v.special("background", Backdrop<V::reads>{c.background, c.background_colour},
             "What is behind the fur. `studio` is a soft gradient with darker corners.");
   v.number("exposure", c.exposure, {-20, 20, "stops"}, "How much brighter the picture is made.");

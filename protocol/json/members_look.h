@@ -6,6 +6,7 @@
 #include "protocol/commands/coat.h"
 #include "protocol/commands/creature.h"
 #include "protocol/commands/look.h"
+#include "protocol/commands/wind.h"
 #include "protocol/json/members.h"
 
 namespace pelage::json_parts {
@@ -349,6 +350,26 @@ void members(V& v, Visited<V, Ground>& c) {
   v.number("height", c.height, coordinate, "Height of the ground, the model's y; its lowest point when absent.");
   v.number("shadow", c.shadow, share, "How dark cast shadows get on it, in frames with `shadow_maps`.");
   v.number("contact", c.contact, share, "How dark it gets under the model.");
+}
+
+template <class V>
+void members(V& v, Visited<V, Wind>& c) {
+  v.type("Wind",
+         "A wind over the whole scene, which moves the lean of its fur and never its length. At speed 0 nothing moves. "
+         "Fur .03 sizes long with a stiffness of 1 leans half over in a wind of one size per second; longer fur leans "
+         "further and sways slower, as does fur whose field `stiffness` is lower.");
+  v.number("speed", c.speed, {0, limits::wind_speed, "sizes per second"},
+           "Speed of the mean wind, and of the gusts that travel with it; 0 for none.");
+  v.direction("direction", c.direction, "Where the wind goes.");
+  v.number("gusts", c.gusts, {0, 10, "share"}, "How much its speed rises and falls.");
+  v.number("turbulence", c.turbulence, {0, 10, "share"}, "How much it turns and flickers, of its speed.");
+  v.number("turbulence_scale", c.turbulence_scale, {0.001, 1000, "sizes"},
+           "Size of its largest eddies; gusts are four to sixteen times as long.");
+  v.seed("seed", c.seed, "Other seeds give other gusts and eddies.");
+  v.number("frequency", c.frequency, {0.01, 100, "hertz"}, "How fast fur .03 sizes long sways.");
+  v.number("damping", c.damping, {0.01, 10, "ratio"},
+           "How soon swaying ends: 1 comes back without swinging over, less swings on.");
+  v.number("time", c.time, moment, "Time of the scene, which a frame shows unless it asks for another.");
 }
 
 }  // namespace pelage::json_parts

@@ -40,6 +40,12 @@ void members(V& v, Visited<V, SetGround>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, SetWind>& c) {
+  v.type("SetWind", "Sets the wind that moves the fur, and the time of the scene.");
+  v.object(required("wind"), c.wind, "The new wind.");
+}
+
+template <class V>
 void members(V& v, Visited<V, SetEyes>& c) {
   v.type("SetEyes", "Places all eyes of the scene; an empty list takes them away. A new creature has two.");
   v.objects(required("eyes"), c.eyes, {0, limits::eyes}, "All eyes of the scene.");
@@ -171,6 +177,7 @@ void members(V& v, Visited<V, SettingsAnswer>& c) {
   v.objects("lights", c.settings.lights, {0, limits::lights}, "Set by set_lights.");
   v.object("environment", c.settings.environment, "Set by set_environment.");
   v.object("ground", c.settings.ground, "Set by set_ground.");
+  v.object("wind", c.settings.wind, "Set by set_wind.");
   v.objects("eyes", c.settings.eyes, {0, limits::eyes}, "Set by set_eyes.");
   v.objects("curves", c.settings.curves, {0, limits::curve_groups}, "Set by set_curves as `groups`.");
   v.objects("skin", c.settings.skin, {0, limits::skin_regions}, "Set by set_skin as `regions`.");

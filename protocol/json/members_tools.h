@@ -267,7 +267,8 @@ void members(V& v, Visited<V, Paint>& c) {
   v.name("field", c.field, json_names::fields,
          "Field that is painted. Not direction, length or stretch, which have tools of their own.");
   v.number("value", c.value, {0, 4, "varies"},
-           "Value that the field tends to: at most 1, for width 4. For a colour how much of the coat's own it covers.");
+           "Value that the field tends to: at most 1, for width and stiffness 4. For a colour how much of the coat's "
+           "own it covers.");
   if (v.takes(shape_of(c.field).channels == 4))
     v.colour("colour", c.colour, "Colour to paint; for root_colour and tip_colour only.");
 }

@@ -12,6 +12,7 @@
 #include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/guides.h"
+#include "protocol/commands/job.h"
 #include "protocol/commands/quality.h"
 #include "protocol/commands/scene.h"
 
@@ -80,6 +81,9 @@ inline constexpr std::array<Name<Falloff>, 5> falloffs{{{"constant", Falloff::co
                                                         {"smooth", Falloff::smooth},
                                                         {"sharp", Falloff::sharp},
                                                         {"sphere", Falloff::sphere}}};
+inline constexpr std::array<Name<KeyInterpolation>, 3> key_interpolations{
+    {{"step", KeyInterpolation::step}, {"linear", KeyInterpolation::linear}, {"spline", KeyInterpolation::spline}}};
+inline constexpr std::array<Name<Turning>, 2> turnings{{{"model", Turning::model}, {"camera", Turning::camera}}};
 inline constexpr std::array<Name<AutoView>, 6> auto_views{{{"front", AutoView::front},
                                                            {"back", AutoView::back},
                                                            {"left", AutoView::left},

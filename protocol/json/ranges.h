@@ -41,6 +41,7 @@ inline constexpr Range feature_size{0.005, 2, "sizes"};
 inline constexpr Range pixels{1, limits::frame_pixels, "pixels"};
 inline constexpr Range budget_ms{1, 600'000, "milliseconds"};
 inline constexpr Range max_error{1e-6, 1, "mean FLIP"};
+inline constexpr Range moment{-limits::time_seconds, limits::time_seconds, "seconds"};
 inline constexpr Range fov_degrees{1, 150, "degrees"};
 
 // Of answers.

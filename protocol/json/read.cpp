@@ -6,6 +6,7 @@
 #include "protocol/json/members_answers.h"
 #include "protocol/json/members_calibration.h"
 #include "protocol/json/members_frame.h"
+#include "protocol/json/members_job.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
 #include "protocol/json/rules.h"
@@ -127,6 +128,13 @@ class MemberReader {
   /// Any JSON, as text.
   void json(MemberName name, std::string& out, const char* = "") {
     member(name, [&](const Value& v) { out = v.tree().dump(); });
+  }
+  /// The same that is no object.
+  void any(MemberName name, std::string& out, const char* words = "") { json(name, out, words); }
+  /// A T as its text, for others to read.
+  template <class T>
+  void document(MemberName name, std::string& out, const char* words = "") {
+    json(name, out, words);
   }
   template <class T>
   void position(MemberName name, T& out, const char* = "") {
@@ -318,6 +326,7 @@ T read(const Value& value) {
 
 template NewScene read(const Value&);
 template FrameRequest read(const Value&);
+template RenderJob read(const Value&);
 template Tracing read(const Value&);
 template PickRequest read(const Value&);
 template StepsBody read(const Value&);

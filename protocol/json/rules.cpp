@@ -182,6 +182,20 @@ void check(const Value& value, const MapUpload& map) {
   refuse_tile(value, map.tile, map.encoding);
 }
 
+void check(const Value& value, const ParameterKeys& keys) {
+  for (std::size_t k = 1; k < keys.keys.size(); ++k) {
+    if (keys.keys[k].frame > keys.keys[k - 1].frame) continue;
+    value.refuse_below("keys/" + std::to_string(k) + "/frame", "The frames of keys ascend.", "above the frame before");
+  }
+}
+
+void check(const Value& value, const RenderJob& job) {
+  if (job.output.empty()) value.refuse_below("output", "The job says no file to write.", "as out/fox.####.png");
+  if (job.scene.empty() == !job.builtin)
+    value.refuse_below("scene", "A job has either a file of a scene or a built-in model.", "either scene or builtin");
+  if (job.options && job.builtin) value.refuse_below("options", "Options are of a model's file.", "without builtin");
+}
+
 void check(const Value& value, const MapRequest& map) {
   refuse_encoding(value, map.field, map.encoding);
   const bool is_png = map.format == MapFormat::png || map.format == MapFormat::png16;
@@ -351,7 +365,7 @@ void check(const Value& value, const Paint& paint) {
   const Field unpaintable[] = {Field::direction, Field::length, Field::stretch};
   if (std::count(std::begin(unpaintable), std::end(unpaintable), paint.field) > 0)
     value.refuse_below("field", "Other tools change this field.",
-                       "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour");
+                       "density | width | curl | clump | wetness | bare | mask | root_colour | tip_colour | stiffness");
   if (paint.value > shape.max) value.refuse_below("value", "The value is beyond the field's range.", "[0, 1]");
 }
 

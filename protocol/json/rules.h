@@ -5,6 +5,7 @@
 #include "protocol/commands/command.h"
 #include "protocol/commands/export.h"
 #include "protocol/commands/frame.h"
+#include "protocol/commands/job.h"
 #include "protocol/commands/map.h"
 #include "protocol/commands/pick.h"
 #include "protocol/commands/quality.h"
@@ -34,6 +35,8 @@ void check(const Value& value, const ImportOptions& options);
 void check(const Value& value, const MapRequest& map);
 void check(const Value& value, const ExportRequest& wanted);
 void check(const Value& value, const MapUpload& map);
+void check(const Value& value, const ParameterKeys& keys);
+void check(const Value& value, const RenderJob& job);
 
 void check_command(const Value& value, const Command& command);
 

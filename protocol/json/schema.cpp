@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "protocol/json/colour.h"
+#include "protocol/json/encode.h"
 #include "protocol/json/members_answers.h"
 #include "protocol/json/members_frame.h"
+#include "protocol/json/members_job.h"
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
 #include "protocol/json/named_words.h"
@@ -195,6 +197,13 @@ class MemberSchemas {
   void hash(MemberName name, FieldsHash, const char* words = "") { add(name, reference("FieldsHash"), {}, words); }
   void json(MemberName name, const std::string&, const char* words = "") {
     add(name, {{"type", {"object", "array"}}}, {}, words);
+  }
+  void any(MemberName name, const std::string&, const char* words = "") {
+    add(name, {{"type", {"number", "string", "boolean", "array"}}}, {}, words);
+  }
+  template <class T>
+  void document(MemberName name, const std::string&, const char* words = "") {
+    add(name, describe<T>(all_), {}, words);
   }
   template <class T>
   void position(MemberName name, const T& position, const char* words = "") {
@@ -394,6 +403,17 @@ nlohmann::ordered_json schemas() {
   describe<FrameCost>(all), describe<FrameProgressList>(all);
   describe<MapAnswer>(all);
   return all;
+}
+
+std::string job_schema() {
+  using namespace json_parts;
+  Json all = shapes();
+  const Json job = describe<RenderJob>(all);
+  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                       {"title", "A job of pelage-render"},
+                       {"$ref", job["$ref"]},
+                       {"components", {{"schemas", std::move(all)}}}};
+  return schema.dump(2);
 }
 
 }  // namespace pelage

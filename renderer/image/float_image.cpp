@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -171,7 +172,13 @@ OIIO::ImageSpec exr_spec(int width, int height, std::span<const ExrPlane> planes
   }
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "");  // or the writer adds the present time, and no two files are equal
-  for (const ImageText& text : texts) spec.attribute(text.key, text.value);
+  for (const ImageText& text : texts) {
+    const bool is_rate = text.key == frame_rate_text;
+    int rate[2] = {0, 1};
+    if (is_rate && std::sscanf(text.value.c_str(), "%d/%d", &rate[0], &rate[1]) > 0)
+      spec.attribute(text.key, OIIO::TypeRational, rate);
+    if (!is_rate) spec.attribute(text.key, text.value);
+  }
   return spec;
 }
 

@@ -40,6 +40,9 @@ Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_
 /// Under which a map's file says what 1 in it stands for.
 inline constexpr const char* map_scale_text = "pelage:scale";
 
+/// Under which an EXR has its frames per second; the text is a ratio, "24/1".
+inline constexpr const char* frame_rate_text = "FramesPerSecond";
+
 /// Makes the library of EXR do without threads from here on, for a process that may start none.
 void read_exr_without_threads();
 

@@ -176,7 +176,7 @@ std::size_t pixels_of(const PngLayout& layout) {
 
 }  // namespace
 
-std::string PngEncoder::encode(Image image, bool keep_alpha) {
+std::string PngEncoder::encode(Image image, bool keep_alpha, std::span<const ImageText> texts) {
   const auto picture = std::make_shared<Kept>();
   picture->layout = png_layout(image, keep_alpha);
   picture->image = std::move(image);
@@ -192,7 +192,7 @@ std::string PngEncoder::encode(Image image, bool keep_alpha) {
   }
   const auto source = std::ranges::max_element(taken_over, {}, [](const auto& entry) { return entry.second; });
   keep(picture, source == taken_over.end() ? nullptr : source->first);
-  return png_file(picture->layout, picture->bands, {}, PngNumbers::srgb);
+  return png_file(picture->layout, picture->bands, texts, PngNumbers::srgb);
 }
 
 PngEncoder::Pictures PngEncoder::pictures_of(const PngLayout& layout) const {

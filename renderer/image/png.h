@@ -58,7 +58,7 @@ class PngEncoder {
   explicit PngEncoder(std::size_t max_pixels = std::size_t{2048} * 2048) : max_pixels_(max_pixels) {}
 
   /// As encode_png.
-  std::string encode(Image image, bool keep_alpha);
+  std::string encode(Image image, bool keep_alpha, std::span<const ImageText> texts = {});
 
  private:
   /// A picture and its bands. Never changes, so several may read it.

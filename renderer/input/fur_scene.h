@@ -76,6 +76,7 @@ struct FurFields {
   std::span<const DirtyRange> dirty;
   std::span<const FurSkinRegion> skin = {};  // at most 64; fur is shorter there
   FurPaint paint = {};
+  std::span<const glm::vec2> closing = {};  // `direction` when the shutter of traced strands closes; empty: the same
 };
 
 struct FurLight {

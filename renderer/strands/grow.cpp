@@ -58,16 +58,26 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const
   return hash.value();
 }
 
-std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const FurVertex> vertices) {
+std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const FurVertex> vertices,
+                                         std::span<const FurVertex> closing) {
   std::vector<std::uint64_t> hashes;
   hashes.reserve(vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     Hash hash;
     hash.add_value(std::array{model.positions[v], model.normals[v], model.tangents[v]});
     hash.add_value(vertices[v]);
+    if (!closing.empty()) hash.add_value(closing[v].direction);
     hashes.push_back(hash.value());
   }
   return hashes;
+}
+
+/// None where nothing moves.
+std::vector<FurVertex> closing_vertices(const std::vector<FurVertex>& vertices, std::span<const glm::vec2> directions) {
+  if (directions.empty()) return {};
+  std::vector<FurVertex> moved(vertices);
+  for (std::size_t v = 0; v < moved.size(); ++v) moved[v].direction = directions[v];
+  return moved;
 }
 
 }  // namespace
@@ -77,6 +87,7 @@ struct Grower::Impl {
       : model(surface),
         recipe(how),
         vertices(fur_vertices(surface, fields)),
+        closing(closing_vertices(vertices, fields.closing)),
         leans(how.coat.lean_curve, how.coat.root_share),
         tile(recipe.coat, strand_segments(how.coat, any_above_default(fields.paint.curl))),
         tile_share(tile_share_of(how.share, how.coat.count)),
@@ -84,19 +95,21 @@ struct Grower::Impl {
         form(recipe.coat, tile),
         colours(model, recipe, tile),
         whole_hash(recipe_hash(how, surface, tile)),
-        hashes(vertex_hashes(surface, vertices)) {
+        hashes(vertex_hashes(surface, vertices, closing)) {
     if (has_pattern(recipe.coat)) pattern = make_pattern_block(recipe.coat);
   }
 
   bool bald(std::uint32_t piece) const;
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
   void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t max, StrandSet& set) const;
-  void append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
-  void append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const;
+  /// `moved` is the piece when the shutter closes, null where nothing moves.
+  void append(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
+  void append_guard_hair(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
 
   FurModel model;
   GrowRecipe recipe;
   std::vector<FurVertex> vertices;
+  std::vector<FurVertex> closing;  // when the shutter closes; empty: the same
   LeanTable leans;
   TileStrands tile;
   double tile_share;  // of the tile's strands are in `cells`; of their copies share / tile_share grow
@@ -121,7 +134,7 @@ bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 
-void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const {
+void Grower::Impl::append(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
   const RootFields root = piece.fields(share);
   const auto reach = static_cast<float>(tile[copy.strand].length_share);
@@ -132,15 +145,20 @@ void Grower::Impl::append(const FurPiece& piece, const TileCopy& copy, StrandSet
   const float wider = std::max(root.width, 0.0f) * static_cast<float>(recipe.widening);
   for (std::size_t i = 0; i < knots; ++i) {
     const int k = static_cast<int>(i);
-    set.points[first + i] = {root.place + piece.leaned(share, tile.along(k) * reach) + sideways[i],
-                             std::max(wider * tile.radius(copy.strand, k), min_strand_radius)};
+    const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
+    const auto point = [&](const FurPiece& of) {
+      return StrandPoint{root.place + of.leaned(share, tile.along(k) * reach) + sideways[i], radius};
+    };
+    set.points[first + i] = point(piece);
+    if (moved) set.closing.push_back(point(*moved));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
 }
 
 /// As hair.vert has it: no clumps and locks, a bow of its own, and some reach beyond the fur.
-void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy, StrandSet& set) const {
+void Grower::Impl::append_guard_hair(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy,
+                                     StrandSet& set) const {
   const glm::vec3 share(copy.share);
   const RootFields root = piece.fields(share);
   const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
@@ -154,8 +172,12 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const TileCopy& copy
   for (std::size_t i = 0; i < knots; ++i) {
     const int k = static_cast<int>(i);
     const float s = tile.along(k);
-    set.points[first + i] = {root.place + stretch * piece.leaned(share, s) + aside * (bow * s * s),
-                             std::max(wider * tile.radius(copy.strand, k), min_strand_radius)};
+    const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
+    const auto point = [&](const FurPiece& of) {
+      return StrandPoint{root.place + stretch * of.leaned(share, s) + aside * (bow * s * s), radius};
+    };
+    set.points[first + i] = point(piece);
+    if (moved) set.closing.push_back(point(*moved));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
@@ -166,11 +188,15 @@ void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies
   if (bald(index) || set.bytes() > max) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
-  const FurPiece piece(model, vertices, index, leans, pattern ? &*pattern : nullptr);
+  const PatternBlock* block = pattern ? &*pattern : nullptr;
+  const FurPiece piece(model, vertices, index, leans, block);
+  std::optional<FurPiece> moved;
+  if (!closing.empty()) moved.emplace(model, closing, index, leans, block);
+  const FurPiece* then = moved ? &*moved : nullptr;
   for (const TileCopy& copy : copies) {
     if (!keeps(piece, copy)) continue;
     const bool guard_hair = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
-    guard_hair ? append_guard_hair(piece, copy, set) : append(piece, copy, set);
+    guard_hair ? append_guard_hair(piece, then, copy, set) : append(piece, then, copy, set);
     if (set.bytes() > max) return;
   }
 }
@@ -191,7 +217,8 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   set.segments = impl_->tile.segments();
   std::vector<TileCopy> copies;
   for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, max, set);
-  set.points.shrink_to_fit(), set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
+  set.points.shrink_to_fit(), set.closing.shrink_to_fit();
+  set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }
 

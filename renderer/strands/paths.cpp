@@ -21,12 +21,12 @@ constexpr float worth_a_ray =
 /// The scattering at a hit: a fibre or matt skin. As a BSDF of pbrt, with the cosine in it.
 class Bsdf {
  public:
-  Bsdf(const TraceScene& scene, const Hit& hit, glm::vec3 position, glm::vec3 to_camera)
-      : scene_(scene), hit_(hit), position_(position), to_camera_(to_camera) {
+  Bsdf(const TraceScene& scene, const Hit& hit, glm::vec3 position, const Ray& from)
+      : scene_(scene), hit_(hit), position_(position), to_camera_(-from.direction), time_(from.time) {
     if (hit.kind == HitKind::strand) {
-      frame_.emplace(hit.tangent, to_camera);
+      frame_.emplace(hit.tangent, to_camera_);
       const StrandShading& shading = scene.shading();
-      fibre_.emplace(shading.lobes(), frame_->local(to_camera), hit.offset, shading.absorption(hit.colour));
+      fibre_.emplace(shading.lobes(), frame_->local(to_camera_), hit.offset, shading.absorption(hit.colour));
     } else {
       hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
       position_ += hit.normal * leave_skin;
@@ -35,7 +35,7 @@ class Bsdf {
 
   /// A ray that leaves the hit.
   Ray spawn_ray(glm::vec3 direction, float t_max = 1e30f) const {
-    return {.origin = position_, .direction = direction, .t_max = t_max, .without = hit_.strand};
+    return {.origin = position_, .direction = direction, .t_max = t_max, .without = hit_.strand, .time = time_};
   }
   glm::vec3 position() const { return position_; }
 
@@ -69,6 +69,7 @@ class Bsdf {
   const TraceScene& scene_;
   Hit hit_;
   glm::vec3 position_, to_camera_;
+  float time_;
   std::optional<FibreFrame> frame_;
   std::optional<FibrePaths> fibre_;
 };
@@ -145,9 +146,10 @@ glm::vec3 bounded(glm::vec3 radiance, float brightest) {
 void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& film_sample) {
   Hit hit = seen.hit;
   if (hit.kind == HitKind::skin && seen.base.there) hit.colour = seen.base.albedo, hit.normal = seen.base.normal;
-  glm::vec3 position = film_sample.position, to_camera = -seen.ray.direction, throughput(1);
+  glm::vec3 position = film_sample.position, throughput(1);
+  Ray ray = seen.ray;
   for (int bounce = 0; bounce < scene.frame().knobs.trace.bounces; ++bounce) {
-    const Bsdf bsdf(scene, hit, position, to_camera);
+    const Bsdf bsdf(scene, hit, position, ray);
     const DirectLight direct = sample_direct(scene, world, bsdf, throughput, bounce == 0, sampler);
     film_sample.radiance += bounded(throughput * (direct.lights + direct.environment), scene.brightest());
     if (bounce == 0) {
@@ -163,20 +165,20 @@ void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampl
       if (!(u < survival_probability)) return;
       throughput /= survival_probability;
     }
-    const Ray ray = bsdf.spawn_ray(sample.direction);
+    ray = bsdf.spawn_ray(sample.direction);
     hit = world.intersect(ray);
     if (hit.kind == HitKind::none) {
       film_sample.radiance += bounded(throughput * escaped_radiance(scene, sample, bsdf.position()), scene.brightest());
       return;
     }
-    position = ray.origin + ray.direction * hit.distance, to_camera = -ray.direction;
+    position = ray.origin + ray.direction * hit.distance;
   }
 }
 
 }  // namespace
 
-FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler) {
-  const Seen seen = look_at(scene, world, place);
+FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time, Sampler& sampler) {
+  const Seen seen = look_at(scene, world, place, time);
   FilmSample sample = features_of(scene, seen);
   if (seen.hit.kind == HitKind::none) {
     shade_ground(scene, world, seen.ray, sampler, sample);

@@ -8,6 +8,6 @@
 namespace pelage {
 
 /// What a ray through a place of the picture sees.
-FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler);
+FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time, Sampler& sampler);
 
 }  // namespace pelage

@@ -26,6 +26,11 @@ EmbreeGeometry make_ribbons(RTCDevice device, const StrandSet& strands) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, strands.points.data(), 0,
                              sizeof(StrandPoint), strands.points.size());
+  if (!strands.closing.empty()) {
+    rtcSetGeometryTimeStepCount(geometry.get(), 2);
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 1, RTC_FORMAT_FLOAT4, strands.closing.data(), 0,
+                               sizeof(StrandPoint), strands.closing.size());
+  }
   const auto segments = static_cast<std::uint32_t>(strands.segments);
   auto* first = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof(std::uint32_t), strands.count() * segments));
@@ -81,10 +86,15 @@ Hit StrandPart::hit(const Ray& ray, float distance, std::uint32_t segment, float
   const std::uint32_t k = segment % segments;
   const std::size_t at = first_point(segment);
   const StrandPoint* point = &strands_.points[at];
-  const glm::vec3 low = point[0].place, high = point[1].place;
+  const auto place = [&](int i) {
+    const glm::vec3 opening = point[i].place;
+    if (strands_.closing.empty()) return opening;
+    return glm::mix(opening, (&strands_.closing[at])[i].place, ray.time);
+  };
+  const glm::vec3 low = place(0), high = place(1);
   const glm::vec3 along = unit_or(high - low, ray.direction);
-  const glm::vec3 before = k > 0 ? unit_or(high - point[-1].place, along) : along;
-  const glm::vec3 after = k + 1 < segments ? unit_or(point[2].place - low, along) : along;
+  const glm::vec3 before = k > 0 ? unit_or(high - place(-1), along) : along;
+  const glm::vec3 after = k + 1 < segments ? unit_or(place(2) - low, along) : along;
 
   const StrandId strand = strand_of(segment);
   const StrandRoot& root = strands_.roots[strand.strand];

@@ -24,7 +24,7 @@ glm::vec3 unpack_colour(std::uint32_t packed) {
 }
 
 std::size_t StrandSet::bytes() const {
-  return points.size() * sizeof(StrandPoint) + colours.size() * sizeof(std::uint32_t) +
+  return (points.size() + closing.size()) * sizeof(StrandPoint) + colours.size() * sizeof(std::uint32_t) +
          roots.size() * sizeof(StrandRoot);
 }
 

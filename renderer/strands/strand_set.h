@@ -31,8 +31,9 @@ glm::vec3 unpack_colour(std::uint32_t packed);
 struct StrandSet {
   int segments = 1;
   std::vector<StrandPoint> points;
-  std::vector<std::uint32_t> colours;  // of each point; pack_colour
-  std::vector<StrandRoot> roots;       // of each strand
+  std::vector<std::uint32_t> colours;     // of each point; pack_colour
+  std::vector<StrandRoot> roots;          // of each strand
+  std::vector<StrandPoint> closing = {};  // where the points are when the shutter closes; empty: they stay
 
   std::size_t count() const { return roots.size(); }
   std::size_t bytes() const;

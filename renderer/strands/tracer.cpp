@@ -68,6 +68,7 @@ struct Tracer::Impl {
   std::optional<TraceScene> scene;
   std::optional<Film> film;
   std::vector<char> active;  // by tile
+  bool blurred = false;      // strands move while the shutter is open
   TraceReport report;
 };
 
@@ -100,6 +101,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   tracer.scene.emplace(frame, std::move(base), *tracer.shading);
   tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter);
   tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
+  tracer.blurred = !fields.closing.empty();
   tracer.report.strands = change->strands;
   tracer.report.grow_ms = passed.milliseconds();
   return {};
@@ -114,9 +116,11 @@ bool Tracer::Impl::trace_tile(int tile, const GoOn& go_on) {
       const auto pixel = static_cast<std::uint32_t>(y * film->width() + x);
       Sampler sampler(pixel, static_cast<std::uint32_t>(film->samples(x, y)), trace.seed);
       const glm::vec2 place = glm::vec2(x, y) + sampler.next2();
+      const float time = blurred ? sampler.next() : 0;
       const bool paths = trace.transport == Transport::paths;
       film->add(x, y,
-                paths ? path_sample(*scene, world, place, sampler) : transmitted_sample(*scene, world, place, sampler));
+                paths ? path_sample(*scene, world, place, time, sampler)
+                      : transmitted_sample(*scene, world, place, time, sampler));
     }
   }
   return true;

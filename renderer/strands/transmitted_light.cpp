@@ -50,8 +50,8 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
   if (chosen.index < 0) return;
   if (chosen.index == lights.count()) {
     const glm::vec3 direction = cosine_direction(hit.normal, u);
-    const glm::vec3 transmittance =
-        world.transmittance({.origin = place, .direction = direction, .without = hit.strand}, scene.self_shadow());
+    const glm::vec3 transmittance = world.transmittance(
+        {.origin = place, .direction = direction, .without = hit.strand, .time = seen.ray.time}, scene.self_shadow());
     sample.radiance += hit.colour * lights.environment(direction) * ambient_share(scene.frame().look, transmittance) /
                        chosen.probability;
     return;
@@ -59,9 +59,12 @@ void light_strand(const TraceScene& scene, const World& world, const Seen& seen,
   const LightSample light = lights.sample(chosen.index, place, u);
   const glm::vec3 whole = light.radiance / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
   if (luminance(whole) <= 0) return;
-  const glm::vec3 transmittance = world.transmittance(
-      {.origin = place, .direction = light.to_light, .t_max = light.distance, .without = hit.strand},
-      scene.self_shadow());
+  const glm::vec3 transmittance = world.transmittance({.origin = place,
+                                                       .direction = light.to_light,
+                                                       .t_max = light.distance,
+                                                       .without = hit.strand,
+                                                       .time = seen.ray.time},
+                                                      scene.self_shadow());
   sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
   sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
 }
@@ -76,8 +79,9 @@ void bound(const TraceScene& scene, FilmSample& sample) {
 
 }  // namespace
 
-Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place) {
+Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float time) {
   Seen seen{.ray = scene.ray_at(place), .hit = {}, .base = {}};
+  seen.ray.time = time;
   seen.hit = world.intersect(seen.ray);
   const bool strand = seen.hit.kind == HitKind::strand;
   const bool eye = scene.near_eye(seen.ray);
@@ -126,7 +130,8 @@ void light_backplate(const TraceScene& scene, const World& world, const Seen& se
   if (!(total > 0) || !std::isfinite(total)) return;
   if (pick * total < ambient) {
     const glm::vec3 direction = cosine_direction(base.normal, u);
-    const glm::vec3 transmittance = world.transmittance({.origin = place, .direction = direction}, scene.self_shadow());
+    const glm::vec3 transmittance =
+        world.transmittance({.origin = place, .direction = direction, .time = seen.ray.time}, scene.self_shadow());
     sample.radiance += base.ambient * ambient_share(scene.frame().look, transmittance) * (total / ambient);
     return;
   }
@@ -141,8 +146,9 @@ void light_backplate(const TraceScene& scene, const World& world, const Seen& se
   glm::vec3 transmittance(1);  // light that no light source explains is never occluded
   if (chosen.index >= 0) {
     const LightSample light = lights.sample(chosen.index, place, u);
-    transmittance = world.transmittance({.origin = place, .direction = light.to_light, .t_max = light.distance},
-                                        scene.self_shadow());
+    transmittance = world.transmittance(
+        {.origin = place, .direction = light.to_light, .t_max = light.distance, .time = seen.ray.time},
+        scene.self_shadow());
   }
   sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
   sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
@@ -167,7 +173,7 @@ void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, S
   const DiscreteSample chosen = distribution.sample(sampler.next());
   const glm::vec2 u = sampler.next2();
   if (chosen.index < 0) return;
-  Ray towards{.origin = place, .direction = cosine_direction({0, 1, 0}, u)};
+  Ray towards{.origin = place, .direction = cosine_direction({0, 1, 0}, u), .time = ray.time};
   float strength = ground->contact;
   if (chosen.index < lights.count()) {
     const LightSample light = lights.sample(chosen.index, place, u);
@@ -179,8 +185,9 @@ void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, S
   sample.alpha = strength * (1 - lit) * edge;
 }
 
-FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler) {
-  const Seen seen = look_at(scene, world, place);
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time,
+                              Sampler& sampler) {
+  const Seen seen = look_at(scene, world, place, time);
   FilmSample sample = features_of(scene, seen);
   switch (seen.hit.kind) {
     case HitKind::none: shade_ground(scene, world, seen.ray, sampler, sample); break;

@@ -9,8 +9,9 @@
 
 namespace pelage {
 
-/// What a ray through a place of the picture sees.
-FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, Sampler& sampler);
+/// What a ray through a place of the picture sees, at a time as Ray has it.
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time,
+                              Sampler& sampler);
 
 /// What a camera ray through a pixel position hits: shared with paths.
 struct Seen {
@@ -20,7 +21,7 @@ struct Seen {
   bool eye = false;
   bool bare = false;  // skin without fur
 };
-Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place);
+Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float time);
 
 /// Position, normal, tangent and what else is not light.
 FilmSample features_of(const TraceScene& scene, const Seen& seen);

@@ -77,7 +77,7 @@ RTCRay ray_of(const Ray& ray) {
           ray.direction.x,
           ray.direction.y,
           ray.direction.z,
-          0,
+          ray.time,
           ray.t_max,
           ~0u,
           0,

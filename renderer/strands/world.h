@@ -43,6 +43,7 @@ struct Ray {
   glm::vec3 origin{0}, direction{0, 0, 1};  // unit
   float t_max = 1e30f;
   StrandId without = {};
+  float time = 0;  // when it is cast, [0, 1]: 0 as the shutter opens, 1 as it closes
 };
 
 enum class HitKind { none, strand, skin };

@@ -89,7 +89,8 @@ std::string encode_array(int width, int height, const std::vector<ExrPlane>& pla
   return encode_npy(array_shape(width, height, planes.size()), std::span(std::as_const(values)));
 }
 
-std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement) {
+std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement,
+                        std::span<const ImageText> texts) {
   assert(images.size() == request.aovs.size() && !images.empty());
   const auto asked = [&](Aov l) {
     return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end();
@@ -103,7 +104,7 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
     if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);
   }
   const FloatImage& first = images.front();
-  return request.format == FrameFormat::exr ? encode_exr(first.width, first.height, planes)
+  return request.format == FrameFormat::exr ? encode_exr(first.width, first.height, planes, texts)
                                             : encode_array(first.width, first.height, planes);
 }
 
@@ -134,15 +135,15 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
 }
 
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
-                         PngEncoder& png) {
+                         PngEncoder& png, std::span<const ImageText> texts) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
-    return encode_aovs(std::move(*aovs), request, placement);
-  if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha);
+    return encode_aovs(std::move(*aovs), request, placement, texts);
+  if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
   if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);
   if (request.format == FrameFormat::npy) return encode_array(image);
-  return png.encode(std::move(image), keep_alpha);
+  return png.encode(std::move(image), keep_alpha, texts);
 }
 
 const char* content_type_of(FrameFormat format) {

@@ -1,6 +1,7 @@
 // The file of a frame: what is drawn for each format, and how it is encoded.
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -26,9 +27,9 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
 
 /// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and
 /// A of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
-/// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits.
+/// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits. PNG and EXR carry the texts.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
-                         PngEncoder& png);
+                         PngEncoder& png, std::span<const ImageText> texts = {});
 
 const char* content_type_of(FrameFormat format);
 

@@ -39,7 +39,8 @@ struct FrameJob {
   double expected = 0;  // the same once its view is known
   Stopwatch begun = {};
   Revision revision = 0;
-  bool outdated = false;  // a frame that was let in shows another revision of the scene
+  std::optional<double> moment = {};  // of fur that the wind moves
+  bool outdated = false;              // a frame that was let in shows another revision of the scene, or another moment
   bool given_up = false;
   int restarts = 0;
   double paused = 0;  // milliseconds
@@ -50,6 +51,7 @@ struct FrameJob {
   }
   /// Whether both draw what the renderer has of one scene, which changes with the scene.
   bool same_subject(const FrameJob& other) const { return scene == other.scene && past.copy == other.past.copy; }
+  bool shows_same(const FrameJob& other) const { return revision == other.revision && moment == other.moment; }
 };
 
 /// Refuses (invalid, "/max_seconds") what is expected to take longer than was asked for.

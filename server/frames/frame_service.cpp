@@ -29,6 +29,14 @@ using Task = std::function<void(Renderer*)>;
 
 constexpr int max_restarts = 2;  // of a frame whose scene changed meanwhile
 
+void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest& request,
+                   const ModelPlacement& placement, PngEncoder& png, const FileTexts& texts) {
+  const Stopwatch passed;
+  answer.bytes =
+      encode_frame(std::move(picture), request, placement, png, texts ? texts(answer) : std::vector<ImageText>());
+  answer.timings.encode = passed.milliseconds();
+}
+
 }  // namespace
 
 struct FrameService::Impl {
@@ -47,6 +55,7 @@ struct FrameService::Impl {
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
+  MovedFur moved_fur;  // of the render thread
   FramePlanner planner;
   int threads = 1;  // that fur is drawn on
   PngEncoder png;   // of whoever asked, not of the render thread
@@ -54,7 +63,7 @@ struct FrameService::Impl {
   std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
-  void run(GlChoice choice, int asked_threads, std::promise<Status>& started);
+  void run(GlChoice choice, int asked_threads, std::optional<int> device, std::promise<Status>& started);
   void serve(Renderer& renderer);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
@@ -72,8 +81,9 @@ struct FrameService::Impl {
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
 };
 
-void FrameService::Impl::run(GlChoice choice, int asked_threads, std::promise<Status>& started) {
-  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads);
+void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<int> device,
+                             std::promise<Status>& started) {
+  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads, device);
   if (!context) return started.set_value(context.status());
   threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
@@ -117,7 +127,8 @@ bool FrameService::Impl::forget_gone(Renderer& renderer) {
   gone.insert(gone.end(), forgotten.begin(), forgotten.end());
   forgotten.clear();
   if (gone.empty()) return false;
-  for (const std::uint64_t model : gone) renderer.forget(model), memory.forget(renderer, model);
+  for (const std::uint64_t model : gone)
+    renderer.forget(model), memory.forget(renderer, model), moved_fur.forget(model);
   return true;
 }
 
@@ -162,7 +173,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
 
 void FrameService::Impl::mark_outdated(const FrameJob& job) {
   for (FrameJob* other : running)
-    other->outdated = other->outdated || (other->same_subject(job) && other->revision != job.revision);
+    other->outdated = other->outdated || (other->same_subject(job) && !other->shows_same(job));
 }
 
 void FrameService::Impl::count(double milliseconds, const Status& outcome) {
@@ -177,9 +188,9 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   frame.timings.queue = job.asked.milliseconds();
   const Stopwatch passed;
   const double paused = job.paused;
-  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, false, true);
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, moved_fur, false, true);
   if (!shown) return shown.status();
-  job.revision = shown->revision;
+  job.revision = shown->revision, job.moment = shown->moment;
   mark_outdated(job);
   frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
   frame.cost = planner.cost_of(*shown->features, shown->fur);
@@ -238,11 +249,13 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate) {
+Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate,
+                                                          std::optional<int> device) {
   auto impl = std::make_unique<Impl>(gate);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
-  impl->thread = std::thread([&started, choice, threads, raw = impl.get()] { raw->run(choice, threads, started); });
+  impl->thread = std::thread(
+      [&started, choice, threads, device, raw = impl.get()] { raw->run(choice, threads, device, started); });
   const Status status = outcome.get();
   if (!status.ok()) {
     impl->thread.join();
@@ -261,7 +274,7 @@ FrameService::~FrameService() {
 }
 
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                        const std::function<bool()>& abandoned) {
+                                        const std::function<bool()>& abandoned, const FileTexts& texts) {
   const YieldGate::Turn turn = impl_->gate.go_first();
   auto job =
       std::make_unique<FrameJob>(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
@@ -272,15 +285,14 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   impl_->add(std::move(job));
   Result<DrawnFrame> drawn = answer.get();
   if (!drawn) return drawn.status();
-  const Stopwatch encoding;
-  FrameAnswer result{.bytes = encode_frame(std::move(drawn->picture), request, drawn->placement, impl_->png),
+  FrameAnswer result{.bytes = {},
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
                      .knobs = drawn->knobs,
                      .timings = drawn->timings,
                      .counters = drawn->counters,
                      .estimate = std::move(drawn->estimate)};
-  result.timings.encode = encoding.milliseconds();
+  encode_answer(result, std::move(drawn->picture), request, drawn->placement, impl_->png, texts);
   return result;
 }
 
@@ -316,7 +328,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
     FrameTimings timings{.queue = asked.milliseconds()};
     const Stopwatch passed;
-    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, true, false);
+    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, impl_->moved_fur, true, false);
     if (!shown) return shown.status();
     timings.upload = passed.milliseconds();
     DrawTimes times;
@@ -331,11 +343,14 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
                       std::move(*base),
                       timings,
                       times.counters,
+                      shown->moment,
+                      std::move(shown->direction),
                       past->copy};
   });
 }
 
-Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request) {
+Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request,
+                                         const FileTexts& texts) {
   FrameTimings timings = picture.timings;
   const Stopwatch asked;
   Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
@@ -349,15 +364,14 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
   }
   if (!finished) return finished.status();
   timings.read += asked.milliseconds();
-  const Stopwatch encoding;
-  FrameAnswer answer{.bytes = encode_frame(std::move(*finished), request, picture.placement, impl_->png),
+  FrameAnswer answer{.bytes = {},
                      .content_type = content_type_of(request.format),
                      .revision = picture.revision,
                      .knobs = knobs_of(picture),
                      .timings = timings,
                      .counters = picture.counters,
                      .trace = picture.report};
-  answer.timings.encode = encoding.milliseconds();
+  encode_answer(answer, std::move(*finished), request, picture.placement, impl_->png, texts);
   return answer;
 }
 

@@ -5,11 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
+#include "renderer/image/image.h"
+#include "server/frames/moved_fur.h"
 #include "server/frames/traced_picture.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
@@ -27,6 +30,9 @@ struct FrameAnswer {
   std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are a row of the dial
 };
 
+/// Texts that the file of a picture carries, by all of the answer but its bytes; null for none.
+using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
+
 /// What a picture is traced from, all of one revision.
 struct TraceStart {
   SceneCopy scene;
@@ -35,6 +41,8 @@ struct TraceStart {
   Backplate base;
   FrameTimings timings;
   FrameCounters counters;
+  std::optional<double> moment = {};  // of fur that the wind moves
+  MovedDirection direction = {};
   std::shared_ptr<const SceneCopy> past = {};  // as TracedPicture has it
 };
 
@@ -43,8 +51,9 @@ class FrameService {
  public:
   /// Starts the render thread, and its context where the choice has one. Fails (unavailable) with what was tried when a
   /// GL that was asked for does not work. `threads` bounds those that the CPU or a software GL draws on, 0 for all
-  /// cores. What yields at the gate waits while frames are drawn and encoded.
-  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate);
+  /// cores; `device` as for select_context. What yields at the gate waits while frames are drawn and encoded.
+  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate,
+                                                     std::optional<int> device = {});
   ~FrameService();
 
   /// What frames are planned by from now on; the safe defaults until then.
@@ -59,7 +68,7 @@ class FrameService {
   /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision, and (invalid,
   /// "/max_seconds") when drawing is expected to take longer than asked.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                            const std::function<bool()>& abandoned = {});
+                            const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
   /// What drawing the frame is expected to take; nothing is drawn. Refused as `frame` is.
   Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
@@ -71,7 +80,7 @@ class FrameService {
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.
-  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request);
+  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
 
   /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
   /// kept of its earlier revisions. Waits for no frame.

@@ -179,15 +179,18 @@ FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
           scene.copy_id};
 }
 
-FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty) {
-  return {scene.fields.direction(), scene.fields.length(), dirty, skin, make_paint(scene.fields)};
+FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,
+                      const std::vector<glm::vec2>* moved) {
+  return {moved ? std::span(*moved) : scene.fields.direction(), scene.fields.length(), dirty, skin,
+          make_paint(scene.fields)};
 }
 
-UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty) {
+UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
+                       const std::vector<glm::vec2>* moved) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
-  const FurFields fields = make_fields(scene, skin, ranges);
+  const FurFields fields = make_fields(scene, skin, ranges, moved);
   const std::uint64_t copy = copy_id(scene);
   if (renderer.has(copy)) return renderer.update(copy, fields);
   renderer.forget(scene.copy_id);  // in other colours

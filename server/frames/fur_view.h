@@ -28,7 +28,9 @@ std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, con
 
 /// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have in these
 /// colours, else the dirty vertex ranges.
-UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty);
+/// The fur leans as `moved` says, where it is not null; `dirty` is then of both.
+UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
+                       const std::vector<glm::vec2>* moved = nullptr);
 
 /// What is drawn of a model: its triangles as patches have them, with the place of each corner on the sample tile, the
 /// patch's share there and the model's own look.
@@ -48,8 +50,9 @@ ModelArrays make_arrays(const SceneView& scene);
 
 /// Views of the scene and of the arrays.
 FurModel make_model(const SceneView& scene, const ModelArrays& arrays);
-/// Views of the scene and of the other two.
-FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty);
+/// Views of the scene and of the others; the fur leans as `moved` says, where it is not null.
+FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,
+                      const std::vector<glm::vec2>* moved = nullptr);
 
 /// A frame in internal coordinates, with the scene's coat, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);

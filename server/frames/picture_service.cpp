@@ -32,13 +32,13 @@ FrameCost cost_of(const FrameRequest& request, const FrameRequest& probe, const 
 }  // namespace
 
 Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                          const std::function<bool()>& abandoned) {
+                                          const std::function<bool()>& abandoned, const FileTexts& texts) {
   if (request.knobs.method == Method::strands) {
     const auto picture = traces_.trace(scene, request, abandoned);
-    return picture ? frames_.finish(**picture, request) : picture.status();
+    return picture ? frames_.finish(**picture, request, texts) : picture.status();
   }
   if (!request.progressive) traces_.turn_from(*scene, request);
-  Result<FrameAnswer> answer = frames_.frame(scene, request, abandoned);
+  Result<FrameAnswer> answer = frames_.frame(scene, request, abandoned, texts);
   if (!answer || !request.progressive) return answer;
   answer->trace = TraceReport{};
   // Where too many wait, whoever asks for a better picture is told so; shells are there all the same.

@@ -14,7 +14,7 @@ class PictureService {
   /// As FrameService::frame and TraceQueue::trace. A request with `progressive` is answered with shells, and tracing
   /// begins.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                            const std::function<bool()>& abandoned = {});
+                            const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
   /// What drawing such a frame takes, without drawing it. Of strands it is measured: they are grown, and traced for two
   /// passes at a quarter of the size; a picture that ends by its noise may end sooner. As `frame` fails.

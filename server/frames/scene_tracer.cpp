@@ -37,8 +37,14 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
             .timings = start->timings,
             .counters = start->counters,
             .past = std::move(start->past)};
-  Status status = tracer_.begin(make_model(view, arrays_of(view)), make_fields(view, skin, std::span(&all, 1)),
-                                *begun_.frame, std::move(start->base), aovs_, go_on);
+  const double open = request.knobs.trace.shutter;
+  const bool blurred = start->moment && open > 0;
+  const MovedDirection opening = blurred ? moved_at(view, *start->moment - open / 2) : start->direction;
+  const MovedDirection closing = blurred ? moved_at(view, *start->moment + open / 2) : nullptr;
+  FurFields fields = make_fields(view, skin, std::span(&all, 1), opening.get());
+  if (closing) fields.closing = *closing;
+  Status status =
+      tracer_.begin(make_model(view, arrays_of(view)), fields, *begun_.frame, std::move(start->base), aovs_, go_on);
   if (!status.ok()) return status;
   return begun_.revision;
 }

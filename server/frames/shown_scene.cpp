@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& request, const FramePast& past,
-                        bool with_copy, bool with_features) {
+                        MovedFur& fur, bool with_copy, bool with_features) {
   Shown shown;
   bool comparable = true;
   const auto show_view = [&](const SceneView& view, const std::vector<VertexRange>& dirty) {
@@ -21,7 +21,11 @@ Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& re
     shown.fur = make_frame(view, request);
     const Mesh& mesh = view.model.surface.mesh();
     shown.placement = {mesh.centre, mesh.size};
-    sync_scene(renderer, view, dirty);
+    shown.moment = moment_of(view, request);
+    const MovedFur::Shown moved = fur.show(view, shown.moment);
+    const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(mesh.positions.size())}};
+    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get());
+    shown.direction = moved.direction;
     comparable = !past.compared || past.compared->model.get() == &view.model;
     if (past.compared && comparable) shown.fur.difference = change_shares(past.compared->fields, view.fields);
     if (with_copy) shown.copy.emplace(view);
@@ -38,13 +42,13 @@ Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& re
 }  // namespace
 
 Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, FramePast& past, PastScenes& scenes,
-                   bool with_copy, bool with_features) {
-  Result<Shown> shown = show_once(renderer, scene, request, past, with_copy, with_features);
+                   MovedFur& fur, bool with_copy, bool with_features) {
+  Result<Shown> shown = show_once(renderer, scene, request, past, fur, with_copy, with_features);
   if (!shown || !request.revision || shown->revision == *request.revision) return shown;
   Result<PastCopy> copy = scenes.find(scene, *request.revision);
   if (!copy) return copy.status();
   past.copy = std::move(*copy);
-  return show_once(renderer, scene, request, past, with_copy, with_features);
+  return show_once(renderer, scene, request, past, fur, with_copy, with_features);
 }
 
 Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes) {

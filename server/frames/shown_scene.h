@@ -11,6 +11,7 @@
 #include "renderer/quality/view_features.h"
 #include "server/fields/field_set.h"
 #include "server/frames/frame_parts.h"
+#include "server/frames/moved_fur.h"
 #include "server/frames/past_scenes.h"
 #include "server/scene/scene.h"
 
@@ -21,7 +22,9 @@ struct Shown {
   FurFrame fur;
   ModelPlacement placement;
   Revision revision = 0;
-  std::uint64_t copy_id = 0;  // SceneView::copy_id
+  std::uint64_t copy_id = 0;          // SceneView::copy_id
+  std::optional<double> moment = {};  // of fur that the wind moves
+  MovedDirection direction = {};
   std::optional<SceneCopy> copy = {};
   std::optional<ViewFeatures> features = {};  // where the frame is planned or can be estimated
 };
@@ -36,7 +39,7 @@ struct FramePast {
 /// that has left the asked revision since past_of is drawn from a copy, which `past` then has. Conflict where the
 /// overlay compares with fields of a model that the scene no longer has.
 Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, FramePast& past, PastScenes& scenes,
-                   bool with_copy, bool with_features);
+                   MovedFur& fur, bool with_copy, bool with_features);
 
 /// Read by whoever asks, where it holds up no other frame.
 Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes);

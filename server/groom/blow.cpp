@@ -11,9 +11,9 @@ namespace pelage {
 namespace {
 
 /// Wind from a point into a cone with a soft edge, internal coordinates.
-class Wind {
+class Blowing {
  public:
-  Wind(const Blow& command, const Mesh& mesh)
+  Blowing(const Blow& command, const Mesh& mesh)
       : source_(mesh.to_internal(command.source)),
         axis_(safe_unit(command.direction)),
         outer_(glm::radians(command.cone_degrees)),
@@ -49,7 +49,7 @@ class Wind {
 
 Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
-  const Wind wind(command, mesh);
+  const Blowing wind(command, mesh);
   const double sign = command.brush.invert ? -1 : 1;
   FieldWriter writer(fields, Field::direction);
   const Brush brush =

@@ -67,7 +67,8 @@ Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fie
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (std::count(command.fields.begin(), command.fields.end(), field) == 0) continue;
-    const bool relative = field == Field::length || field == Field::width || field == Field::stretch;
+    const bool relative =
+        field == Field::length || field == Field::width || field == Field::stretch || field == Field::stiffness;
     const auto count = static_cast<std::uint32_t>(region.size());
     done.clamped += write_in_parallel(fields, field, count, done.delta, [&](std::uint32_t i, FieldWriter& writer) {
       const auto [v, weight] = region[i];

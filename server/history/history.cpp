@@ -64,6 +64,7 @@ struct Set {
   void operator()(const SetLights& c) const { settings.lights = c.lights; }
   void operator()(const SetEnvironment& c) const { settings.environment = c.environment; }
   void operator()(const SetGround& c) const { settings.ground = c.ground; }
+  void operator()(const SetWind& c) const { settings.wind = c.wind; }
   void operator()(const SetEyes& c) const { settings.eyes = c.eyes; }
   void operator()(const SetCurves& c) const { settings.curves = c.groups; }
   void operator()(const SetSkin& c) const { settings.skin = c.regions; }
@@ -86,17 +87,12 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
 }
 
 std::vector<Command> commands_of(const SceneSettings& settings) {
-  std::vector<Command> commands{SetCoat{settings.coat},
-                                SetLook{settings.look},
-                                SetLights{settings.lights},
-                                SetEnvironment{settings.environment},
-                                SetGround{settings.ground},
-                                SetEyes{settings.eyes},
-                                SetCurves{settings.curves},
-                                SetSkin{settings.skin},
-                                SetSkinTexture{settings.skin_texture},
-                                SetBlowers{settings.blowers},
-                                SetAttractors{settings.attractors},
+  std::vector<Command> commands{SetCoat{settings.coat},        SetLook{settings.look},
+                                SetLights{settings.lights},    SetEnvironment{settings.environment},
+                                SetGround{settings.ground},    SetWind{settings.wind},
+                                SetEyes{settings.eyes},        SetCurves{settings.curves},
+                                SetSkin{settings.skin},        SetSkinTexture{settings.skin_texture},
+                                SetBlowers{settings.blowers},  SetAttractors{settings.attractors},
                                 SetSymmetry{settings.symmetry}};
   for (const NamedRevision& named : settings.checkpoints) commands.push_back(Checkpoint{named.name, named.revision});
   for (const EditLayer& layer : settings.layers)

@@ -54,8 +54,11 @@ Status to_version_8(Database& database) {
       "PRAGMA user_version = 8");
 }
 
+/// Before it fur had no stiffness and no wind: nothing stored changes, but older programs cannot read what is now.
+Status to_version_9(Database& database) { return database.execute("PRAGMA user_version = 9"); }
+
 // The step from each version to the next, from oldest_upgraded_version on.
-constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7, to_version_8};
+constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7, to_version_8, to_version_9};
 static_assert(oldest_upgraded_version + std::size(steps) == schema_version);
 
 }  // namespace

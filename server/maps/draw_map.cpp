@@ -33,7 +33,8 @@ double scale_of(const Mesh& mesh, const FieldSet& fields, const MapRequest& requ
   const Field scaled = scaled_field(request.field, encoding);
   const bool world = is_length(scaled) && request.units == Units::world;
   if (request.scale) return world ? *request.scale / mesh.size : *request.scale;
-  const bool is_open = scaled == Field::length || scaled == Field::stretch || scaled == Field::width;
+  const bool is_open =
+      scaled == Field::length || scaled == Field::stretch || scaled == Field::width || scaled == Field::stiffness;
   if (is_float(request.format)) return world ? 1 / mesh.size : 1;
   if (!is_open) return 1;
   const double max = largest(fields, scaled);

@@ -57,7 +57,7 @@ class Document(unittest.TestCase):
 
     def test_objects_are_closed_and_numbers_have_limits(self):
         requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
-                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
+                    "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetWind", "Wind", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Subdivide", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
@@ -181,6 +181,8 @@ class Requests(ServedTest):
             {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
             {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
             {"op": "set_skin_texture", "picture": "own"},
+            {"op": "set_wind", "wind": {"speed": 2, "direction": [0, 0, 1], "gusts": 0.25, "turbulence": 0.5, "turbulence_scale": 0.1, "seed": 3,
+                                        "frequency": 3, "damping": 0.5, "time": -2}},
             {"op": "set_lights", "lights": [{"kind": "point", "position": [0, 1, 0], "colour": "#ffffff", "intensity": 2, "radius": 0.25}]},
             {"op": "set_lights", "lights": [{"kind": "area", "direction": [0, -1, 0], "position": [0, 1, 0], "width": 0.5, "height": 0.25},
                                             {"kind": "directional", "angle_degrees": 4}]},
@@ -211,9 +213,9 @@ class Requests(ServedTest):
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
         difference = {"width": 8, "height": 8, "overlay": "difference", "overlay_from": 0}
-        past = {"width": 8, "height": 8, "revision": 0, "progressive": False}
+        past = {"width": 8, "height": 8, "revision": 0, "progressive": False, "time": 2.5}
         trace = {"passes": 1, "transport": "paths", "scattering": "energy_conserving", "bounces": 2, "strands": 100,
-                 "noise": 0, "seconds": 0.1, "filter": True, "seed": 1}
+                 "noise": 0, "seconds": 0.1, "shutter": 0.02, "filter": True, "seed": 1}
         strands = {"width": 8, "height": 8, "quality": {"method": "strands", "eye_steps": 2, "trace": trace}, "overlay": "length"}
         look = {"width": 8, "height": 8, "quality": {"method": "strands", "trace": {"passes": 1, "scattering": "look", "strands": 100}}}
         progressive = {"width": 8, "height": 8, "quality": "draft", "progressive": trace, "overlay": "shell_count"}
@@ -313,13 +315,14 @@ class Defaults(ServedTest):
                            {"op": "attract", "point": [0, 0, 0.6]}, {"op": "set_coat", "coat": {"count": 10}},
                            {"op": "set_look", "look": {"ambient": 1}}, {"op": "set_lights", "lights": [{"intensity": 3}]},
                            {"op": "set_environment", "environment": {"harmonics": [[1, 1, 1]] * 9, "intensity": 1}},
+                           {"op": "set_wind", "wind": {"speed": 2}},
                            {"op": "set_eyes", "eyes": [{"position": [0, 0, 1], "radius": 0.02, "lids": {}}]},
                            {"op": "set_curves", "groups": [{"curves": [[[0, 0, 1], [0, 0, 2]]]}]},
                            {"op": "set_skin", "regions": [{"centre": [0, 0, 1], "radii": [0.1, 0.1, 0.1],
                                                            "facing": {"direction": [0, 0, 1]}}]})
         self.assertEqual(answer.status, 200, answer)
         commands = self.server.get(f"{scene.path}/log").json["entries"][0]["commands"]["commands"]
-        combed, blown, attracted, coat, look, lights, environment, eyes, curves, skin = commands
+        combed, blown, attracted, coat, look, lights, environment, wind, eyes, curves, skin = commands
         self.assert_defaults("Comb", combed)
         self.assert_defaults("Stroke", combed["stroke"])
         self.assert_defaults("Brush", combed["brush"], given=["radius"])
@@ -332,6 +335,7 @@ class Defaults(ServedTest):
         self.assert_defaults("Look", look["look"], given=["ambient"])
         self.assert_defaults("Light", lights["lights"][0], given=["intensity"])
         self.assert_defaults("Environment", environment["environment"], given=["harmonics"])
+        self.assert_defaults("Wind", wind["wind"], given=["speed"])
         self.assert_defaults("Eye", eyes["eyes"][0])
         self.assert_defaults("CurveGroup", curves["groups"][0])
         for schema, part in (("Iris", "iris"), ("Pupil", "pupil"), ("Lids", "lids")):

@@ -165,6 +165,26 @@ class Recipes(ServedTest):
         low = json.loads(self.pelage("info", scene, "--json").stdout)["bounds"]["min"]
         self.assertAlmostEqual(self.length_at(scene, [0, 4 * low[1], 0.001]), 0.2, places=5)
 
+    def test_a_places_file_holds_sizes_too(self):
+        scene = self.new("--builtin", "sphere", "--triangles", 2000)
+        places = self.file("sizes.json", {"tall": 0.3})
+        recipe = self.file("tall.json", {"variables": {"tall": 0.1}, "steps": [
+            {"op": "length", "value": "${tall}", "flood": True, "brush": {"strength": 1}}]})
+        self.pelage("run", scene, recipe, "--places", places)
+        self.assertAlmostEqual(self.length_at(scene, [0, 9, 0.001]), 0.3, places=5)
+        wrong = self.file("wrong.json", {"tall": [1, 2]})
+        refused = self.pelage("run", scene, recipe, "--places", wrong, code=3).stderr
+        self.assertIn("wrong.json", refused)
+        self.assertIn("/tall", refused)
+
+    def test_one_recipe_makes_a_siamese_of_a_cat_and_a_koala(self):
+        folder = RECIPES / "siamese"
+        for name, file in (("cat", "cat.obj"), ("koala", "koala_low.obj")):
+            scene = self.new("--file", shared_folder() / "meshes" / file)
+            self.pelage("subdivide", scene)
+            self.pelage("run", scene, folder / "siamese.json", "--places", folder / f"{name}.places.json")
+            self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["undo_steps"], 22, name)
+
     def test_each_way_to_pick(self):
         scene = self.new("--builtin", "sphere", "--triangles", 2000)
         world = json.loads(self.pelage("pick", scene, "--ray", "0,9,0,0,-1,0", "--world", "--json").stdout)

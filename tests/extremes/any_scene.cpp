@@ -164,6 +164,16 @@ void add_settings(Texts& commands) {
   if (chance(30))
     commands.push_back(set("set_ground", "ground",
                            any_object({{"visible", truth}, {"height", {"-2", "0", "1e6"}}, {"shadow", share}}, 70)));
+  if (chance(30))
+    commands.push_back(set("set_wind", "wind",
+                           any_object({{"speed", {"0", "0.3", "1e6"}},
+                                       {"direction", ways},
+                                       {"gusts", {"0", "10"}},
+                                       {"turbulence", {"0", "10"}},
+                                       {"turbulence_scale", {"0.001", "0.2", "1000"}},
+                                       {"frequency", {"0.01", "100"}},
+                                       {"damping", {"0.01", "1", "10"}},
+                                       {"time", {"-1e6", "0", "1.5", "1e6"}}})));
   if (chance(25)) commands.push_back(set("set_eyes", "eyes", "[" + any_eye() + ", " + any_eye() + "]"));
   if (chance(20)) commands.push_back(set("set_skin", "regions", "[" + any_region() + "]"));
   if (chance(20))
@@ -173,7 +183,7 @@ void add_settings(Texts& commands) {
 }
 
 void add_strokes(Texts& commands) {
-  for (const char* field : {"density", "width", "curl", "clump", "wetness", "bare"}) {
+  for (const char* field : {"density", "width", "curl", "clump", "wetness", "bare", "stiffness"}) {
     if (chance(15))
       commands.push_back(R"({"op": "paint", "flood": true, "brush": {"strength": 1}, "field": ")" + std::string(field) +
                          R"(", "value": )" + any_of({"0", "0.3", "1"}) + "}");

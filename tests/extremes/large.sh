@@ -3,4 +3,5 @@
 # usage: tests/extremes/large.sh [PRESET]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+cmake --build --preset "${1:-tests}" --target extremes_large
 "build/${1:-tests}/bin/extremes_large"

@@ -38,7 +38,7 @@ Result<Recipe> completed(Session& session, const std::string& path, const std::s
   if (options.places.empty()) return recipe;
   const auto places = recipe.read(options.places);
   if (!places) return places.status();
-  recipe.places = *places;
+  recipe.places = *places, recipe.places_file = options.places;
   return recipe;
 }
 

@@ -44,6 +44,7 @@ void add_tracing(CLI::App* command, Options& options) {
           "look or energy_conserving; paths take energy_conserving alone [look]");
   hand_on(command, trace, "--bounces", "bounces", "With --transport paths: at most, 1 to 4096 [32]");
   hand_on(command, trace, "--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
+  hand_on(command, trace, "--shutter", "shutter", "Motion blur of fur in the wind: seconds, 0 to 10 [0]");
   hand_on(command, trace, "--filter", "filter", "true or false: smooths pictures of few passes [true]");
   hand_on(command, trace, "--seed", "seed", "The same seed and passes give the same picture [1]");
 }
@@ -76,6 +77,8 @@ void add_looks(CLI::App* command, Options& options) {
           "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, "
           "light_occlusion, shadow_width, bald, wire or difference [none]");
   hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
+  hand_on(command, frame, "--time", "time",
+          "Seconds: the fur as the scene's wind has moved it by then [the scene's time]");
   hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
 }
 

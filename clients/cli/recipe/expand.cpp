@@ -96,7 +96,8 @@ void Expander::pick(const json& step, Scope& scope, const std::string& pointer) 
   const std::string name = step["as"].get<std::string>();
   json request = filler_.fill(step["pick"], scope, pointer + "/pick");
   if (!filler_.status().ok()) return;
-  if (uses_ == 0 && places_.contains(name)) request = {{"nearest", filler_.position_at(places_[name])}};
+  if (uses_ == 0 && places_.contains(name) && is_triple(places_[name]))
+    request = {{"nearest", filler_.position_at(places_[name])}};
   if (++picks_ > recipe_picks) {
     filler_.refuse(scope, "There are too many picks.", pointer, "at most " + std::to_string(recipe_picks));
     return;

@@ -25,8 +25,9 @@ Result<json> read_places(std::string_view text) {
   if (!places) return places;
   if (!places->is_object()) return failure(Code::invalid, "Places are an object of names.", "", "object");
   for (const auto& [name, place] : places->items())
-    if (!is_triple(place))
-      return failure(Code::invalid, "A place is three shares of the model's box.", pointer_step(name), "[x, y, z]");
+    if (!is_triple(place) && !place.is_number())
+      return failure(Code::invalid, "A place is three shares of the model's box, a size a number.", pointer_step(name),
+                     "[x, y, z] or a number");
   return places;
 }
 

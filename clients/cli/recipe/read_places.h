@@ -7,7 +7,7 @@
 
 namespace pelage::json_parts {
 
-/// The places of a file by their names; none of "".
+/// The places and sizes of a file by their names: three shares of the box, or a number; none of "".
 Result<nlohmann::json> read_places(std::string_view text);
 
 }  // namespace pelage::json_parts

@@ -29,6 +29,10 @@ Status set_variables(const Recipe& recipe, Scope& scope) {
   return {};
 }
 
+Status in_file(const std::string& file, Status status) {
+  return recipe_failure(file, status.message, status.pointer, status.limit, status.nearest);
+}
+
 }  // namespace
 
 bool is_recipe(std::string_view text) {
@@ -41,7 +45,7 @@ bool is_recipe(std::string_view text) {
 
 Result<std::vector<RecipeStep>> expand_recipe(const Recipe& recipe) {
   const Result<json> places = json_parts::read_places(recipe.places);
-  if (!places) return places.status();
+  if (!places) return in_file(recipe.places_file, places.status());
   json_parts::RecipeReader reader(recipe);
   const Result<const json_parts::RecipeFile*> file = reader.read_all();
   if (!file) return file.status();

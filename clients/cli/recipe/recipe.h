@@ -45,7 +45,8 @@ struct Recipe {
   std::function<Result<std::string>(const std::string& file)> read;  // the text of a file that is included
   /// The server's answer to a pick, both as JSON. A recipe with picks is refused without it.
   std::function<Result<std::string>(const std::string& request)> pick = {};
-  std::string places = {};  // JSON of places by name (places.h), in place of variables and picks; "" for none
+  std::string places = {};       // JSON of places and sizes by name, in place of variables and picks; "" for none
+  std::string places_file = {};  // names it in refusals
 };
 
 /// Whether the text is a JSON object that is no command but has a recipe's members.

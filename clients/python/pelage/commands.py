@@ -34,6 +34,7 @@ from .schemas import (
     TrimPlane,
     TrimSphere,
     Units,
+    Wind,
 )
 
 R = TypeVar("R")
@@ -278,7 +279,7 @@ class Commands(Generic[R]):
         t: Share of the mean in each pass; up to 0.5 nothing oscillates. 0 to 1 (share). Default 0.5.
         passes: How often the values are blended. 1 to 10000. Default 3.
         keep_inclination: Smooths headings alone, so that no tuft rises where opposite directions meet. Default false.
-        fields: Fields that are smoothed. 1 to 12 items. Default ["direction"].
+        fields: Fields that are smoothed. 1 to 13 items. Default ["direction"].
         """
         return self._run(
             {
@@ -317,7 +318,7 @@ class Commands(Generic[R]):
             `units`). Default 0.
         units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
             unit. Default "relative".
-        fields: Fields that noise is added to. 1 to 12 items. Default ["direction"].
+        fields: Fields that noise is added to. 1 to 13 items. Default ["direction"].
         """
         return self._run(
             {
@@ -356,7 +357,7 @@ class Commands(Generic[R]):
             (as `units`).
         units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
             unit. Default "relative".
-        mean: Fields that go to their weighted mean under the brush. 0 to 12 items. Default [].
+        mean: Fields that go to their weighted mean under the brush. 0 to 13 items. Default [].
         weight: How far values go, on top of the brush's own strength. 0 to 1 (share). Default 0.5.
         """
         return self._run(
@@ -539,7 +540,7 @@ class Commands(Generic[R]):
         flood: Works everywhere in place of under a stroke. Default false.
         checkpoint: Name of the checkpoint to go back to. Empty: the first groom, or `revision`. Default "".
         revision: Revision of this model to go back to. 0 to 18446744073709551615.
-        fields: Fields that go back; all but the mask when empty. 0 to 12 items. Default [].
+        fields: Fields that go back; all but the mask when empty. 0 to 13 items. Default [].
         """
         return self._run(
             {
@@ -630,8 +631,8 @@ class Commands(Generic[R]):
         flood: Works everywhere in place of under a stroke. Default false.
         field: Field that is painted. Not direction, length or stretch, which have tools of their own. Default
             "density".
-        value: Value that the field tends to: at most 1, for width 4. For a colour how much of the coat's own it
-            covers. 0 to 4 (varies). Default 1.
+        value: Value that the field tends to: at most 1, for width and stiffness 4. For a colour how much of the
+            coat's own it covers. 0 to 4 (varies). Default 1.
         colour: Colour to paint; for root_colour and tip_colour only. Default "#ffffff".
         """
         return self._run(
@@ -753,7 +754,7 @@ class Commands(Generic[R]):
         align: How the models are laid over each other. box: their boxes lie over each other, axis by axis, and
             lengths stay shares of the size. none: both have the same coordinates, and lengths stay what they are in
             the model's unit. Default "box".
-        fields: Fields that are taken; all but the mask when empty. 0 to 12 items. Default [].
+        fields: Fields that are taken; all but the mask when empty. 0 to 13 items. Default [].
         strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
         edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
         """
@@ -1025,5 +1026,22 @@ class Commands(Generic[R]):
         """
         return self._run(
             {"op": "set_skin_texture", "picture": picture},
+            Options(author, dry_run, if_match),
+        )
+
+    def set_wind(
+        self,
+        *,
+        wind: Wind,
+        author: Optional[str] = None,
+        dry_run: bool = False,
+        if_match: Optional[int] = None,
+    ) -> R:
+        """Sets the wind that moves the fur, and the time of the scene.
+
+        wind: The new wind.
+        """
+        return self._run(
+            {"op": "set_wind", "wind": wind},
             Options(author, dry_run, if_match),
         )

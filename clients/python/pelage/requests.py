@@ -51,6 +51,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -83,6 +84,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -119,10 +122,10 @@ class Requests:
         return self._frame(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "format": format, "jpeg_quality": jpeg_quality,
-                "exr_type": exr_type, "aovs": aovs, "overlay": overlay, "overlay_from": overlay_from,
-                "revision": revision,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
+                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
+                "overlay_from": overlay_from, "revision": revision,
             },
             progress,
         )
@@ -138,6 +141,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -172,6 +176,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -208,10 +214,10 @@ class Requests:
         return self._save_frame(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "format": format, "jpeg_quality": jpeg_quality,
-                "exr_type": exr_type, "aovs": aovs, "overlay": overlay, "overlay_from": overlay_from,
-                "revision": revision,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
+                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
+                "overlay_from": overlay_from, "revision": revision,
             },
             path,
             progress,
@@ -227,6 +233,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -258,6 +265,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -293,10 +302,10 @@ class Requests:
         return self._frame_cost(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "format": format, "jpeg_quality": jpeg_quality,
-                "exr_type": exr_type, "aovs": aovs, "overlay": overlay, "overlay_from": overlay_from,
-                "revision": revision,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
+                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
+                "overlay_from": overlay_from, "revision": revision,
             },
         )
 
@@ -310,6 +319,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -341,6 +351,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -372,9 +384,9 @@ class Requests:
         return self._frame_array(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "aovs": aovs, "overlay": overlay,
-                "overlay_from": overlay_from, "revision": revision,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "aovs": aovs,
+                "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             linear,
             progress,
@@ -390,6 +402,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -421,6 +434,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -454,9 +469,10 @@ class Requests:
         return self._live_frames(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "format": format, "jpeg_quality": jpeg_quality,
-                "exr_type": exr_type, "aovs": aovs, "overlay": overlay, "overlay_from": overlay_from,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
+                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
+                "overlay_from": overlay_from,
             },
         )
 
@@ -470,6 +486,7 @@ class Requests:
         budget_ms: Optional[float] = None,
         max_error: Optional[float] = None,
         max_seconds: Optional[float] = None,
+        time: Optional[float] = None,
         background: Optional[Union[Literal["transparent", "studio"], Colour]] = None,
         exposure: Optional[float] = None,
         tone_map: Optional[Literal["none", "filmic"]] = None,
@@ -502,6 +519,8 @@ class Requests:
             mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
         max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
             86400 (seconds). Default 60.
+        time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+            given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
             0.61].
         exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
@@ -540,10 +559,10 @@ class Requests:
         return self._better_frames(
             {
                 "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "background": background, "exposure": exposure,
-                "tone_map": tone_map, "look": look, "view": view, "format": format, "jpeg_quality": jpeg_quality,
-                "exr_type": exr_type, "aovs": aovs, "overlay": overlay, "progressive": progressive,
-                "overlay_from": overlay_from,
+                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
+                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
+                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
+                "progressive": progressive, "overlay_from": overlay_from,
             },
         )
 

@@ -33,7 +33,7 @@ Units = Literal["relative", "world"]
 """What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's unit."""
 Field = Literal[
     "direction", "length", "stretch", "density", "width", "curl", "clump", "wetness", "bare", "mask", "root_colour",
-    "tip_colour"
+    "tip_colour", "stiffness"
 ]
 """A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, bare
 and mask: shares. width: of the coat's, at most 4. curl, clump and wetness: added to the coat's. root_colour and
@@ -268,7 +268,7 @@ class Erase(_EraseRequired, total=False):
     flood: Works everywhere in place of under a stroke. Default false.
     checkpoint: Name of the checkpoint to go back to. Empty: the first groom, or `revision`. Default "".
     revision: Revision of this model to go back to. 0 to 18446744073709551615.
-    fields: Fields that go back; all but the mask when empty. 0 to 12 items. Default [].
+    fields: Fields that go back; all but the mask when empty. 0 to 13 items. Default [].
     op: Name of the command.
     """
 
@@ -293,8 +293,8 @@ class Paint(_PaintRequired, total=False):
     edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
     flood: Works everywhere in place of under a stroke. Default false.
     field: Field that is painted. Not direction, length or stretch, which have tools of their own. Default "density".
-    value: Value that the field tends to: at most 1, for width 4. For a colour how much of the coat's own it covers. 0
-        to 4 (varies). Default 1.
+    value: Value that the field tends to: at most 1, for width and stiffness 4. For a colour how much of the coat's
+        own it covers. 0 to 4 (varies). Default 1.
     colour: Colour to paint; for root_colour and tip_colour only. Default "#ffffff".
     op: Name of the command.
     """
@@ -572,6 +572,9 @@ class Tracing(TypedDict, total=False):
     noise: Ends when the estimated mean error of a shown channel is below this, and leaves parts that are; 0 never. 0
         to 1 (share). Default 0.
     seconds: Ends after as many seconds; 0 never. 0 to 3600 (seconds). Default 0.
+    shutter: How long the shutter is open, half before the frame's time and half after: fur that the wind moves is
+        blurred. Strands go straight from where they are first to where they are last; 0 for none. 0 to 10 (seconds).
+        Default 0.
     filter: Whether direction, depth and colour guide a filter over pictures of few passes. Default true.
     seed: Other seeds give other noise. 0 to 4294967295. Default 1.
     """
@@ -583,6 +586,7 @@ class Tracing(TypedDict, total=False):
     strands: int
     noise: float
     seconds: float
+    shutter: float
     filter: bool
     seed: int
 
@@ -603,6 +607,8 @@ class FrameRequest(TypedDict, total=False):
         FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
     max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
         86400 (seconds). Default 60.
+    time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
+        given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
     background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
     exposure: How much brighter the picture is made. -20 to 20 (stops). Default 0.
     tone_map: How bright light is brought into the picture's range. Default "filmic".
@@ -647,6 +653,7 @@ class FrameRequest(TypedDict, total=False):
     budget_ms: float
     max_error: float
     max_seconds: float
+    time: float
     background: Union[Literal["transparent", "studio"], Colour]
     exposure: float
     tone_map: Literal["none", "filmic"]
@@ -943,7 +950,7 @@ class Smooth(_SmoothRequired, total=False):
     t: Share of the mean in each pass; up to 0.5 nothing oscillates. 0 to 1 (share). Default 0.5.
     passes: How often the values are blended. 1 to 10000. Default 3.
     keep_inclination: Smooths headings alone, so that no tuft rises where opposite directions meet. Default false.
-    fields: Fields that are smoothed. 1 to 12 items. Default ["direction"].
+    fields: Fields that are smoothed. 1 to 13 items. Default ["direction"].
     op: Name of the command.
     """
 
@@ -975,7 +982,7 @@ class Noise(_NoiseRequired, total=False):
         `units`). Default 0.
     units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
         unit. Default "relative".
-    fields: Fields that noise is added to. 1 to 12 items. Default ["direction"].
+    fields: Fields that noise is added to. 1 to 13 items. Default ["direction"].
     op: Name of the command.
     """
 
@@ -1007,7 +1014,7 @@ class Unify(_UnifyRequired, total=False):
         `units`).
     units: What lengths are in. relative: sizes, fractions of the diagonal of the model's box. world: the model's
         unit. Default "relative".
-    mean: Fields that go to their weighted mean under the brush. 0 to 12 items. Default [].
+    mean: Fields that go to their weighted mean under the brush. 0 to 13 items. Default [].
     weight: How far values go, on top of the brush's own strength. 0 to 1 (share). Default 0.5.
     op: Name of the command.
     """
@@ -1263,7 +1270,7 @@ class Retarget(_RetargetRequired, total=False):
     align: How the models are laid over each other. box: their boxes lie over each other, axis by axis, and lengths
         stay shares of the size. none: both have the same coordinates, and lengths stay what they are in the model's
         unit. Default "box".
-    fields: Fields that are taken; all but the mask when empty. 0 to 12 items. Default [].
+    fields: Fields that are taken; all but the mask when empty. 0 to 13 items. Default [].
     strength: How much it changes: 0 does nothing, 1 all. 0 to 1 (share). Default 1.
     edit_layer: Edit layer that keeps what changes; the groom below all edit layers unless named. Default "".
     op: Name of the command.
@@ -1974,6 +1981,47 @@ class SetSkinTexture(TypedDict):
     op: Literal["set_skin_texture"]
 
 
+class Wind(TypedDict, total=False):
+    """A wind over the whole scene, which moves the lean of its fur and never its length. At speed 0 nothing moves.
+    Fur .03 sizes long with a stiffness of 1 leans half over in a wind of one size per second; longer fur leans
+    further and sways slower, as does fur whose field `stiffness` is lower.
+
+    speed: Speed of the mean wind, and of the gusts that travel with it; 0 for none. 0 to 1000000 (sizes per second).
+        Default 0.
+    direction: Where the wind goes. 3 items (any length). Default [1, 0, 0].
+    gusts: How much its speed rises and falls. 0 to 10 (share). Default 0.5.
+    turbulence: How much it turns and flickers, of its speed. 0 to 10 (share). Default 0.35.
+    turbulence_scale: Size of its largest eddies; gusts are four to sixteen times as long. 0.001 to 1000 (sizes).
+        Default 0.25.
+    seed: Other seeds give other gusts and eddies. 0 to 4294967295. Default 1.
+    frequency: How fast fur .03 sizes long sways. 0.01 to 100 (hertz). Default 2.
+    damping: How soon swaying ends: 1 comes back without swinging over, less swings on. 0.01 to 10 (ratio). Default
+        0.2.
+    time: Time of the scene, which a frame shows unless it asks for another. -1000000 to 1000000 (seconds). Default 0.
+    """
+
+    speed: float
+    direction: Direction
+    gusts: float
+    turbulence: float
+    turbulence_scale: float
+    seed: int
+    frequency: float
+    damping: float
+    time: float
+
+
+class SetWind(TypedDict):
+    """Sets the wind that moves the fur, and the time of the scene.
+
+    wind: The new wind.
+    op: Name of the command.
+    """
+
+    wind: Wind
+    op: Literal["set_wind"]
+
+
 class CommandBatch(TypedDict):
     """Several commands as one undo step, all or nothing.
 
@@ -2398,6 +2446,7 @@ class Settings(TypedDict):
     lights: Set by set_lights. 0 to 8 items.
     environment: Set by set_environment.
     ground: Set by set_ground.
+    wind: Set by set_wind.
     eyes: Set by set_eyes. 0 to 8 items.
     curves: Set by set_curves as `groups`. 0 to 16 items.
     skin: Set by set_skin as `regions`. 0 to 64 items.
@@ -2415,6 +2464,7 @@ class Settings(TypedDict):
     lights: Sequence[Light]
     environment: Environment
     ground: Ground
+    wind: Wind
     eyes: Sequence[Eye]
     curves: Sequence[CurveGroup]
     skin: Sequence[SkinRegion]
@@ -2550,6 +2600,7 @@ class PaintedValues(TypedDict):
     mask: How much tools may change: 1 all, 0 nothing. 0 to 1.000001 (the field's unit).
     root_colour: Colour at the roots, and how much it covers. 4 items (the field's unit).
     tip_colour: Colour at the tips, and how much it covers. 4 items (the field's unit).
+    stiffness: Factor on how stiff fur is in the wind. 0 to 4.000001 (the field's unit).
     """
 
     density: float
@@ -2561,6 +2612,7 @@ class PaintedValues(TypedDict):
     mask: float
     root_colour: Sequence[float]
     tip_colour: Sequence[float]
+    stiffness: float
 
 
 class _ProblemDocumentRequired(TypedDict):
@@ -2703,6 +2755,6 @@ Camera = Union[AutoCamera, PinholeCamera]
 Command = Union[
     Comb, Blow, Attract, Interpolate, Flow, Smooth, Noise, Unify, Part, Whorl, Length, Trim, Lift, Erase, Clump, Curl,
     Paint, Mask, Map, Retarget, SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook,
-    SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture
+    SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture, SetWind
 ]
 Pick = Union[PickMiss, PickHit]

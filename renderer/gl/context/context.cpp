@@ -46,7 +46,8 @@ namespace {
 
 using Opener = std::function<Result<std::unique_ptr<Context>>()>;
 
-std::vector<Opener> openers_of(GlChoice choice) {
+std::vector<Opener> openers_of(GlChoice choice, std::optional<int> device) {
+  if (device) return {[device] { return open_egl_device(*device); }};
   const auto egl = [](EglPlatform platform) { return Opener([platform] { return open_egl(platform); }); };
   switch (choice) {
     case GlChoice::automatic: return {egl(EglPlatform::hardware_device)};
@@ -60,16 +61,16 @@ std::vector<Opener> openers_of(GlChoice choice) {
 
 }  // namespace
 
-Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads) {
+Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads, std::optional<int> device) {
   // The only door that llvmpipe has for its thread count; read once, when its screen is made.
   if (threads > 0) setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 1);
   std::string tried;
-  for (const Opener& open : openers_of(choice)) {
+  for (const Opener& open : openers_of(choice, device)) {
     Result<std::unique_ptr<Context>> context = open();
     if (context) return context;
     tried += (tried.empty() ? "" : "; ") + context.status().message;
   }
-  if (choice == GlChoice::automatic || choice == GlChoice::none) return std::unique_ptr<Context>();
+  if (!device && (choice == GlChoice::automatic || choice == GlChoice::none)) return std::unique_ptr<Context>();
   return with_next(failure(Code::unavailable, "no OpenGL 4.5: " + tried + "."),
                    "use --gl auto, which needs no GL; or install Mesa, as deploy/packages.sh build does");
 }

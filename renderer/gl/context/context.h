@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -39,11 +40,13 @@ enum class EglPlatform { hardware_device, software_device, surfaceless };
 
 /// Each makes a context and makes it current on the calling thread, or says (unavailable) what failed.
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform);
+/// By a device of that number, a GPU or a software one.
+Result<std::unique_ptr<Context>> open_egl_device(int device);
 Result<std::unique_ptr<Context>> open_osmesa();
 
 /// Null where the choice is no GL. Fails (unavailable) with what was tried when egl or osmesa does not work: they never
 /// fall back to another. `threads` bounds a software GL's threads (0: as many as cores) and must be set before any
-/// context is made.
-Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads);
+/// context is made. `device` is the number of an EGL device, of automatic and egl; no other is tried then.
+Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads, std::optional<int> device = {});
 
 }  // namespace pelage

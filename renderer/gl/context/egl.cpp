@@ -62,18 +62,27 @@ struct NamedDisplay {
   std::string name;
 };
 
-std::vector<NamedDisplay> device_displays(const Egl& egl, bool software) {
-  std::array<EGLDeviceEXT, 32> devices{};
+/// By their numbers.
+std::vector<EGLDeviceEXT> devices_of(const Egl& egl) {
+  std::vector<EGLDeviceEXT> devices(32);
   EGLint count = 0;
-  if (!egl.query_devices || !egl.query_devices(devices.size(), devices.data(), &count)) return {};
+  if (!egl.query_devices || !egl.query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count)) return {};
+  devices.resize(static_cast<std::size_t>(count));
+  return devices;
+}
+
+NamedDisplay display_of(const Egl& egl, const std::vector<EGLDeviceEXT>& devices, std::size_t number) {
+  return {egl.platform_display(EGL_PLATFORM_DEVICE_EXT, devices[number], nullptr),
+          fmt::format("EGL device {}", number)};
+}
+
+std::vector<NamedDisplay> device_displays(const Egl& egl, bool software) {
+  const std::vector<EGLDeviceEXT> devices = devices_of(egl);
   std::vector<NamedDisplay> displays;
-  for (int i = 0; i < count; ++i) {
-    EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
-    const char* extensions = egl.device_string ? egl.device_string(device, EGL_EXTENSIONS) : nullptr;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const char* extensions = egl.device_string ? egl.device_string(devices[i], EGL_EXTENSIONS) : nullptr;
     const bool is_software = extensions && std::strstr(extensions, "EGL_MESA_device_software");
-    if (is_software != software) continue;
-    displays.push_back(
-        {egl.platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr), fmt::format("EGL device {}", i)});
+    if (is_software == software) displays.push_back(display_of(egl, devices, i));
   }
   return displays;
 }
@@ -117,24 +126,36 @@ class EglContext final : public Context {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
+/// By the first that proves itself.
+Result<std::unique_ptr<Context>> open_first(const Egl& egl, const std::vector<NamedDisplay>& displays) {
+  std::string tried;
+  for (const NamedDisplay& named : displays) {
+    auto context = std::make_unique<EglContext>(egl);
+    const Status status = context->open(named);
+    if (status.ok()) return std::unique_ptr<Context>(std::move(context));
+    tried += (tried.empty() ? "" : "; ") + status.message;
+  }
+  return failure(Code::unavailable, tried);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform) {
   const Result<Egl> egl = open_egl_library();
   if (!egl) return egl.status();
   const std::vector<NamedDisplay> displays = displays_of(*egl, platform);
-  if (displays.empty()) {
-    const bool software = platform == EglPlatform::software_device;
-    return failure(Code::unavailable, software ? "EGL has no software device" : "EGL has no hardware device");
-  }
-  std::string tried;
-  for (const NamedDisplay& named : displays) {
-    auto context = std::make_unique<EglContext>(*egl);
-    const Status status = context->open(named);
-    if (status.ok()) return std::unique_ptr<Context>(std::move(context));
-    tried += (tried.empty() ? "" : "; ") + status.message;
-  }
-  return failure(Code::unavailable, tried);
+  if (!displays.empty()) return open_first(*egl, displays);
+  const bool software = platform == EglPlatform::software_device;
+  return failure(Code::unavailable, software ? "EGL has no software device" : "EGL has no hardware device");
+}
+
+Result<std::unique_ptr<Context>> open_egl_device(int device) {
+  const Result<Egl> egl = open_egl_library();
+  if (!egl) return egl.status();
+  const std::vector<EGLDeviceEXT> devices = devices_of(*egl);
+  if (device < 0 || static_cast<std::size_t>(device) >= devices.size())
+    return failure(Code::unavailable, fmt::format("EGL has {} devices, and none of number {}", devices.size(), device));
+  return open_first(*egl, {display_of(*egl, devices, static_cast<std::size_t>(device))});
 }
 
 }  // namespace pelage

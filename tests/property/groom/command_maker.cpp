@@ -284,8 +284,8 @@ void CommandMaker::make(Curl& curl) {
 
 void CommandMaker::make(Paint& paint) {
   paint.field = one_of({Field::density, Field::width, Field::curl, Field::clump, Field::wetness, Field::bare,
-                        Field::mask, Field::root_colour, Field::tip_colour});
-  paint.value = extreme({0, 1}, 0, 1) * (paint.field == Field::width ? 4 : 1);
+                        Field::mask, Field::root_colour, Field::tip_colour, Field::stiffness});
+  paint.value = extreme({0, 1}, 0, 1) * (shape_of(paint.field).max > 1 ? 4 : 1);
   paint.colour = glm::vec3((cube() + 1.0) / 2.0);
 }
 

@@ -8,6 +8,11 @@
 namespace pelage {
 namespace {
 
+// Journals hold the numbers of fields.
+static_assert(static_cast<int>(Field::direction) == 0 && static_cast<int>(Field::density) == 3 &&
+              static_cast<int>(Field::mask) == 9 && static_cast<int>(Field::tip_colour) == 11 &&
+              static_cast<int>(Field::stiffness) == 12);
+
 TEST(DeltaCodec, RoundTripsAndRefusesDamage) {
   FieldDelta delta{{{Field::direction, {0, 1, 130, 70'000, 4'000'000'000u}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 0xffffffff}},
                     {Field::tip_colour, {7}, {0, 0, 0, 1}}}};

@@ -282,6 +282,29 @@ TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
   EXPECT_EQ(open()->entries("b", 0)->back().author, "Ben");
 }
 
+TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
+  StoredScene old = scene("a");
+  old.first_groom = {{{Field::root_colour, {2}, {1, 2, 3, 4}}, {Field::tip_colour, {5}, {4, 3, 2, 1}}}};
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(old).ok());
+    SceneSettings settings;
+    settings.coat.count = 77;
+    Entry logged = entry(4);
+    logged.settings = std::make_shared<const SceneSettings>(settings);
+    ASSERT_TRUE(journal->append("a", logged).ok());
+  }
+  execute(
+      "UPDATE entries SET settings = json_remove(settings, (SELECT fullkey FROM json_each(settings) WHERE "
+      "json_extract(value, '$.op') = 'set_wind')); PRAGMA user_version = 8");
+  const auto journal = open();
+  const auto entries = journal->entries("a", 0);
+  ASSERT_TRUE(entries.ok()) << entries.status().message;
+  EXPECT_EQ(entries->at(0).settings->coat.count, 77);
+  EXPECT_EQ(entries->at(0).settings->wind, Wind{});
+  EXPECT_EQ(journal->scene("a")->first_groom, old.first_groom);
+}
+
 TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
   StoredScene finer;
   finer.id = "a", finer.first_revision = 5, finer.first_groom = {{{Field::length, {9}, {1}}}};

@@ -25,7 +25,7 @@ from pelage.files import write_whole  # noqa: E402
 from pelage.schemas import PinholeCamera  # noqa: E402
 
 EXPORTS: Sequence[Literal["shells", "cards", "fields"]] = ("shells", "cards", "fields")
-PICTURES = {"shells": "three.js, shells", "cards": "three.js, cards", "shader": "three.js, our shader"}
+PICTURES = {"shells": "three.js, shells", "cards": "three.js, cards", "shader": "three.js, fields with our shader"}
 HEADLESS = [
     "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--hide-scrollbars", "--virtual-time-budget=60000",
@@ -45,6 +45,7 @@ def arguments() -> argparse.Namespace:
         help="degrees of the camera around the model, 90 at its left (default: 35)",
     )
     parser.add_argument("--size", type=int, default=400, help="pixels along the side of the pictures (default: 400)")
+    parser.add_argument("--columns", type=int, default=len(PICTURES) + 1, help="pictures in a row of the sheet (default: all)")
     parser.add_argument("--chromium", help="the browser, to take pictures at once")
     return parser.parse_args()
 
@@ -78,7 +79,7 @@ def take_pictures(args: argparse.Namespace) -> None:
              f"{page.resolve().as_uri()}#{kind}"], 300)
         common.save_image(file, common.load_image(file).crop((0, 0, args.size, args.size)))
         pictures.append((label, common.load_image(file)))
-    common.save_image(args.output / "sheet.png", common.sheet(pictures, len(pictures)))
+    common.save_image(args.output / "sheet.png", common.sheet(pictures, args.columns))
     print(args.output / "sheet.png")
 
 

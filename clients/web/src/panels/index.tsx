@@ -10,6 +10,7 @@ import {HistoryPanel} from "./history";
 import {LayersPanel} from "./layers";
 import {LightPanel} from "./light";
 import {LookPanel} from "./look";
+import {WindPanel} from "./wind";
 
 interface Panel { id: string; label: string; sign: Sign; show: ComponentType }
 
@@ -19,6 +20,7 @@ const panels: Panel[] = [
   {id: "coat", label: "Coat", sign: "coat", show: CoatPanel},
   {id: "look", label: "Look", sign: "look", show: LookPanel},
   {id: "light", label: "Light", sign: "light", show: LightPanel},
+  {id: "wind", label: "Wind", sign: "wind", show: WindPanel},
   {id: "history", label: "History", sign: "history", show: HistoryPanel},
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
 ];

@@ -6,7 +6,7 @@ import {Icon, ToolIcon, type Sign} from "../tools/icons";
 
 const signs: Partial<Record<Op, Sign>> = {
   mask: "mask", edit_layer: "layers", checkpoint: "flag", set_coat: "coat", set_look: "look", set_lights: "light", set_environment: "light",
-  set_ground: "look", set_symmetry: "mirror", set_eyes: "eye", map: "files", retarget: "people",
+  set_ground: "look", set_wind: "wind", set_symmetry: "mirror", set_eyes: "eye", map: "files", retarget: "people",
 };
 
 export function StepIcon({step, amended}: {step: Step; amended: boolean}) {

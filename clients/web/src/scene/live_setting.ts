@@ -59,4 +59,5 @@ export const look = liveSetting((all) => all.look, (value) => ({op: "set_look", 
 export const lights = liveSetting((all) => all.lights, (value) => ({op: "set_lights", lights: value}));
 export const environment = liveSetting((all) => all.environment, (value) => ({op: "set_environment", environment: value}));
 export const ground = liveSetting((all) => all.ground, (value) => ({op: "set_ground", ground: value}));
+export const wind = liveSetting((all) => all.wind, (value) => ({op: "set_wind", wind: value}));
 export const eyes = liveSetting((all) => all.eyes, (value) => ({op: "set_eyes", eyes: value}));

@@ -2,6 +2,7 @@
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {FrameRequest, Tier} from "../api/types";
+import {moment} from "./clock";
 import {compared} from "./compared";
 
 export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
@@ -31,6 +32,7 @@ const overlay_request = computed<Partial<FrameRequest>>(() => {
 /** What all requests of this window share, without the overlay. */
 export const plain_request = computed<Partial<FrameRequest>>(() => ({
   background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value,
+  ...(moment.value === null ? {} : {time: moment.value}),
 }));
 export const shared_request = computed<Partial<FrameRequest>>(() => ({...plain_request.value, ...overlay_request.value}));
 

@@ -9,6 +9,7 @@ import {brush, in_hand, worldRadius} from "../tools/state";
 import {takeUp, type Hold} from "../tools/hand";
 import {orbit, pinholeOf, Projection} from "./camera";
 import {Badge} from "./badge";
+import {playing} from "./clock";
 import {Compare} from "./compare";
 import {compared} from "./compared";
 import {FirstPicture} from "./first_picture";
@@ -183,7 +184,8 @@ function follow(shown: View): () => void {
       if (scene.value) void loadProxy(scene.value.id);
     }),
     when(() => [revision.value, model_id.value], touch),
-    when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], touch),
+    when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], () => shown.frames.touch({moving: playing.value})),
+    when(() => playing.value, touch),
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
     when(() => viewport_size.value, () => { touch(); shown.sketchSoon(); }),
     when(() => [brush.value, in_hand.value, settings.value, proxy.value, orbit.value], () => shown.sketchSoon()),

@@ -55,7 +55,8 @@ void disturb(const Noise& command, const Body& body, Field field, double amount,
     value += dvec4(amount * body.in_frame(v, random), 0, 0);
     return;
   }
-  const bool share = field == Field::length || field == Field::stretch || field == Field::width;
+  const bool share =
+      field == Field::length || field == Field::stretch || field == Field::width || field == Field::stiffness;
   for (int c = 0; c < shape_of(field).channels; ++c) {
     const std::size_t channel = 8 * static_cast<std::size_t>(field) + static_cast<std::size_t>(c);
     value[c] += amount * noise_at(command, body, v, channel) * (share ? value[c] : 1);

@@ -1,0 +1,61 @@
+// A job of pelage-render: a scene, how it changes over frames, and the files that are drawn of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/commands/command.h"
+#include "protocol/commands/frame.h"
+#include "protocol/commands/scene.h"
+
+namespace pelage {
+
+/// How a parameter goes from key to key: it stays until the next one; straight; or along a curve that never leaves the
+/// range of the two keys beside it (monotone cubic Hermite, Fritsch and Carlson 1980).
+enum class KeyInterpolation { step, linear, spline };
+
+/// `value` is JSON: a number, a list of numbers or a colour; for `step` any text or boolean too.
+struct ParameterKey {
+  double frame = 0;
+  std::string value;
+};
+
+/// One parameter over frames. Before its first key it has that key's value, after its last one that one's.
+struct ParameterKeys {
+  std::string parameter;  // JSON pointer: /frame/..., or a member of the scene's settings, as /lights/0/intensity
+  KeyInterpolation interpolation = KeyInterpolation::linear;
+  std::vector<ParameterKey> keys;  // at least one, frames ascend
+};
+
+/// model: the model turns, so that lights stay where they are on the picture. camera: the camera goes round it.
+enum class Turning { model, camera };
+
+/// About the vertical axis through what the camera looks at; the last frame is a step short of the first one's end, so
+/// that the clip loops.
+struct Turntable {
+  double degrees = 360;
+  Turning turns = Turning::model;
+};
+
+struct RenderJob {
+  std::string scene;                     // file of a scene (.pelage) or of a model; "" where there is `builtin`
+  std::optional<ImportOptions> options;  // of a model's file
+  std::optional<BuiltinModel> builtin;
+  std::vector<Command> commands;  // run once, before the first frame
+  std::string frames = "1";       // "1-100", "1-100x5", "1,4,9": what turntable and time lapse go over
+  double fps = 24;                // [0.001, 1000]; frame f is at f / fps seconds
+  std::string output;             // "fox.####.png": # are the digits of the frame; .png or .exr
+  std::string frame = "{}";       // FrameRequest, JSON
+  std::optional<Turntable> turntable;
+  bool time_lapse = false;  // the groom from its first revision to its last, over the frames
+  std::vector<ParameterKeys> keyframes;
+};
+
+/// What keyframes make of one frame.
+struct AnimatedFrame {
+  FrameRequest request;
+  std::vector<Command> settings;  // that lead there, set_lights and the like
+};
+
+}  // namespace pelage

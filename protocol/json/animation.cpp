@@ -1,0 +1,135 @@
+#include "protocol/json/animation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
+#include "protocol/json/key_curve.h"
+#include "protocol/json/reader.h"
+
+namespace pelage {
+
+namespace {
+
+using json_parts::KeyCurve;
+using nlohmann::json;
+
+/// A part of the settings, the command that sets it, and the command's member that holds it.
+struct Section {
+  std::string_view name, op, member;
+};
+constexpr std::array<Section, 9> sections{{{"coat", "set_coat", "coat"},
+                                           {"look", "set_look", "look"},
+                                           {"lights", "set_lights", "lights"},
+                                           {"environment", "set_environment", "environment"},
+                                           {"ground", "set_ground", "ground"},
+                                           {"wind", "set_wind", "wind"},
+                                           {"eyes", "set_eyes", "eyes"},
+                                           {"curves", "set_curves", "groups"},
+                                           {"skin", "set_skin", "regions"}}};
+constexpr std::string_view frame_section = "frame";
+
+std::string section_of(const std::string& parameter) {
+  if (parameter.empty() || parameter.front() != '/') return {};
+  return parameter.substr(1, parameter.find('/', 1) - 1);
+}
+
+const Section* find_section(const std::string& name) {
+  const auto found = std::ranges::find(sections, name, &Section::name);
+  return found == sections.end() ? nullptr : found;
+}
+
+Status unknown_section(const std::string& name, const std::string& pointer) {
+  std::vector<std::string_view> known{frame_section};
+  for (const Section& section : sections) known.push_back(section.name);
+  std::string limit;
+  for (const std::string_view word : known) limit += (limit.empty() ? "/" : ", /") + std::string(word);
+  return failure(Code::invalid, "No such part of a scene can be animated.", pointer, limit, nearest_name(name, known));
+}
+
+json command_of(const Section& section, const json& value) { return {{"op", section.op}, {section.member, value}}; }
+
+/// A refusal of a command's member as one of the parameter.
+Status in_section(Status status, const Section* section) {
+  if (!section) status.pointer = "/frame" + status.pointer;
+  if (section)
+    status.pointer.replace(0, std::min(section->member.size() + 1, status.pointer.size()),
+                           "/" + std::string(section->name));
+  return status;
+}
+Status at_frame(Status status, double frame) {
+  std::string number = json(frame).dump();
+  if (frame == std::floor(frame)) number = std::to_string(static_cast<std::int64_t>(frame));
+  status.message = "At frame " + number + ": " + status.message;
+  return status;
+}
+
+}  // namespace
+
+struct Animation::Impl {
+  json document;  // "frame", and the settings by their parts
+  std::map<std::string, std::vector<std::pair<json::json_pointer, KeyCurve>>> curves;  // by section
+
+  Status add(const ParameterKeys& keys, const std::string& pointer, bool time_lapse);
+};
+
+Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointer, bool time_lapse) {
+  const std::string parameter = pointer + "/parameter", section = section_of(keys.parameter);
+  if (section != frame_section && !find_section(section)) return unknown_section(section, parameter);
+  if (section != frame_section && time_lapse)
+    return failure(Code::invalid, "A time lapse shows each revision with its own settings.", parameter, "/frame/...");
+  json::json_pointer path;
+  try {
+    path = json::json_pointer(keys.parameter);
+    // Members that have their default are not written down in a frame: its own check knows them.
+    if (path.empty() || path == json::json_pointer("/" + section)) throw std::invalid_argument("a whole part");
+    if (section != frame_section) static_cast<void>(document.at(path));
+    json copy = document;
+    if (section == frame_section) copy[path] = nullptr;
+  } catch (const std::exception&) {
+    return failure(Code::invalid, "The scene has no such parameter.", parameter, "as /lights/0/intensity");
+  }
+  Result<KeyCurve> curve = KeyCurve::create(keys, pointer);
+  if (!curve) return curve.status();
+  curves[section].emplace_back(std::move(path), std::move(curve).value());
+  return {};
+}
+
+Result<Animation> Animation::create(const RenderJob& job, const SceneSettings& settings) {
+  auto impl = std::make_shared<Impl>();
+  impl->document = json::parse(encode(SettingsAnswer{.settings = settings}));
+  json& frame = impl->document[frame_section] = json::parse(job.frame);
+  if (frame.is_object() && job.output.ends_with(".exr") && !frame.contains("format")) frame["format"] = "exr";
+  for (std::size_t k = 0; k < job.keyframes.size(); ++k) {
+    const Status added = impl->add(job.keyframes[k], "/keyframes/" + std::to_string(k), job.time_lapse);
+    if (!added.ok()) return added;
+  }
+  return Animation(std::move(impl));
+}
+
+Result<AnimatedFrame> Animation::at(double frame) const {
+  json document = impl_->document;
+  for (const auto& [name, curves] : impl_->curves)
+    for (const auto& [path, curve] : curves) document[path] = curve.at(frame);
+  Result<FrameRequest> request = decode_frame_request(document[frame_section].dump());
+  if (!request) {
+    const Status refused = in_section(request.status(), nullptr);
+    return impl_->curves.contains(std::string(frame_section)) ? at_frame(refused, frame) : refused;
+  }
+  AnimatedFrame result{.request = std::move(request).value(), .settings = {}};
+  for (const auto& [name, curves] : impl_->curves) {
+    if (name == frame_section) continue;
+    const Section* section = find_section(name);
+    const auto command = decode_commands(command_of(*section, document[name]).dump());
+    if (!command) return at_frame(in_section(command.status(), section), frame);
+    result.settings.push_back(command->front());
+  }
+  return result;
+}
+
+}  // namespace pelage

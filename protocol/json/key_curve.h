@@ -1,0 +1,36 @@
+// A parameter of a job over frames.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/job.h"
+
+namespace pelage::json_parts {
+
+/// The keys of one parameter: numbers and lists of numbers, interpolated as asked; any other value steps.
+class KeyCurve {
+ public:
+  /// Refused (invalid, with the pointer of the key's value below `pointer`): values that are neither numbers nor lists
+  /// of as many numbers nor colours, unless they step.
+  static Result<KeyCurve> create(const ParameterKeys& keys, const std::string& pointer);
+
+  /// Colours are lists of linear red, green and blue between keys.
+  nlohmann::json at(double frame) const;
+
+ private:
+  KeyInterpolation interpolation_ = KeyInterpolation::step;
+  bool is_list_ = false;
+  std::vector<double> frames_;
+  std::vector<nlohmann::json> values_;
+  std::vector<std::vector<double>> numbers_;  // of each component, its keys; unless it steps
+};
+
+/// Monotone cubic Hermite interpolation (Fritsch and Carlson 1980) of values at ascending places; `at` lies in the
+/// interval that begins at place `left`.
+double monotone_cubic(const std::vector<double>& places, const std::vector<double>& values, std::size_t left,
+                      double at);
+
+}  // namespace pelage::json_parts

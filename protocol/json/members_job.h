@@ -1,0 +1,72 @@
+// What a job of pelage-render says, in its file.
+#pragma once
+
+#include "protocol/commands/job.h"
+#include "protocol/json/members.h"
+#include "protocol/json/members_frame.h"
+#include "protocol/json/members_scene.h"
+
+namespace pelage::json_parts {
+
+inline constexpr Range frame_number{-1e6, 1e6, "frames"};
+inline constexpr Count job_keys{1, 10'000};
+
+template <class V>
+void members(V& v, Visited<V, ParameterKey>& c) {
+  v.type("ParameterKey", "The value of a parameter at a frame.");
+  v.number(required("frame"), c.frame, frame_number, "Number of the frame, or a place between two.");
+  v.any(required("value"), c.value,
+        "What the parameter is there: a number, a list of numbers or a colour, of the interpolation `step` also a word "
+        "or a boolean.");
+}
+
+template <class V>
+void members(V& v, Visited<V, ParameterKeys>& c) {
+  v.type("ParameterKeys", "One parameter over the frames. Before its first key and after its last one it stays.");
+  v.label(required("parameter"), c.parameter,
+          "JSON pointer to what changes: `/frame/...` for a member of the job's `frame`, else a member of the scene's "
+          "settings, as `/lights/0/intensity` or `/coat/width_root`.");
+  v.name("interpolation", c.interpolation, json_names::key_interpolations,
+         "How it goes from key to key. step: it stays until the next key. linear: straight. spline: along a curve "
+         "without corners that never leaves the range of the two keys beside it.");
+  v.objects(required("keys"), c.keys, job_keys, "The keys; their frames ascend.");
+}
+
+template <class V>
+void members(V& v, Visited<V, Turntable>& c) {
+  v.type(
+      "Turntable",
+      "A turn about the vertical axis through what the camera looks at, over the job's frames. The last frame is one "
+      "step short of the end, so that the clip loops.");
+  v.number("degrees", c.degrees, {-1e6, 1e6, "degrees"}, "How far it turns.");
+  v.name("turns", c.turns, json_names::turnings,
+         "What turns. model: the lights stay where they are on the picture. camera: the lights stay with the model.");
+}
+
+template <class V>
+void members(V& v, Visited<V, RenderJob>& c) {
+  v.type("RenderJob",
+         "Frames of one scene that `pelage-render` draws into files. What is not given takes its default.");
+  v.text("scene", c.scene,
+         "File of a scene (`.pelage`) or of a model, beside the job's file. Either this or `builtin`.",
+         limits::path_bytes);
+  v.object("options", c.options, "How a model's file is read; of a model's file only.");
+  v.object("builtin", c.builtin, "A built-in model in place of a file.");
+  v.objects("commands", c.commands, {0, limits::commands_per_batch}, "Run once on the scene, before the first frame.");
+  v.text("frames", c.frames,
+         "Frames of the job, as `1-100`, `1-100x5` (every fifth) or `1,4,9`. Turntable and time lapse go over them.");
+  v.number("fps", c.fps, {0.001, 1000, "frames per second"}, "Frames of a second; frame f is at f / fps seconds.");
+  v.text("output", c.output,
+         "Files to write, beside the job's file, as `out/fox.####.png`: # are the digits of the frame. The ending says "
+         "the format: .png or .exr.",
+         limits::path_bytes);
+  v.template document<FrameRequest>("frame", c.frame,
+                                    "What is drawn, as a request for a frame. `format` may be png16.");
+  v.object("turntable", c.turntable, "Turns the model, or the camera about it.");
+  v.boolean("time_lapse", c.time_lapse,
+            "Whether the frames show the groom from its first revision to its last. Then keyframes are of the frame "
+            "only.");
+  v.objects("keyframes", c.keyframes, {0, 256}, "Parameters that change over the frames.");
+}
+
+}  // namespace pelage::json_parts

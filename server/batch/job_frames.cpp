@@ -1,0 +1,161 @@
+#include "server/batch/job_frames.h"
+
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <variant>
+
+#include "protocol/json/animation.h"
+#include "protocol/json/encode.h"
+#include "server/batch/frame_range.h"
+#include "server/batch/turntable.h"
+#include "server/scene/digest.h"
+
+namespace pelage {
+
+namespace {
+
+/// Revisions from the scene's first one to its present one, without what was taken back.
+std::vector<Revision> revisions_of(const Scene& scene) {
+  std::vector<Revision> revisions;
+  const std::vector<LogEntry> log = scene.log();
+  revisions.push_back(log.empty() ? scene.summary().revision : log.front().revision - 1);
+  for (const LogEntry& entry : log) {
+    if (entry.in_effect) revisions.push_back(entry.revision);
+  }
+  return revisions;
+}
+
+/// All that pictures of the scene follow from, but for the requests.
+std::string identity_of(const Scene& scene) {
+  const SceneSummary summary = scene.summary();
+  std::string identity =
+      PELAGE_VERSION "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" + to_hex(summary.fields_hash) + "\n";
+  scene.read([&](const SceneView& view) { identity += encode(SettingsAnswer{.settings = view.settings}); });
+  return identity;
+}
+
+/// Plans frames one by one.
+class Planner {
+ public:
+  Planner(const RenderJob& job, const Scene& scene, Animation animation, OutputPattern pattern)
+      : job_(job),
+        scene_(scene),
+        animation_(std::move(animation)),
+        pattern_(std::move(pattern)),
+        model_(scene.model()),
+        identity_(identity_of(scene)) {
+    scene.read([&](const SceneView& view) { settings_ = view.settings; });
+    if (!job.time_lapse) return;
+    revisions_ = revisions_of(scene);
+    identity_ += encode(Log{scene.log()});
+  }
+
+  /// The frame that comes after `index` of the job's `count` frames.
+  Result<JobFrame> frame(int number, std::size_t index, std::size_t count) const {
+    Result<AnimatedFrame> animated = animation_.at(number);
+    if (!animated) return animated.status();
+    std::optional<double>& time = animated->request.time;
+    if (!time) time = number / job_.fps;
+    if (Status format = take_format(animated->request); !format.ok()) return format;
+    if (job_.turntable) turn(*animated, static_cast<double>(index) / static_cast<double>(count));
+    if (job_.time_lapse) animated->request.revision = revision_at(index, count);
+    JobFrame frame{.number = number,
+                   .request = std::move(animated->request),
+                   .settings = std::move(animated->settings),
+                   .file = pattern_.file(number),
+                   .fingerprint = {}};
+    frame.fingerprint = fingerprint_of(frame);
+    return frame;
+  }
+
+ private:
+  Status take_format(FrameRequest& request) const {
+    if (request.progressive)
+      return failure(Code::invalid, "A file holds one picture; ask for the quality `reference` instead.",
+                     "/frame/progressive", "not in a job");
+    if (request.revision && job_.time_lapse)
+      return failure(Code::invalid, "A time lapse chooses the revisions.", "/frame/revision", "without time_lapse");
+    const bool exr = pattern_.format() == FrameFormat::exr, deep = request.format == FrameFormat::png16;
+    if ((exr && request.format != FrameFormat::exr && request.format != FrameFormat::png) ||
+        (!exr && request.format != FrameFormat::png && !deep))
+      return failure(Code::invalid, "The format does not fit the ending of `output`.", "/frame/format",
+                     exr ? "exr" : "png or png16");
+    if (exr) request.format = FrameFormat::exr;
+    request.view.clear();
+    return {};
+  }
+
+  void turn(AnimatedFrame& frame, double share) const {
+    const bool model_turns = job_.turntable->turns == Turning::model;
+    const double degrees = (model_turns ? -1 : 1) * job_.turntable->degrees * share;
+    FrameRequest& request = frame.request;
+    const double aspect = static_cast<double>(request.width) / request.height;
+    request.camera = turned_camera(request.camera, aspect, model_->surface.mesh(), degrees);
+    if (!model_turns) return;
+    SceneSettings now = settings_;
+    for (const Command& command : frame.settings) {
+      if (const auto* lights = std::get_if<SetLights>(&command)) now.lights = lights->lights;
+      if (const auto* environment = std::get_if<SetEnvironment>(&command)) now.environment = environment->environment;
+    }
+    frame.settings.emplace_back(SetLights{turned_lights(now.lights, request.camera.target, degrees)});
+    frame.settings.emplace_back(SetEnvironment{turned_environment(now.environment, degrees)});
+  }
+
+  /// The last frame shows the last revision.
+  Revision revision_at(std::size_t index, std::size_t count) const {
+    const double share = count > 1 ? static_cast<double>(index) / static_cast<double>(count - 1) : 1;
+    return revisions_[static_cast<std::size_t>(std::lround(share * static_cast<double>(revisions_.size() - 1)))];
+  }
+
+  std::string fingerprint_of(const JobFrame& frame) const {
+    std::string text = identity_ + "\n" + encode(frame.request) + "\n";
+    for (const Command& command : frame.settings) text += encode(command) + "\n";
+    return digest(text);
+  }
+
+  const RenderJob& job_;
+  const Scene& scene_;
+  const Animation animation_;
+  const OutputPattern pattern_;
+  const std::shared_ptr<const SceneModel> model_;
+  SceneSettings settings_;
+  std::vector<Revision> revisions_;
+  std::string identity_;
+};
+
+Result<std::vector<JobFrame>> plan_frames(const Planner& planner, const std::vector<int>& all,
+                                          const std::vector<int>& wanted, const std::string& range) {
+  std::unordered_map<int, std::size_t> order;
+  for (std::size_t index = 0; index < all.size(); ++index) order[all[index]] = index;
+  std::vector<JobFrame> frames;
+  for (const int number : wanted) {
+    const auto found = order.find(number);
+    if (found == order.end())
+      return failure(Code::invalid, "The job has no frame " + std::to_string(number) + ".", "/frames", range);
+    Result<JobFrame> frame = planner.frame(number, found->second, all.size());
+    if (!frame) return frame.status();
+    frames.push_back(std::move(frame).value());
+  }
+  return frames;
+}
+
+}  // namespace
+
+Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart& part, const std::string& folder,
+                                       const Scene& scene) {
+  RenderJob job = whole_job;
+  if (!part.output.empty()) job.output = part.output;
+  const Result<std::vector<int>> all = parse_frames(job.frames);
+  if (!all) return all.status();
+  const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);
+  if (!wanted) return wanted.status();
+  Result<OutputPattern> pattern =
+      OutputPattern::create(job.output, part.output.empty() ? folder : ".", all->size() > 1);
+  if (!pattern) return pattern.status();
+  Result<Animation> animation = Animation::create(job, scene.settings()->settings);
+  if (!animation) return animation.status();
+  return plan_frames(Planner(job, scene, std::move(*animation), std::move(*pattern)), *all, *wanted, job.frames);
+}
+
+}  // namespace pelage

@@ -1,0 +1,89 @@
+#include "server/batch/job_scene.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <span>
+
+#include "protocol/base/limits.h"
+#include "server/export/export_file.h"
+#include "server/import/import.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr const char* saved_ending = ".pelage";
+
+std::optional<ModelFormat> format_of_ending(const std::string& ending) {
+  const auto found = std::ranges::find(worker_format_names, ending.empty() ? ending : ending.substr(1));
+  if (found == worker_format_names.end()) return {};
+  return static_cast<ModelFormat>(found - worker_format_names.begin());
+}
+
+Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& job, const std::string& path,
+                                          const std::string& bytes) {
+  const auto format = format_of_ending(std::filesystem::path(path).extension().string());
+  if (!format)
+    return failure(Code::invalid, "This is neither a scene nor a model by its ending.", "/scene",
+                   ".pelage, .obj, .ply, .stl, .off, .gltf, .glb, .3ds or .zip");
+  ImportOptions options = job.options.value_or(ImportOptions());
+  options.format = *format;
+  NewScene empty;  // until it has its model
+  empty.name = "job", empty.model.triangles = 2;
+  auto scene = store.create(empty);
+  if (!scene) return scene;
+  const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(bytes)));
+  if (!loaded) return loaded.status();
+  return scene;
+}
+
+Result<std::shared_ptr<Scene>> open_scene(SceneStore& store, const RenderJob& job, const std::string& folder) {
+  if (job.builtin) {
+    NewScene request;
+    request.name = "job", request.model = *job.builtin;
+    return store.create(request);
+  }
+  const std::filesystem::path asked(job.scene);
+  const std::string path = (asked.is_absolute() ? asked : std::filesystem::path(folder) / asked).string();
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bytes.status();
+  const bool saved = asked.extension() == saved_ending;
+  if (saved && job.options)
+    return failure(Code::invalid, "Options are of a model's file; a scene has its model.", "/options",
+                   "without .pelage");
+  return saved ? open_saved(store, *bytes, {}) : load_model(store, job, path, *bytes);
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path) {
+  std::error_code error;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, error))
+    return failure(Code::not_found, path + " cannot be read: " + std::strerror(file ? EISDIR : errno) + ".");
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+Result<JobScene> JobScene::open(const RenderJob& job, const std::string& folder) {
+  Result<TemporaryFolder> data = TemporaryFolder::make();
+  if (!data) return data.status();
+  auto store = SceneStore::open(data->file("data"), program_folder() + "/pelage-import");
+  if (!store) return store.status();
+  auto scene = open_scene(**store, job, folder);
+  if (!scene) return scene.status();
+  for (std::size_t k = 0; k < job.commands.size(); ++k) {
+    const auto answer = (*store)->execute(**scene, {job.commands[k]});
+    if (answer) continue;
+    Status status = answer.status();
+    status.pointer = "/commands/" + std::to_string(k) + status.pointer;
+    return status;
+  }
+  return JobScene(std::move(data).value(), std::move(store).value(), std::move(scene).value());
+}
+
+}  // namespace pelage

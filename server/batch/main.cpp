@@ -1,0 +1,181 @@
+// pelage-render: the farm node. Draws the frames of a job into files, without a server.
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <new>
+#include <thread>
+
+#include "protocol/json/encode.h"
+#include "server/batch/render_job.h"
+#include "server/scene/scene_memory.h"
+
+namespace {
+
+using namespace pelage;
+
+// Exit codes that farms read (docs/farm.md).
+constexpr int done = 0, failed = 1, usage = 2, bad_input = 3, no_gl = 4, out_of_memory = 33, stopped_by_signal = 143;
+
+struct Options {
+  std::string job, scene;
+  JobPart part;
+  DrawOptions draw;
+  bool check = false, schema = false;
+  int measure = 0;  // frames
+};
+
+void declare(CLI::App& app, Options& options) {
+  static const std::map<std::string, GlChoice> gl_names{
+      {"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
+  app.set_version_flag("--version", "pelage-render " PELAGE_VERSION);
+  app.add_option("job", options.job, "File of the job, JSON");
+  app.add_option("--scene", options.scene, "File of the scene, in place of the job's");
+  app.add_option("--frames", options.part.frames,
+                 "Part of the job's frames to draw: 1-100, 1-100x5 or 1,4,9; a colon is a step too");
+  app.add_option("--output", options.part.output, "Files to write, in place of the job's, as out/fox.####.png");
+  app.add_flag("--skip-existing", options.draw.skip_existing,
+               "Leave frames whose file is whole and of the same scene, frame, settings and version");
+  app.add_option("--threads", options.draw.threads, "Threads that draw; 0 for all cores")->check(CLI::Range(0, 1024));
+  app.add_option_function<std::string>(
+         "--gl", [&options](const std::string& name) { options.draw.gl = gl_names.at(name); },
+         "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]")
+      ->check(CLI::IsMember(gl_names));
+  app.add_option("--device", options.draw.device, "Number of the EGL device that draws, where there are several GPUs")
+      ->check(CLI::Range(0, 31));
+  app.add_flag("--check", options.check, "Check job and scene and print what would be drawn, as JSON; draw nothing");
+  app.add_option("--measure", options.measure, "With --check: draw so many frames for their seconds, and keep none")
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--schema", options.schema, "Print the JSON Schema of a job");
+  app.footer(
+      "Examples:\n"
+      "  pelage-render fox.json --frames 1-20\n"
+      "  pelage-render fox.json --scene fox.pelage --skip-existing\n"
+      "  pelage-render fox.json --check --measure 3\n"
+      "Exit codes: 0 done, 1 failed, 2 wrong use, 3 the job or its scene was refused, 4 no GL, 33 out of memory, "
+      "143 stopped.");
+}
+
+/// Set once SIGTERM or SIGINT came; several may come.
+std::atomic<bool> stop_asked{false};
+
+/// Waits for the signals that ask to stop; they are blocked in all threads that start after it.
+void watch_stop_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    for (int signal = 0; sigwait(&signals, &signal) == 0;) stop_asked = true;
+  }).detach();
+}
+
+bool stopped() { return stop_asked; }
+
+int code_of(const Status& status) {
+  if (stopped()) return stopped_by_signal;
+  switch (status.code) {
+    case Code::malformed:
+    case Code::not_found:
+    case Code::unsupported:
+    case Code::invalid: return bad_input;
+    case Code::too_large: return out_of_memory;
+    default: return failed;
+  }
+}
+
+int fail(FarmLog& log, const Status& status, int code) {
+  log.failed(status);
+  return code;
+}
+int fail(FarmLog& log, const Status& status) { return fail(log, status, code_of(status)); }
+
+/// Spread over the frames.
+std::vector<const JobFrame*> probes_of(const std::vector<JobFrame>& frames, int count) {
+  std::vector<const JobFrame*> probes;
+  const std::size_t wanted = std::min(frames.size(), static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < wanted; ++k) probes.push_back(&frames[(2 * k + 1) * frames.size() / (2 * wanted)]);
+  return probes;
+}
+
+/// Mean seconds of a frame. The first one also pays for what all share, and does not count.
+Result<double> measured_seconds(JobRenderer& renderer, const std::vector<JobFrame>& frames, int count) {
+  const std::vector<const JobFrame*> probes = probes_of(frames, count);
+  if (const auto first = renderer.measure(*probes.front(), stopped); !first) return first;
+  double seconds = 0;
+  for (const JobFrame* probe : probes) {
+    const Result<double> measured = renderer.measure(*probe, stopped);
+    if (!measured) return measured;
+    seconds += *measured / static_cast<double>(probes.size());
+  }
+  return seconds;
+}
+
+int print_check(const RenderJob& job, const Options& options, const JobScene& scene,
+                const std::vector<JobFrame>& frames, FarmLog& log) {
+  std::optional<double> seconds;
+  if (options.measure > 0) {
+    const auto renderer = JobRenderer::start(scene, job.fps, options.draw);
+    if (!renderer) return fail(log, renderer.status(), no_gl);
+    const Result<double> measured = measured_seconds(**renderer, frames, options.measure);
+    if (!measured) return fail(log, measured.status());
+    seconds = *measured;
+  }
+  std::string list;
+  for (const JobFrame& frame : frames) {
+    list += fmt::format("{}\n  {{\"frame\": {}, \"file\": {}, \"fingerprint\": \"{}\", \"width\": {}, \"height\": {}}}",
+                        list.empty() ? "" : ",", frame.number, json_text(frame.file), frame.fingerprint,
+                        frame.request.width, frame.request.height);
+  }
+  fmt::print("{{{}\"fps\": {}, \"frames\": [{}\n]}}\n",
+             seconds ? fmt::format("\"seconds_per_frame\": {:.4f}, ", *seconds) : "", job.fps, list);
+  return done;
+}
+
+int render(const Options& options, FarmLog& log) {
+  const std::string folder = std::filesystem::path(options.job).parent_path().string();
+  const Result<std::string> text = read_file(options.job);
+  if (!text) return fail(log, text.status());
+  Result<RenderJob> job = decode_job(*text);
+  if (!job) return fail(log, job.status());
+  if (!options.scene.empty()) job->builtin.reset(), job->scene = std::filesystem::absolute(options.scene).string();
+  const Result<JobScene> scene = JobScene::open(*job, folder);
+  if (!scene) return fail(log, scene.status());
+  const auto frames = plan_job(*job, options.part, folder, *scene->scene());
+  if (!frames) return fail(log, frames.status());
+  if (options.check) return print_check(*job, options, *scene, *frames, log);
+  const auto renderer = JobRenderer::start(*scene, job->fps, options.draw);
+  if (!renderer) return fail(log, renderer.status(), no_gl);
+  const Result<JobOutcome> outcome = (*renderer)->draw(*frames, log, stopped);
+  return outcome ? done : fail(log, outcome.status());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Draws the frames of a Pelage job into files."};
+  Options options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+    if (!options.schema && options.job.empty()) throw CLI::RequiredError("job");
+    if (options.measure > 0 && !options.check) throw CLI::RequiresError("--measure", "--check");
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : usage;
+  }
+  if (options.schema) return fmt::print("{}\n", job_schema()), done;
+  keep_memory_together();
+  watch_stop_signals();
+  FarmLog log;
+  try {
+    return render(options, log);
+  } catch (const std::bad_alloc&) {
+    return fail(log, failure(Code::too_large, "there is not enough memory for this job"), out_of_memory);
+  }
+}

@@ -1,0 +1,99 @@
+#include "server/batch/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <limits>
+#include <span>
+
+#include "protocol/base/limits.h"
+#include "protocol/json/encode.h"
+#include "renderer/image/float_image.h"
+#include "server/batch/job_scene.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr const char* fingerprint_key = "pelage/fingerprint";
+
+Status cannot_write(const std::string& path, int error) {
+  return with_next(failure(Code::internal, path + " cannot be written: " + std::strerror(error) + "."),
+                   "see that its folder can be written and has room");
+}
+
+/// All bytes, on the disk; errno where that fails, else 0.
+int write_synced(const std::string& path, std::string_view bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int error = 0;
+  while (!bytes.empty() && error == 0) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written >= 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0 && errno != EINTR) error = errno;
+  }
+  if (error == 0 && ::fsync(file) != 0) error = errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// As EXR wants a rate: a ratio of whole numbers.
+std::string ratio_of(double fps) {
+  return fps == std::floor(fps) ? fmt::format("{:.0f}/1", fps) : fmt::format("{:.0f}/1000", fps * 1000);
+}
+
+}  // namespace
+
+Status write_whole(const std::string& path, std::string_view bytes) {
+  const std::filesystem::path target(path);
+  std::error_code error;
+  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
+  const std::string temporary =
+      (target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), getpid())).string();
+  int failed = write_synced(temporary, bytes);
+  if (failed == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failed = errno;
+  if (failed == 0) return {};
+  ::unlink(temporary.c_str());
+  return cannot_write(path, failed);
+}
+
+bool is_drawn(const std::string& path, const std::string& fingerprint) {
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return false;
+  constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
+  const auto picture = decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_key);
+  return picture && picture->text == fingerprint;
+}
+
+std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer, const SceneSummary& scene, double fps,
+                                double seconds) {
+  std::vector<ImageText> texts{{"Software", "pelage-render " PELAGE_VERSION},
+                               {"pelage/frame", std::to_string(frame.number)},
+                               {"pelage/revision", std::to_string(frame.request.revision.value_or(scene.revision))},
+                               {"pelage/fieldsHash", to_hex(scene.fields_hash)},
+                               {"pelage/quality", encode(answer.knobs)},
+                               {"pelage/request", encode(frame.request)},
+                               {fingerprint_key, frame.fingerprint}};
+  if (frame.request.format != FrameFormat::exr) return texts;
+  const std::time_t now = std::time(nullptr);
+  texts.push_back({"DateTime", fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(now))});
+  texts.push_back({"HostComputer", host_name()});
+  texts.push_back({frame_rate_text, ratio_of(fps)});
+  texts.push_back({"pelage/renderTime", fmt::format("{:.3f}", seconds)});
+  return texts;
+}
+
+}  // namespace pelage

@@ -1,0 +1,26 @@
+// The files of a farm: whole or not there, and known by what they say of themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "renderer/image/image.h"
+#include "server/batch/job_frames.h"
+#include "server/frames/frame_service.h"
+
+namespace pelage {
+
+/// Under a temporary name in the same folder, which is made where it is missing, then synced and renamed. A failure
+/// (internal, with what the system says) leaves nothing.
+Status write_whole(const std::string& path, std::string_view bytes);
+
+/// Whether the file is a whole picture with this fingerprint.
+bool is_drawn(const std::string& path, const std::string& fingerprint);
+
+/// What a frame's file says of it. `started` is when its drawing began, seconds since 1970. An EXR has the time, the
+/// machine and the seconds that it took too; a PNG has the same bytes whenever it is drawn.
+std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer, const SceneSummary& scene, double fps,
+                                double seconds);
+
+}  // namespace pelage

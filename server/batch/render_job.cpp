@@ -1,0 +1,73 @@
+#include "server/batch/render_job.h"
+
+#include "protocol/base/stopwatch.h"
+#include "server/batch/output_file.h"
+#include "server/frames/scene_tracer.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr std::size_t trace_memory = std::size_t{16} << 30;
+
+Status stopped_status() { return failure(Code::unavailable, "stopped before the job was done"); }
+
+}  // namespace
+
+JobRenderer::JobRenderer(const JobScene& scene, double fps, const DrawOptions& options,
+                         std::unique_ptr<FrameService> frames, std::unique_ptr<YieldGate> gate)
+    : scene_(scene.scene()),
+      summary_(scene_->summary()),
+      fps_(fps),
+      options_(options),
+      gate_(std::move(gate)),
+      frames_(std::move(frames)),
+      traces_(std::make_unique<SceneTracer>(*frames_, options.threads, trace_memory), *gate_),
+      pictures_(*frames_, traces_) {}
+
+Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, double fps, const DrawOptions& options) {
+  auto gate = std::make_unique<YieldGate>();
+  auto frames = FrameService::start(options.gl, options.threads, *gate, options.device);
+  if (!frames) return frames.status();
+  return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
+}
+
+Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::function<bool()>& stopped) {
+  const Stopwatch passed;
+  if (!frame.settings.empty()) {
+    const Result<CommandAnswer> set = scene_->execute(frame.settings);
+    if (!set) return set.status();
+  }
+  return pictures_.frame(scene_, frame.request, stopped, [&](const FrameAnswer& answer) {
+    return texts_of(frame, answer, summary_, fps_, passed.milliseconds() / 1e3);
+  });
+}
+
+Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
+  const Stopwatch passed;
+  const Result<FrameAnswer> answer = picture(frame, stopped);
+  if (!answer) return stopped() ? stopped_status() : answer.status();
+  return passed.milliseconds() / 1e3;
+}
+
+Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLog& log,
+                                     const std::function<bool()>& stopped) {
+  JobOutcome outcome;
+  const Stopwatch passed;
+  for (const JobFrame& frame : frames) {
+    if (stopped()) return stopped_status();
+    if (options_.skip_existing && is_drawn(frame.file, frame.fingerprint)) {
+      log.skipped(frame.file), ++outcome.skipped;
+      continue;
+    }
+    log.begin(frame.number, outcome.drawn + outcome.skipped, frames.size());
+    const Result<FrameAnswer> answer = picture(frame, stopped);
+    if (!answer) return stopped() ? stopped_status() : answer.status();
+    if (Status written = write_whole(frame.file, answer->bytes); !written.ok()) return written;
+    log.saved(frame.file), ++outcome.drawn;
+  }
+  log.done(outcome.drawn, outcome.skipped, passed.milliseconds() / 1e3);
+  return outcome;
+}
+
+}  // namespace pelage

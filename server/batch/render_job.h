@@ -1,0 +1,58 @@
+// The batch renderer: a job's frames, one after another, to files.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/job.h"
+#include "renderer/gl/context/context.h"
+#include "server/batch/farm_log.h"
+#include "server/batch/job_frames.h"
+#include "server/batch/job_scene.h"
+#include "server/frames/picture_service.h"
+
+namespace pelage {
+
+struct DrawOptions {
+  GlChoice gl = GlChoice::automatic;
+  std::optional<int> device = {};  // of several GPUs
+  int threads = 0;                 // 0 for all cores
+  bool skip_existing = false;      // frames whose file has their fingerprint
+};
+
+struct JobOutcome {
+  std::size_t drawn = 0, skipped = 0;
+};
+
+/// What draws the frames of a job; one at a time.
+class JobRenderer {
+ public:
+  /// Fails (unavailable) as FrameService::start.
+  static Result<std::unique_ptr<JobRenderer>> start(const JobScene& scene, double fps, const DrawOptions& options);
+
+  /// Draws all frames and says so in the log. Ends at the first failure, and (unavailable) once `stopped` says so:
+  /// every file that was begun is whole or not there.
+  Result<JobOutcome> draw(const std::vector<JobFrame>& frames, FarmLog& log, const std::function<bool()>& stopped);
+
+  /// The same of one frame, without a file: the seconds that it took.
+  Result<double> measure(const JobFrame& frame, const std::function<bool()>& stopped);
+
+ private:
+  JobRenderer(const JobScene& scene, double fps, const DrawOptions& options, std::unique_ptr<FrameService> frames,
+              std::unique_ptr<YieldGate> gate);
+  Result<FrameAnswer> picture(const JobFrame& frame, const std::function<bool()>& stopped);
+
+  std::shared_ptr<Scene> scene_;
+  const SceneSummary summary_;  // before keyframes
+  const double fps_;
+  const DrawOptions options_;
+  std::unique_ptr<YieldGate> gate_;
+  std::unique_ptr<FrameService> frames_;
+  TraceQueue traces_;
+  PictureService pictures_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,121 @@
+#include "server/motion/sway.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <utility>
+
+#include "protocol/base/parallel.h"
+#include "server/fields/field_set.h"
+
+namespace pelage {
+
+Response response(const Oscillator& oscillator, double w) {
+  const double r = w / oscillator.rate;
+  const double real = 1 - r * r, imaginary = 2 * oscillator.damping * r;
+  const double square = real * real + imaginary * imaginary;
+  return {real / square, -imaginary / square};
+}
+
+double step_response(const Oscillator& oscillator, double seconds) {
+  const double damping = oscillator.damping, t = oscillator.rate * seconds;  // in units of 1 / rate
+  if (!(t > 0)) return 0;
+  constexpr double nearly = 1e-5;  // critical: the formulas beside it divide by the distance
+  if (std::abs(damping - 1) < nearly) return 1 - std::exp(-t) * (1 + t);
+  if (damping < 1) {
+    const double swing = std::sqrt(1 - damping * damping);
+    return 1 - std::exp(-damping * t) * (std::cos(swing * t) + damping / swing * std::sin(swing * t));
+  }
+  const double spread = std::sqrt(damping * damping - 1), fast = damping + spread, slow = 1 / fast;
+  return 1 - (fast * std::exp(-slow * t) - slow * std::exp(-fast * t)) / (fast - slow);
+}
+
+Spring spring_of(const Wind& wind, double length, double stiffness) {
+  const double strength = std::max(stiffness, min_stiffness) * sway_length / length;
+  return {{glm::two_pi<double>() * wind.frequency * std::sqrt(strength), wind.damping}, lean_per_speed / strength};
+}
+
+glm::dvec2 bent(glm::dvec2 still, glm::dvec2 offset) {
+  const glm::dvec2 sum = still + offset;
+  const double knee = glm::length(still), length = glm::length(sum), room = 1 - knee;
+  if (length <= knee || length == 0) return sum;
+  const double held = room > 0 ? knee + room * std::tanh((length - knee) / room) : 1;
+  return held / length * sum;
+}
+
+BodyAcceleration acceleration_of(std::function<RigidPose(double time)> pose, std::span<const glm::vec3> positions,
+                                 double step) {
+  return [pose = std::move(pose), positions, step](std::uint32_t vertex, double time) {
+    const RigidPose now = pose(time), before = pose(time - step), after = pose(time + step);
+    const glm::dvec3 place(positions[vertex]);
+    const auto at = [&](const RigidPose& there) { return there.turn * place + there.position; };
+    return glm::transpose(now.turn) * ((at(before) - 2.0 * at(now) + at(after)) / (step * step));
+  };
+}
+
+namespace {
+
+/// The two vectors along the skin that a direction is in.
+struct Plane2 {
+  glm::dvec3 tangent, bitangent;
+  glm::dvec2 part(glm::dvec3 vector) const { return {glm::dot(vector, tangent), glm::dot(vector, bitangent)}; }
+};
+
+/// The answer to each wave by its closed form.
+glm::dvec2 wind_offset(const WindField& field, const Spring& spring, const Plane2& plane, glm::dvec3 position,
+                       double time) {
+  glm::dvec2 sum = plane.part(field.mean);
+  for (const WindWave& wave : field.waves) {
+    const double angle = wave.rate * time - (glm::dot(wave.number, position) + wave.phase);
+    const Response answer = response(spring.oscillator, wave.rate);
+    sum += plane.part(wave.amplitude) * (answer.real * std::cos(angle) - answer.imaginary * std::sin(angle));
+  }
+  return spring.lean * sum;
+}
+
+/// 1 for the last half of the warm-up, then smoothly down to 0.
+double counts_after(double seconds) {
+  const double share = std::clamp(2 * seconds / warm_up_seconds - 1, 0.0, 1.0);
+  return 1 - share * share * (3 - 2 * share);
+}
+
+/// Of a force per mass of -acceleration / length, which stands for a step at a time: the exact answer to each step.
+glm::dvec2 body_offset(const BodyMotion& body, const Spring& spring, double length, const Plane2& plane,
+                       std::uint32_t vertex, double time) {
+  glm::dvec2 sum(0);
+  double answered = 0;
+  for (int k = 0; k * body.step < warm_up_seconds; ++k) {
+    const double middle = (k + 0.5) * body.step, before = answered;
+    answered = step_response(spring.oscillator, (k + 1) * body.step);
+    const double share = (answered - before) * counts_after(middle);
+    if (share != 0) sum += share * plane.part(body.acceleration(vertex, time - middle));
+  }
+  return -1 / (spring.oscillator.rate * spring.oscillator.rate * length) * sum;
+}
+
+}  // namespace
+
+std::vector<glm::vec2> swayed(const StillFur& fur, const Wind& wind, double time, const BodyMotion* body) {
+  assert(!body || (body->step >= 1e-3 && body->step <= 1));
+  const WindField field = make_wind(wind);
+  std::vector<glm::vec2> moved(fur.direction.begin(), fur.direction.end());
+  const auto move = [&](std::uint32_t v) {
+    const double length = static_cast<double>(fur.length[v]);
+    if (!(length > 0)) return;
+    const double stiffness = fur.stiffness.empty() ? 1 : static_cast<double>(fur.stiffness[v]);
+    const Spring spring = spring_of(wind, length, stiffness);
+    const Plane2 plane{fur.tangents[v], glm::cross(fur.normals[v], fur.tangents[v])};
+    glm::dvec2 offset = wind_offset(field, spring, plane, fur.positions[v], time);
+    if (body) offset += body_offset(*body, spring, length, plane, v, time);
+    moved[v] = stored_direction(bent(fur.direction[v], offset));
+  };
+  constexpr std::uint32_t run = 512;
+  const auto count = static_cast<std::uint32_t>(moved.size());
+  for_each_in_parallel((count + run - 1) / run, [&](std::uint32_t i) {
+    for (std::uint32_t v = i * run; v < std::min(count, (i + 1) * run); ++v) move(v);
+  });
+  return moved;
+}
+
+}  // namespace pelage

@@ -1,0 +1,100 @@
+#include "server/motion/wind.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "protocol/base/random.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double two_pi = glm::two_pi<double>();
+constexpr int gust_waves = 12, turbulence_waves = 28;
+constexpr double shortest_gust = 4, longest_gust = 16;  // wavelengths, scales of the turbulence
+constexpr double shortest_eddy = 0.25;                  // of the largest
+constexpr double gust_spread = 0.45;                    // radians between a gust's way and the wind's
+constexpr double gust_ageing = 0.1;                     // of its rate, speed over the wind's
+constexpr double eddy_ageing = 0.4;
+
+/// A unit vector, evenly over the sphere.
+glm::dvec3 any_direction(Random& random) {
+  const double z = random.uniform(-1, 1), angle = random.uniform(0, two_pi), across = std::sqrt(1 - z * z);
+  return {across * std::cos(angle), across * std::sin(angle), z};
+}
+
+/// The part of a vector across a unit vector, unit; any unit vector across it where there is none.
+glm::dvec3 across(glm::dvec3 vector, glm::dvec3 along) {
+  const glm::dvec3 left = vector - glm::dot(vector, along) * along;
+  const double length = glm::length(left);
+  if (length > 1e-6) return left / length;
+  return across(std::abs(along.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), along);
+}
+
+/// Wavelength i of count, from longest to shortest by equal ratios, each somewhere in its band.
+double wavelength(int i, int count, double longest, double shortest, Random& random) {
+  return longest * std::pow(shortest / longest, (i + random.uniform()) / count);
+}
+
+WindWave wave_along(glm::dvec3 way, double length, double ageing, glm::dvec3 mean, double speed, Random& random) {
+  WindWave wave;
+  const double number = two_pi / length;
+  wave.number = number * way;
+  wave.rate = glm::dot(wave.number, mean) + ageing * number * speed * random.uniform(-1, 1);
+  wave.phase = random.uniform(0, two_pi);
+  return wave;
+}
+
+/// Of root mean square `strength`, all together.
+void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double strength) {
+  Random random(wind.seed, 1);
+  for (int i = 0; i < gust_waves; ++i) {
+    const double length =
+        wavelength(i, gust_waves, longest_gust * wind.turbulence_scale, shortest_gust * wind.turbulence_scale, random);
+    const double angle = gust_spread * random.uniform(-1, 1);
+    const glm::dvec3 way = std::cos(angle) * along + std::sin(angle) * across(any_direction(random), along);
+    WindWave wave = wave_along(way, length, gust_ageing, field.mean, wind.speed, random);
+    wave.amplitude = strength * std::sqrt(2.0 / gust_waves) * along;
+    field.waves.push_back(wave);
+  }
+}
+
+/// The same of eddies. Bands of equal ratios hold an energy that falls as k^(-2/3).
+void add_turbulence(WindField& field, const Wind& wind, double strength) {
+  Random random(wind.seed, 2);
+  const std::size_t first = field.waves.size();
+  double energy = 0;
+  for (int i = 0; i < turbulence_waves; ++i) {
+    const double length =
+        wavelength(i, turbulence_waves, wind.turbulence_scale, shortest_eddy * wind.turbulence_scale, random);
+    const glm::dvec3 way = any_direction(random);
+    WindWave wave = wave_along(way, length, eddy_ageing, field.mean, wind.speed, random);
+    const double amplitude = std::cbrt(length / wind.turbulence_scale);
+    wave.amplitude = amplitude * across(any_direction(random), way);
+    energy += 0.5 * amplitude * amplitude;
+    field.waves.push_back(wave);
+  }
+  const double factor = strength / std::sqrt(energy);
+  for (std::size_t i = first; i < field.waves.size(); ++i) field.waves[i].amplitude *= factor;
+}
+
+}  // namespace
+
+glm::dvec3 WindField::velocity(glm::dvec3 position, double time) const {
+  glm::dvec3 sum = mean;
+  for (const WindWave& wave : waves)
+    sum += wave.amplitude * std::cos(wave.rate * time - (glm::dot(wave.number, position) + wave.phase));
+  return sum;
+}
+
+WindField make_wind(const Wind& wind) {
+  WindField field;
+  if (!(wind.speed > 0)) return field;
+  const glm::dvec3 along = glm::normalize(wind.direction);
+  field.mean = wind.speed * along;
+  if (wind.gusts > 0) add_gusts(field, wind, along, wind.speed * wind.gusts);
+  if (wind.turbulence > 0) add_turbulence(field, wind, wind.speed * wind.turbulence);
+  return field;
+}
+
+}  // namespace pelage

@@ -1,0 +1,196 @@
+"""pelage-render: jobs to files, as a farm runs it."""
+import hashlib
+import json
+import signal
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+from support.server import BIN, ServedTest, flood
+
+JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
+       "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
+
+
+def chunks_of(path):
+    """The chunks of a whole PNG; raises where it is none."""
+    data, at, chunks = path.read_bytes(), 8, []
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
+    while at < len(data):
+        length, name = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        assert struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0] == zlib.crc32(name + body), path
+        chunks.append((name, body))
+        at += 12 + length
+    assert chunks[-1][0] == b"IEND", path
+    return chunks
+
+
+def texts_of(path):
+    return dict(body.decode().split("\0", 1) for name, body in chunks_of(path) if name == b"tEXt")
+
+
+class RenderTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(lambda: subprocess.run(["rm", "-rf", self.folder], check=True))
+
+    def job(self, **more):
+        path = self.folder / "job.json"
+        path.write_text(json.dumps({**JOB, **more}))
+        return path
+
+    def render(self, *arguments, code=0):
+        run = subprocess.run([BIN / "pelage-render", *map(str, arguments)], capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, code, run)
+        return run
+
+    def frames(self):
+        return sorted((self.folder / "out").glob("*"))
+
+    def hashes(self):
+        return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in self.frames()}
+
+    def test_frames_are_drawn_and_said_in_the_words_of_farms(self):
+        run = self.render(self.job())
+        names = [f"ball.{k:03}.png" for k in range(1, 7)]
+        self.assertEqual([path.name for path in self.frames()], names)
+        lines = run.stdout.splitlines()
+        self.assertEqual([line for line in lines if line.startswith("Saved: ")],
+                         [f"Saved: '{self.folder}/out/{name}'" for name in names])
+        shares = [float(line.split()[1]) for line in lines if line.startswith("openjd_progress: ")]
+        self.assertEqual(shares, sorted(shares))
+        self.assertEqual((shares[0], shares[-1]), (0, 100))
+        self.assertRegex(lines[-1], r"pelage-render: done, 6 drawn, 0 skipped, [0-9.]+ s")
+        texts = texts_of(self.frames()[2])
+        self.assertEqual(texts["pelage/frame"], "3")
+        self.assertEqual(texts["pelage/revision"], "0")
+        self.assertRegex(texts["pelage/fingerprint"], "^[0-9a-f]{32}$")
+        self.assertEqual(json.loads(texts["pelage/request"])["width"], 48)
+        self.assertEqual(len({digest for digest in self.hashes().values()}), 6)  # it turns
+
+    def test_parts_on_any_number_of_threads_give_the_same_bytes(self):
+        self.render(self.job())
+        whole = self.hashes()
+        subprocess.run(["rm", "-r", self.folder / "out"], check=True)
+        self.render(self.job(), "--frames", "4-6", "--threads", 1)
+        self.render(self.job(), "--frames", "3,1,2", "--threads", 2)
+        self.assertEqual(self.hashes(), whole)
+
+    def test_only_what_is_missing_or_stale_is_drawn_again(self):
+        self.render(self.job())
+        before = self.hashes()
+        self.frames()[1].unlink()
+        short = self.frames()[3]  # frame 5
+        short.write_bytes(short.read_bytes()[:-20])
+        run = self.render(self.job(), "--skip-existing")
+        self.assertEqual(run.stdout.count("Saved:"), 2, run.stdout)
+        self.assertEqual(run.stdout.count("Skipped:"), 4)
+        self.assertEqual(self.hashes(), before)
+        run = self.render(self.job(frame={**JOB["frame"], "exposure": 1}), "--skip-existing")
+        self.assertEqual(run.stdout.count("Saved:"), 6)
+
+    def test_check_draws_nothing_and_says_what_would_be_drawn(self):
+        plan = json.loads(self.render(self.job(), "--check", "--measure", 2, "--frames", "2-3").stdout)
+        self.assertEqual([frame["frame"] for frame in plan["frames"]], [2, 3])
+        self.assertGreater(plan["seconds_per_frame"], 0)
+        self.assertFalse((self.folder / "out").exists())
+        self.render(self.job())
+        self.assertEqual(texts_of(self.frames()[1])["pelage/fingerprint"], plan["frames"][0]["fingerprint"])
+
+    def test_an_exr_says_where_it_comes_from(self):
+        self.render(self.job(output="out/#.exr", frames="7", frame={"width": 32, "height": 32, "aovs": ["beauty", "depth"]}))
+        header = self.frames()[0].read_bytes()[:8192]
+        self.assertIn(b"FramesPerSecond\0rational\0\x08\0\0\0\x18\0\0\0\x01\0\0\0", header)  # 24 / 1
+        self.assertRegex(header, rb"capDate\0string\0\x13\0\0\0\d{4}:\d\d:\d\d \d\d:\d\d:\d\d")
+        for name in (b"HostComputer", b"Software", b"pelage/renderTime", b"pelage/fingerprint", b"pelage/quality"):
+            self.assertIn(name + b"\0string\0", header)
+
+    def test_what_is_wrong_is_refused_before_any_work(self):
+        for more, pointer in (({"frames": "5-1"}, "/frames"), ({"output": "fox.png"}, "/output"), ({"fsp": 3}, "/fsp"),
+                              ({"frame": {"width": 9000}}, "/frame/width"),
+                              ({"keyframes": [{"parameter": "/lamps/0", "keys": [{"frame": 1, "value": 1}]}]},
+                               "/keyframes/0/parameter"),
+                              ({"keyframes": [{"parameter": "/frame/exposure", "keys": [{"frame": 1, "value": 1},
+                                                                                     {"frame": 6, "value": 99}]}]},
+                               "/frame/exposure")):
+            run = self.render(self.job(**more), code=3)
+            self.assertIn(pointer, run.stderr)
+            self.assertIn("openjd_fail: ", run.stdout)
+            self.assertFalse((self.folder / "out").exists(), more)
+        self.render(self.folder / "none.json", code=3)
+        self.render("--frobnicate", code=2)
+        self.render(code=2)
+        self.render(self.job(), "--frames", "7", code=3)
+
+    def test_a_device_that_is_not_there_is_refused(self):
+        run = self.render(self.job(frames="1"), "--device", 31, code=4)
+        self.assertIn("none of number 31", run.stderr)
+        self.render(self.job(frames="1"), "--device", 0)  # the software device, where there is no GPU
+        self.assertEqual(len(self.frames()), 1)
+
+    def test_an_output_that_cannot_be_written_says_so(self):
+        (self.folder / "out").write_text("a file, no folder")
+        run = self.render(self.job(), code=1)
+        self.assertIn("cannot be written", run.stderr)
+
+    def test_a_stopped_task_leaves_whole_frames_and_goes_on_later(self):
+        job = self.job(frames="1-400")
+        process = subprocess.Popen([BIN / "pelage-render", job], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while "Saved:" not in process.stdout.readline():
+            pass
+        process.send_signal(signal.SIGTERM)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 143)
+        self.check_whole(400)
+
+    def test_no_frame_is_torn_by_kills(self):
+        job = self.job(frames="1-400")
+        for k in range(10):
+            process = subprocess.Popen([BIN / "pelage-render", job, "--skip-existing"], stdout=subprocess.PIPE, text=True)
+            for _ in range(3 + k):
+                process.stdout.readline()
+            process.kill()
+            process.communicate(timeout=60)
+            self.assertEqual(process.returncode, -9)
+        self.check_whole(400)
+
+    def check_whole(self, below):
+        whole = [path for path in self.frames() if not path.name.startswith(".")]
+        self.assertTrue(0 < len(whole) < below, len(whole))
+        for path in whole:
+            chunks_of(path)
+
+    def test_the_schema_is_one(self):
+        schema = json.loads(self.render("--schema").stdout)
+        import jsonschema
+        jsonschema.Draft202012Validator.check_schema(schema)
+        validator = jsonschema.Draft202012Validator(schema)
+        self.assertTrue(validator.is_valid(JOB))
+        self.assertFalse(validator.is_valid({**JOB, "fsp": 24}))
+        self.assertFalse(validator.is_valid({**JOB, "frame": {"width": 0}}))
+
+
+class SavedSceneTest(ServedTest):
+    def test_a_saved_groom_is_drawn_as_the_server_draws_it(self):
+        scene = self.server.new_scene("sphere", 800)
+        self.assertEqual(self.server.post(f"/v1/scenes/{scene.id}/commands", flood([0, 0, 1])).status, 200)
+        folder = self.server.folder
+        self.pelage("export", scene.id, "-o", folder / "ball.pelage")
+        frame = {"width": 64, "height": 64, "camera": {"auto": "left"}, "quality": "interactive"}
+        (folder / "job.json").write_text(json.dumps({"scene": "ball.pelage", "output": "ball.png", "frame": frame}))
+        run = subprocess.run([BIN / "pelage-render", folder / "job.json"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, 0, run)
+        served = folder / "served.png"
+        served.write_bytes(self.server.post(f"/v1/scenes/{scene.id}/frames", frame).body)
+        pixels = [[body for name, body in chunks_of(path) if name == b"IDAT"] for path in (folder / "ball.png", served)]
+        self.assertEqual(*pixels)
+        self.assertEqual(texts_of(folder / "ball.png")["pelage/revision"], "1")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,166 @@
+// What each frame of a job is.
+#include "server/batch/job_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "protocol/json/decode.h"
+#include "server/batch/job_scene.h"
+#include "server/batch/output_file.h"
+#include "server/batch/turntable.h"
+#include "server/export/temporary_folder.h"
+
+namespace pelage::testing {
+namespace {
+
+RenderJob job_of(const std::string& more) {
+  const auto job = decode_job(
+      R"({"builtin": {"builtin": "sphere", "triangles": 500}, "output": "f.##.png", "frames": "1-5")" + more + "}");
+  EXPECT_TRUE(job.ok()) << job.status().message << job.status().pointer;
+  return job ? *job : RenderJob{};
+}
+
+class JobFrames : public ::testing::Test {
+ protected:
+  std::vector<JobFrame> plan(const RenderJob& job, const JobPart& part = {}) {
+    if (!scene_) scene_.emplace(std::move(JobScene::open(job, ".")).value());
+    auto frames = plan_job(job, part, "/job", *scene_->scene());
+    EXPECT_TRUE(frames.ok()) << frames.status().message << frames.status().pointer;
+    return frames ? *frames : std::vector<JobFrame>();
+  }
+  std::optional<JobScene> scene_;
+};
+
+TEST_F(JobFrames, AreTheSameInWhateverPartTheyAreDrawn) {
+  const RenderJob job = job_of(R"(, "turntable": {}, "keyframes": [{"parameter": "/frame/exposure",
+                                  "keys": [{"frame": 1, "value": 0}, {"frame": 5, "value": 1}]}])");
+  const auto all = plan(job);
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all[3].file, "/job/f.04.png");
+  const auto part = plan(job, {.frames = "4", .output = "other.#.exr"});
+  ASSERT_EQ(part.size(), 1u);
+  EXPECT_EQ(part[0].file, "./other.4.exr");
+  EXPECT_EQ(part[0].request.exposure, all[3].request.exposure);
+  EXPECT_EQ(part[0].request.camera.position, all[3].request.camera.position);
+  EXPECT_NE(part[0].fingerprint, all[3].fingerprint);  // another format
+  EXPECT_EQ(plan(job, {.frames = "2-4"})[2].fingerprint, all[3].fingerprint);
+  for (std::size_t k = 1; k < all.size(); ++k) EXPECT_NE(all[k].fingerprint, all[0].fingerprint);
+}
+
+TEST_F(JobFrames, AreRefusedWhereTheJobHasNone) {
+  const RenderJob job = job_of("");
+  plan(job);
+  const auto refused = plan_job(job, {.frames = "6", .output = {}}, ".", *scene_->scene());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().pointer, "/frames");
+}
+
+TEST_F(JobFrames, OfOneTurnCloseTheCircle) {
+  const auto frames = plan(job_of(R"(, "turntable": {"turns": "camera"})"));
+  const glm::dvec3 first = frames[0].request.camera.position, target = frames[0].request.camera.target;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const Camera& camera = frames[k].request.camera;
+    EXPECT_NEAR(glm::length(camera.position - target), glm::length(first - target), 1e-9);
+    EXPECT_NEAR(camera.position.y, first.y, 1e-9);
+    const glm::dvec2 a(first.z - target.z, first.x - target.x),
+        b(camera.position.z - target.z, camera.position.x - target.x);
+    const double turned = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    EXPECT_NEAR(std::remainder(glm::degrees(turned) - 72.0 * static_cast<double>(k), 360.0), 0, 1e-6) << k;
+    EXPECT_TRUE(frames[k].settings.empty());
+  }
+}
+
+TEST_F(JobFrames, OfAModelThatTurnsKeepTheLightsOnThePicture) {
+  const auto frames = plan(job_of(R"(, "turntable": {"degrees": 100})"));
+  const Camera& begin = frames[0].request.camera;
+  const auto& lights = std::get<SetLights>(frames[0].settings.at(0)).lights;
+  const auto in_view = [](const Camera& camera, glm::dvec3 direction) {
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    return glm::dvec3(glm::dot(direction, right), glm::dot(direction, glm::cross(right, forward)),
+                      glm::dot(direction, forward));
+  };
+  for (const JobFrame& frame : frames) {
+    const auto& turned = std::get<SetLights>(frame.settings.at(0)).lights;
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      const glm::dvec3 difference =
+          in_view(frame.request.camera, turned[k].direction) - in_view(begin, lights[k].direction);
+      EXPECT_LT(glm::length(difference), 1e-9);
+    }
+  }
+  EXPECT_GT(glm::length(frames[4].request.camera.position - begin.position), 0.5);
+}
+
+TEST(Turntables, FinishWhereTheyBeganHoweverFarTheyTurn) {
+  const Mesh mesh;
+  const Camera camera{.automatic = AutoView::none, .position = {0, 1, 3}, .target = {0, 0.5, 0}};
+  for (const double degrees : {360.0, -720.0, 3.6e5}) {
+    const Camera turned = turned_camera(camera, 1, mesh, degrees);
+    EXPECT_LT(glm::length(turned.position - camera.position), 1e-9) << degrees;
+  }
+}
+
+TEST_F(JobFrames, OfATimeLapseGoFromTheFirstGroomToTheLast) {
+  const RenderJob job = job_of(R"(, "time_lapse": true, "commands": [
+      {"op": "length", "value": 0.1, "flood": true}, {"op": "length", "value": 0.2, "flood": true},
+      {"op": "smooth", "passes": 2, "flood": true}, {"op": "length", "value": 0.3, "flood": true}])");
+  std::vector<std::uint64_t> revisions;
+  for (const JobFrame& frame : plan(job)) revisions.push_back(frame.request.revision.value());
+  EXPECT_EQ(revisions.front(), 0u);
+  EXPECT_TRUE(std::ranges::is_sorted(revisions));
+  EXPECT_EQ(revisions.back(), scene_->scene()->summary().revision);
+}
+
+TEST(OutputFiles, AreWholeOrNotThere) {
+  const auto folder = TemporaryFolder::make();
+  const std::string path = folder->file("deep/er/frame.png");
+  ASSERT_TRUE(write_whole(path, "some bytes").ok());
+  EXPECT_EQ(*read_file(path), "some bytes");
+  EXPECT_FALSE(is_drawn(path, "00"));
+  std::filesystem::create_directory(folder->file("taken"));
+  std::ofstream(folder->file("taken/file")) << "x";
+  const Status refused = write_whole(folder->file("taken"), "bytes");
+  EXPECT_FALSE(refused.ok());
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder->file("."))) {
+    ++files;
+    EXPECT_EQ(entry.path().filename().string().front() == '.', false) << entry.path();
+  }
+  EXPECT_EQ(files, 2u);  // deep, taken
+}
+
+TEST(OutputFiles, AreKnownByTheirFingerprint) {
+  const auto folder = TemporaryFolder::make();
+  const std::string path = folder->file("frame.png"), print(32, 'a');
+  const Image image{2, 2, std::vector<std::uint8_t>(16, 200)};
+  const std::vector<ImageText> texts{{"pelage/fingerprint", print}};
+  const std::string bytes = encode_png(image, false, texts);
+  ASSERT_TRUE(write_whole(path, bytes).ok());
+  EXPECT_TRUE(is_drawn(path, print));
+  EXPECT_FALSE(is_drawn(path, std::string(32, 'b')));
+  ASSERT_TRUE(write_whole(path, bytes.substr(0, bytes.size() - 14)).ok());  // cut off
+  EXPECT_FALSE(is_drawn(path, print));
+  EXPECT_FALSE(is_drawn(folder->file("none.png"), print));
+}
+
+TEST(JobScenes, AreRefusedWithWhatIsWrong) {
+  RenderJob job;
+  job.output = "#.png", job.scene = "none.pelage";
+  EXPECT_EQ(JobScene::open(job, "/tmp").status().code, Code::not_found);
+  const auto folder = TemporaryFolder::make();
+  std::ofstream(folder->file("a.pelage")) << "no scene";
+  std::ofstream(folder->file("a.txt")) << "no scene";
+  job.scene = folder->file("a.pelage");
+  EXPECT_EQ(JobScene::open(job, "/tmp").status().code, Code::invalid);
+  job.scene = folder->file("a.txt");
+  EXPECT_EQ(JobScene::open(job, "/tmp").status().pointer, "/scene");
+  job.scene.clear(), job.builtin = BuiltinModel{Builtin::sphere, 100};
+  job.commands = *decode_commands(R"({"op": "comb", "stroke": {"samples": [
+      {"triangle": 0, "barycentric": [1, 0, 0]}, {"triangle": 999999, "barycentric": [1, 0, 0]}]}})");
+  EXPECT_EQ(JobScene::open(job, "/tmp").status().pointer, "/commands/0/stroke/samples/1/triangle");
+}
+
+}  // namespace
+}  // namespace pelage::testing
