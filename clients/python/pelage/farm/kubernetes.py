@@ -10,8 +10,8 @@ from .folder import FarmFolder
 GRACE_SECONDS = 30
 MOUNT = "/farm"
 TRIES = 3  # of a pod after its first
-# pelage-render's exit codes for wrong use, a bad job and no GL: another try ends in the same way.
-HOPELESS_CODES = [2, 3, 4]
+# pelage-render's exit codes for wrong use and a bad job or scene: another try ends in the same way.
+HOPELESS_CODES = [2, 3]
 
 
 def manifest(
