@@ -147,7 +147,8 @@ def read_job(path: pathlib.Path) -> Dict[str, Any]:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise FarmError(f"{path} cannot be read: {error}", "name a job's file, as docs/farm.md shows one", BAD_INPUT) from error
+        step = "name a job's file, as docs/farm.md shows one"
+        raise FarmError(f"{path} cannot be read: {error}", step, BAD_INPUT) from error
     if not isinstance(document, dict):
         raise FarmError(f"{path} is no job", "write an object with scene, frames and output", BAD_INPUT)
     return document

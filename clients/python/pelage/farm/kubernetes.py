@@ -10,11 +10,13 @@ from .folder import FarmFolder
 GRACE_SECONDS = 30
 MOUNT = "/farm"
 TRIES = 3  # of a pod after its first
-# pelage-render's exit codes for wrong use, a bad job and no GL: another try ends in the same way.
-HOPELESS_CODES = [2, 3, 4]
+# pelage-render's exit codes for wrong use and a bad job or scene: another try ends in the same way.
+HOPELESS_CODES = [2, 3]
 
 
-def manifest(folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int, image: str, claim: str) -> Dict[str, Any]:
+def manifest(
+    folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int, image: str, claim: str
+) -> Dict[str, Any]:
     """at_once: Pods at the same time; 0 for all. image: Of containers. claim: Of the volume that holds the folder.
 
     An index counts 0, 1, 2, ...; PELAGE_CHUNKS says which chunk each one is, for a second run has only some.

@@ -72,7 +72,9 @@ def mp4_arguments(chain: str) -> List[str]:
 
 
 def webp_arguments(chain: str) -> List[str]:
-    return ["-vf", chain + "format=yuv420p", "-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6", "-loop", "0", "-f", "webp"]
+    """Below quality 92, plain backgrounds show ghosts of earlier frames."""
+    codec = ["-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6"]
+    return ["-vf", chain + "format=yuv420p", *codec, "-loop", "0", "-f", "webp"]
 
 
 def gif_arguments(chain: str) -> List[str]:

@@ -30,6 +30,9 @@ class ChunkState(NamedTuple):
     missing: List[int]
     reason: str
 
+    def to_json(self) -> Dict[str, Any]:
+        return {**self._asdict(), "frames": range_of(self.frames), "missing": range_of(self.missing)}
+
 
 class Status(NamedTuple):
     """seconds_left: None while nothing runs."""
@@ -46,8 +49,7 @@ class Status(NamedTuple):
         return not any(chunk.state in ("running", "waiting", "sent") for chunk in self.chunks)
 
     def to_json(self) -> Dict[str, Any]:
-        chunks = [{**chunk._asdict(), "frames": range_of(chunk.frames), "missing": range_of(chunk.missing)} for chunk in self.chunks]
-        return {**self._asdict(), "chunks": chunks}
+        return {**self._asdict(), "chunks": [chunk.to_json() for chunk in self.chunks]}
 
 
 class Tasks(NamedTuple):
