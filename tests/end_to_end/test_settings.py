@@ -6,7 +6,7 @@ from support.server import ServedTest, flood
 from test_contract import named
 
 NAMES = {"curves": ("set_curves", "groups"), "skin": ("set_skin", "regions"), "skin_texture": ("set_skin_texture", "picture")}
-SET = ("coat", "look", "lights", "environment", "ground", "eyes", "curves", "skin", "skin_texture", "blowers", "attractors", "symmetry")
+SET = ("coat", "look", "lights", "environment", "ground", "wind", "eyes", "curves", "skin", "skin_texture", "blowers", "attractors", "symmetry")
 
 
 def command(member, value):

@@ -295,7 +295,8 @@ TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
   execute(
-      "UPDATE entries SET settings = json_remove(settings, (SELECT fullkey FROM json_each(settings) WHERE "
+      "UPDATE entries SET settings = json_remove(settings, (SELECT fullkey FROM json_each(settings, '$.commands') "
+      "WHERE "
       "json_extract(value, '$.op') = 'set_wind')); PRAGMA user_version = 8");
   const auto journal = open();
   const auto entries = journal->entries("a", 0);
