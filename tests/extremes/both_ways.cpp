@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "server/frames/fur_view.h"
+#include "server/frames/moved_fur.h"
 
 namespace pelage::testing {
 
@@ -66,10 +67,21 @@ std::string complaint_about(const std::vector<FloatImage>& aovs) {
   return {};
 }
 
+namespace {
+
+/// Null where nothing blows.
+MovedDirection moved_of(const SceneView& view, const FrameRequest& request) {
+  const std::optional<double> moment = moment_of(view, request);
+  return moment ? moved_at(view, *moment) : nullptr;
+}
+
+}  // namespace
+
 FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   std::optional<FurFrame> frame;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    sync_scene(renderer_, view, dirty);
+  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
+    const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(view.fields.size())}};
+    sync_scene(renderer_, view, all, moved_of(view, request).get());
     frame = make_frame(view, request);
   });
   renderer_.clear_view_cache();
@@ -91,7 +103,8 @@ Result<std::vector<FloatImage>> BothWays::march(Scene& scene, const FrameRequest
     const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, view.model.surface.mesh());
     const ModelArrays arrays = make_arrays(view);
     marched_.forget_all();
-    marched_.add(make_model(view, arrays), make_fields(view, skin, {}));
+    const MovedDirection moved = moved_of(view, request);
+    marched_.add(make_model(view, arrays), make_fields(view, skin, {}, moved.get()));
   });
   if (Result<Image> shown = marched_.draw(*frame, nullptr, {}); !shown) return shown.status();
   return marched_.draw_aovs(*frame, all_aovs, nullptr, {});
@@ -112,7 +125,8 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
     const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
     const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
     const ModelArrays arrays = make_arrays(view);
-    status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1)), frame,
+    const MovedDirection moved = moved_of(view, request);
+    status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()), frame,
                            std::move(base).value(), all_aovs, always);
   });
   while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);

@@ -55,8 +55,7 @@ std::vector<Feature> of_light() {
           {"penumbra", light(R"(, "cast_shadow": "penumbra")"), quality(R"("shadow_maps": true)"),
            light(R"(, "cast_shadow": "penumbra")")},
           {"light from all around", "", "", one("set_environment", R"("environment": {"intensity": 0.5})")},
-          {"wind", one("set_wind", R"("wind": {"speed": 0.5})"), "",
-           one("set_wind", R"("wind": {"speed": 0, "gusts": 10, "time": 5})"), R"("time": 3)"},
+          {"wind", "", "", one("set_wind", R"("wind": {"speed": 0, "gusts": 10, "time": 5})"), R"("time": 3)"},
           {"fibre scattering", one("set_look", shine), "",
            one("set_look", R"("look": {"shading": "kajiya", "fibre": {"refractive_index": 2, "eumelanin": 100}})")}};
 }

@@ -121,7 +121,8 @@ TEST_P(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   ASSERT_TRUE(past.ok());
   EXPECT_FALSE(past->copy) << "of the present as long as it is asked for";
   execute(*scene, {comb_at(*scene, 5)});
-  const Result<Shown> shown = show(**renderer, *scene, request, *past, scenes, false, false);
+  MovedFur fur;
+  const Result<Shown> shown = show(**renderer, *scene, request, *past, scenes, fur, false, false);
   ASSERT_TRUE(shown.ok());
   EXPECT_EQ(shown->revision, 0u);
   ASSERT_TRUE(past->copy);
