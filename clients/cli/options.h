@@ -11,6 +11,7 @@ namespace pelage {
 
 enum class Action {
   wait,
+  get,
   create,
   load,
   environment,
@@ -52,6 +53,9 @@ struct Options {
   bool json = false;   // print the server's answer as it is
   std::string scene;   // id or name
 
+  // get
+  std::string address;       // "/metrics", or below the scene: "settings"
+  std::string answer = "-";  // file that takes it
   // create
   std::string name = "scene";
   std::string builtin = "creature";

@@ -1,6 +1,7 @@
 """pelage-render: jobs to files, as a farm runs it."""
 import hashlib
 import json
+import os
 import signal
 import struct
 import subprocess
@@ -169,15 +170,16 @@ class RenderTest(unittest.TestCase):
         self.check_whole(400)
 
     def test_no_frame_is_torn_by_kills(self):
-        job = self.job(frames="1-400")
-        for k in range(10):
+        """PELAGE_KILLS says how many, 10 unless it does."""
+        job = self.job(frames="1-2000")
+        for k in range(int(os.environ.get("PELAGE_KILLS", "10"))):
             process = subprocess.Popen([BIN / "pelage-render", job, "--skip-existing"], stdout=subprocess.PIPE, text=True)
-            for _ in range(3 + k):
+            for _ in range(3 + k % 20):
                 process.stdout.readline()
             process.kill()
             process.communicate(timeout=60)
             self.assertEqual(process.returncode, -9)
-        self.check_whole(400)
+        self.check_whole(2000)
 
     def check_whole(self, below):
         whole = [path for path in self.frames() if not path.name.startswith(".")]

@@ -8,6 +8,7 @@ namespace pelage {
 ExitCode perform(Session& session);
 
 ExitCode wait_for_server(Session& session);
+ExitCode get_address(Session& session);
 ExitCode create_scene(Session& session);
 ExitCode load_model(Session& session);
 ExitCode load_environment(Session& session);

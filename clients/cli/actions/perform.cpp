@@ -11,6 +11,7 @@ using Perform = ExitCode (*)(Session&);
 Perform action_of(Action action) {
   switch (action) {
     case Action::wait: return wait_for_server;
+    case Action::get: return get_address;
     case Action::create: return create_scene;
     case Action::load: return load_model;
     case Action::environment: return load_environment;

@@ -51,6 +51,14 @@ void declare_calibrate(CLI::App& app, Options& options) {
   add("--threads", "As the server's: threads of a software GL, 0 for all cores [0]");
 }
 
+void declare_get(CLI::App& app, Options& options) {
+  CLI::App* get = add_action(app, options, Action::get, "get",
+                             "Print what stands at an address of the contract: /metrics, or settings of a scene");
+  get->add_option("scene", options.scene, "The address, or the id or name of a scene")->required();
+  get->add_option("address", options.address, "What of the scene: settings, events, mesh, 'compare?from=0&to=3' ...");
+  get->add_option("-o,--output", options.answer, "File that takes it; - for standard output")->capture_default_str();
+}
+
 }  // namespace
 
 void declare_program_actions(CLI::App& app, Options& options) {
@@ -58,6 +66,7 @@ void declare_program_actions(CLI::App& app, Options& options) {
   wait->add_option("--seconds", options.wait_seconds, "How long at most, 0 to 3600")
       ->capture_default_str()
       ->check(CLI::Range(0, 3600));
+  declare_get(app, options);
   declare_compare(app, options);
   declare_trade(app, options);
   declare_calibrate(app, options);

@@ -1,0 +1,63 @@
+"""How drawing a job's frames spreads over processes, and how soon the first frame is there.
+
+48 frames of the creature by one process on one core, by two on a core each, and by one on both, in turns; of each the least seconds count.
+Then the seconds from the start of pelage-render to its first file, for a scene of 5,000 triangles.
+
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/farm.py [--rounds 3] [--size 640]
+"""
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import time
+
+BIN = pathlib.Path(os.environ["PELAGE_BIN"]).resolve()
+WAYS = {"one process, one core": ([("1-48", 1)]), "two processes, a core each": ([("1-47x2", 1), ("2-48x2", 1)]),
+        "one process, both cores": ([("1-48", 2)])}
+
+
+def job(folder, size):
+    path = folder / "job.json"
+    path.write_text(json.dumps({
+        "builtin": {"builtin": "creature", "triangles": 5000}, "frames": "1-48", "output": "out/f.####.png", "turntable": {},
+        "frame": {"width": size, "height": size, "camera": {"auto": "three_quarter"}, "quality": "interactive"}}))
+    return path
+
+
+def seconds(path, parts):
+    began = time.perf_counter()
+    processes = [subprocess.Popen([BIN / "pelage-render", path, "--frames", frames, "--threads", str(threads)],
+                                  stdout=subprocess.DEVNULL) for frames, threads in parts]
+    assert all(process.wait() == 0 for process in processes)
+    return time.perf_counter() - began
+
+
+def first_frame(path):
+    began = time.perf_counter()
+    process = subprocess.Popen([BIN / "pelage-render", path], stdout=subprocess.PIPE, text=True)
+    while not process.stdout.readline().startswith("Saved: "):
+        pass
+    passed = time.perf_counter() - began
+    process.kill()
+    process.communicate()
+    return passed
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--size", type=int, default=640)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        path = job(pathlib.Path(folder), options.size)
+        least = {way: float("inf") for way in WAYS}
+        for _ in range(options.rounds):
+            for way, parts in WAYS.items():
+                least[way] = min(least[way], seconds(path, parts))
+                print(f"{way}: {least[way]:.1f} s, {least[next(iter(WAYS))] / least[way]:.2f} times as fast", flush=True)
+        print(f"start to first frame: {min(first_frame(path) for _ in range(5)):.2f} s")
+
+
+main()
