@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases on OSMesa,
-# whose pictures have the bytes of EGL's, an eighth runs: of 0 to 7 the one of this day, or N.
+# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases half run
+# on EGL, and an eighth on OSMesa, whose pictures have the bytes of EGL's: of 0 to 7 the one of this day, or N.
 # Then clang-tidy over an eighth of the sources, half of what reads bytes from outside under the sanitizers, and 30 s of the
 # fuzzer. Eight days pass all of it; tests/nightly.sh does so in one night.
 # usage: tests/run.sh [--eighth N] [ctest arguments]
@@ -19,11 +19,11 @@ echo "build: optimised, with tests, in build/tests"
 cmake --preset tests -DPELAGE_BENCH=OFF -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
 cmake --build --preset tests -j "$jobs"
 echo "build: done after $((SECONDS - started)) s"
-echo "cases on OSMesa: eighth $eighth (tests/run.sh --eighth $eighth runs it again)"
+echo "cases of GL: eighth $eighth (tests/run.sh --eighth $eighth runs it again)"
 rm -rf build/tests/results
 passed=yes no_skips=()
 [ "${CI:-}" != true ] || no_skips=(--no-skips)
-PELAGE_OSMESA_EIGHTH=$eighth ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "$@" || passed=no
+PELAGE_EIGHTH=$eighth ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "$@" || passed=no
 if [ $# -eq 0 ]; then  # all of them
   tests/tidy.sh "$eighth" 8 || passed=no
   halves=("unit_base unit_protocol property_json" "unit_fields unit_history unit_guides")

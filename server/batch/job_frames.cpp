@@ -146,6 +146,9 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
                                        const Scene& scene) {
   RenderJob job = whole_job;
   if (!part.output.empty()) job.output = part.output;
+  if (job.time_lapse && job.turntable && job.turntable->turns == Turning::model)
+    return failure(Code::invalid, "A time lapse shows each revision in its own lights, which cannot turn.",
+                   "/turntable/turns", "camera");
   const Result<std::vector<int>> all = parse_frames(job.frames);
   if (!all) return all.status();
   const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);

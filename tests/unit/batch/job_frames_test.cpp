@@ -111,6 +111,9 @@ TEST_F(JobFrames, OfATimeLapseGoFromTheFirstGroomToTheLast) {
   EXPECT_EQ(revisions.front(), 0u);
   EXPECT_TRUE(std::ranges::is_sorted(revisions));
   EXPECT_EQ(revisions.back(), scene_->scene()->summary().revision);
+  const auto turned = plan_job(job_of(R"(, "time_lapse": true, "turntable": {})"), {}, ".", *scene_->scene());
+  ASSERT_FALSE(turned.ok());
+  EXPECT_EQ(turned.status().pointer, "/turntable/turns");
 }
 
 TEST(OutputFiles, AreWholeOrNotThere) {
