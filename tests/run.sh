@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases half run
-# on EGL, and an eighth on OSMesa, whose pictures have the bytes of EGL's: of 0 to 7 the one of this day, or N.
+# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases a quarter
+# runs on EGL, and an eighth on OSMesa, whose pictures have the bytes of EGL's: of 0 to 7 the one of this day, or N.
 # Then clang-tidy over an eighth of the sources, half of what reads bytes from outside under the sanitizers, and 30 s of the
 # fuzzer. Eight days pass all of it; tests/nightly.sh does so in one night.
 # usage: tests/run.sh [--eighth N] [ctest arguments]
