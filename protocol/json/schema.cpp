@@ -11,6 +11,7 @@
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
 #include "protocol/json/named_words.h"
+#include "protocol/json/write.h"
 
 namespace pelage {
 
@@ -18,7 +19,6 @@ namespace json_parts {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using json_names::text_of;
 
 Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
