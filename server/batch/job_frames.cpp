@@ -51,7 +51,7 @@ class Planner {
     identity_ += encode(Log{scene.log()});
   }
 
-  /// The frame that comes after `index` of the job's `count` frames.
+  /// `index` of the job's `count` frames come before it.
   Result<JobFrame> frame(int number, std::size_t index, std::size_t count) const {
     Result<AnimatedFrame> animated = animation_.at(number);
     if (!animated) return animated.status();

@@ -18,8 +18,8 @@ Status write_whole(const std::string& path, std::string_view bytes);
 /// Whether the file is a whole picture with this fingerprint.
 bool is_drawn(const std::string& path, const std::string& fingerprint);
 
-/// What a frame's file says of it. `started` is when its drawing began, seconds since 1970. An EXR has the time, the
-/// machine and the seconds that it took too; a PNG has the same bytes whenever it is drawn.
+/// What a frame's file says of it. `scene` is as it was before keyframes; `seconds` is what drawing took. An EXR has
+/// these, the time and the machine too; a PNG has the same bytes whenever it is drawn.
 std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer, const SceneSummary& scene, double fps,
                                 double seconds);
 
