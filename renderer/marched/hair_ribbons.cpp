@@ -12,8 +12,6 @@ namespace pelage {
 
 namespace {
 
-glm::vec3 unit_of(glm::vec3 v) { return v / std::max(glm::length(v), 1e-20f); }
-
 float smoothed(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);

@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t points_each = curve_segments + 1;
 
-glm::vec3 unit_of(glm::vec3 v) { return v / std::max(glm::length(v), 1e-20f); }
-
 /// Pixels of a place that is not nearer than near_distance.
 glm::vec2 on_picture(const RibbonCamera& camera, const glm::vec4& clip) {
   return (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * camera.size;

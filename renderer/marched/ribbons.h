@@ -2,6 +2,7 @@
 // fur.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -29,6 +30,9 @@ struct Ribbon {
   float number = 0;     // random, [0, 1)
   int hair = -1;        // of MarchScene::hairs; -1 for a guided curve
 };
+
+/// The unit vector along `v`; 0 for 0.
+inline glm::vec3 unit_of(glm::vec3 v) { return v / std::max(glm::length(v), 1e-20f); }
 
 /// Who looks at ribbons.
 struct RibbonCamera {

@@ -13,8 +13,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float leave_skin = 1e-5f;  // sizes from which rays start
-constexpr int first_bounces = 1;     // after them Russian roulette ends dark paths
+constexpr int first_bounces = 1;  // after them Russian roulette ends dark paths
 constexpr float worth_a_ray =
     0.01f;  // share of TraceScene::brightest below which Russian roulette decides on a shadow ray
 

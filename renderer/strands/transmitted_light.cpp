@@ -13,7 +13,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float leave_skin = 1e-5f;  // sizes from which rays to lights start
 constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
 
 /// One that is wide on the picture shows how it scatters across.

@@ -17,7 +17,7 @@ namespace {
 /// would bound oneTBB's for the whole process: scenes are built on the caller's own.
 constexpr const char* device_settings = "max_isa=avx2,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
-constexpr float farthest = 1e18f;    // sizes; Embree's own limit is 1.8e18
+constexpr float most = 1e18f;        // sizes; Embree's own limit is 1.8e18
 constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
@@ -64,7 +64,7 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
 /// What Embree takes: it ends the process for numbers beyond its range.
 bool can_be_cast(const Ray& ray) {
   const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
-  const bool in_range = furthest.x <= farthest && furthest.y <= farthest && furthest.z <= farthest;  // NaN is not
+  const bool in_range = furthest.x <= most && furthest.y <= most && furthest.z <= most;  // NaN is not
   const float square = glm::dot(ray.direction, ray.direction);
   return in_range && square > 0.5f && square < 2 && ray.t_max >= 0;
 }

@@ -39,6 +39,9 @@ struct StrandId {
   bool operator==(const StrandId&) const = default;
 };
 
+/// Sizes off the skin from which rays start.
+inline constexpr float leave_skin = 1e-5f;
+
 struct Ray {
   glm::vec3 origin{0}, direction{0, 0, 1};  // unit
   float t_max = 1e30f;
