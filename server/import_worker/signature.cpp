@@ -44,6 +44,16 @@ bool is_text_stl(std::string_view bytes) {
   return bytes.starts_with("solid") && bytes.substr(0, far_enough).find("facet") != std::string_view::npos;
 }
 
+/// Text with a vertex on a line of its own: no binary format has that at its beginning.
+bool is_obj(std::string_view bytes) {
+  const std::string_view begin = without_byte_order_mark(bytes).substr(0, 2000);
+  const auto is_text = [](char c) {
+    return c == '\t' || c == '\n' || c == '\r' || static_cast<unsigned char>(c) >= ' ';
+  };
+  const bool has_vertex = begin.starts_with("v ") || begin.find("\nv ") != std::string_view::npos;
+  return has_vertex && std::all_of(begin.begin(), begin.end(), is_text);
+}
+
 /// A glTF document, whose "asset" is required.
 bool is_gltf(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -57,6 +67,7 @@ std::optional<ModelFormat> known_format(std::string_view bytes) {
   if (bytes.starts_with("OFF\n") || bytes.starts_with("OFF\r") || bytes.starts_with("COFF")) return ModelFormat::off;
   if (is_text_stl(bytes)) return ModelFormat::stl;
   if (is_gltf(bytes)) return ModelFormat::gltf;
+  if (is_obj(bytes)) return ModelFormat::obj;
   return {};
 }
 
