@@ -83,18 +83,25 @@ std::string add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
       file.add_triangles(mesh.triangles, mesh.places.size()), material);
 }
 
-constexpr int skin_material = 0, eye_material = 1, card_material = 2;
+/// What a file has beside skin: materials that nothing uses are left out, and numbers follow.
+struct CardMaterials {
+  bool eyes = false, cards = false;
 
-void set_materials(GlbWriter& file, const Coat& coat, double width) {
-  const int image = file.add_png(encode_png(card_texture(coat, width), true));
-  file.set(
-      "materials",
-      fmt::format(
-          R"([{{"name":"skin",{}}},{{"name":"eyes",{}}},{{"name":"cards","alphaMode":"MASK","alphaCutoff":0.4,)"
-          R"("doubleSided":true,"pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":0.8,"baseColorTexture":{{"index":0}}}}}}])",
-          dull_material, wet_material));
-  file.set("textures", fmt::format(R"([{{"source":{},"sampler":0}}])", image));
-  file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
+  static constexpr int skin_number = 0, eye_number = 1;
+  int card_number() const { return eyes ? 2 : 1; }
+};
+
+void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat, double width) {
+  std::string materials = fmt::format(R"({{"name":"skin",{}}})", dull_material);
+  if (used.eyes) materials += fmt::format(R"(,{{"name":"eyes",{}}})", wet_material);
+  if (used.cards) {
+    materials += R"(,{"name":"cards","alphaMode":"MASK","alphaCutoff":0.4,"doubleSided":true,)"
+                 R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8,"baseColorTexture":{"index":0}}})";
+    file.set("textures", fmt::format(R"([{{"source":{},"sampler":0}}])",
+                                     file.add_png(encode_png(card_texture(coat, width), true))));
+    file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
+  }
+  file.set("materials", "[" + materials + "]");
 }
 
 /// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
@@ -129,8 +136,10 @@ CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, cons
   const double cell = cell_of(strands, request.cards);
   CardFile result;
   GlbWriter file;
-  std::string body = add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, skin_material);
-  if (!frame.eyes.empty()) body += "," + add_eyes(file, frame.eyes, strands.size, eye_material);
+  CardMaterials used{.eyes = !frame.eyes.empty()};
+  std::string body =
+      add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, CardMaterials::skin_number);
+  if (used.eyes) body += "," + add_eyes(file, frame.eyes, strands.size, CardMaterials::eye_number);
   std::vector<std::string> levels;
   for (int level = 0; level < card_levels; ++level) {
     const double distance = cell * std::pow(2.0, 0.5 * level);
@@ -139,10 +148,11 @@ CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, cons
     for (const CardLine& clump : clumps)
       add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
     if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
-    levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, card_material));
+    levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, used.card_number()));
+    used.cards |= !clumps.empty();
   }
   result.triangles += scene.model.surface.mesh().triangles.size();
-  set_materials(file, scene.settings.coat, overlap * cell);
+  set_materials(file, used, scene.settings.coat, overlap * cell);
   set_scenes(file, body, levels, scene.model.surface.mesh().centre);
   result.glb = file.finish();
   return result;

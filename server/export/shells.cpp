@@ -24,6 +24,7 @@ class ShellFile {
  public:
   ShellFile(const SceneView& scene, const CornerMesh& shells, const VertexColours& colours, const Slices& slices)
       : scene_(scene), shells_(shells), colours_(colours), slices_(slices) {
+    if (shells.triangles.empty()) return;  // glTF has no empty arrays
     const Mesh& mesh = scene.model.surface.mesh();
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> uvs;
@@ -76,6 +77,7 @@ class ShellFile {
                                    json_of(scene_.model.surface.mesh().centre)));
     file_.set("meshes", "[{\"primitives\":[" + primitives_ + "]}]");
     file_.set("materials", "[" + materials_ + "]");
+    if (textures_.empty()) return file_.finish();
     file_.set("textures", "[" + textures_ + "]");
     file_.set("samplers",
               "[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497}]");  // trilinear, repeated
