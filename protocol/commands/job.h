@@ -38,6 +38,14 @@ struct Turntable {
   Turning turns = Turning::model;
 };
 
+/// Where the scene's model stands at each frame, with the groom on it: in numbered files, or in an animation of one
+/// file.
+struct JobMotion {
+  std::string model;                   // "walk.####.obj", # are the digits of the frame; or a file with the animation
+  std::string animation;               // of that file, by its name; frame f shows its second f / fps
+  std::optional<double> loop_seconds;  // (0, 1e6], after which it begins again; none: it stays where it ends
+};
+
 struct RenderJob {
   std::string scene;                     // file of a scene (.pelage) or of a model; "" where there is `builtin`
   std::optional<ImportOptions> options;  // of a model's file
@@ -50,6 +58,7 @@ struct RenderJob {
   std::optional<Turntable> turntable;
   bool time_lapse = false;  // the groom from its first revision to its last, over the frames
   std::vector<ParameterKeys> keyframes;
+  std::optional<JobMotion> motion;
 };
 
 /// What keyframes make of one frame.

@@ -44,6 +44,22 @@ void members(V& v, Visited<V, Turntable>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, JobMotion>& c) {
+  v.type("JobMotion",
+         "Where the scene's model stands at each frame. It has the vertices and faces of the file that the scene's "
+         "model came from, in the same order; the groom, eyes, curves and bare skin go along.");
+  v.text(required("model"), c.model,
+         "File of a model beside the job's file: `walk.####.obj`, where # are the digits of the frame, or one file "
+         "with the animation.",
+         limits::path_bytes);
+  v.label("animation", c.animation,
+          "Name of an animation of that file. Frame f shows its second f / fps; before its first key and after its "
+          "last one it holds still.");
+  v.number("loop_seconds", c.loop_seconds, {0.001, 1e6, "seconds"},
+           "Seconds after which the animation begins again. Without, it plays once.");
+}
+
+template <class V>
 void members(V& v, Visited<V, RenderJob>& c) {
   v.type("RenderJob",
          "Frames of one scene that `pelage-render` draws into files. What is not given takes its default.");
@@ -67,6 +83,7 @@ void members(V& v, Visited<V, RenderJob>& c) {
             "Whether the frames show the groom from its first revision to its last. Then keyframes are of the frame "
             "only.");
   v.objects("keyframes", c.keyframes, {0, 256}, "Parameters that change over the frames.");
+  v.object("motion", c.motion, "Moves the model from frame to frame, with the groom on it.");
 }
 
 }  // namespace pelage::json_parts

@@ -7,6 +7,7 @@
 
 #include "protocol/json/animation.h"
 #include "protocol/json/encode.h"
+#include "renderer/pattern/pattern.h"
 #include "server/batch/frame_range.h"
 #include "server/batch/turntable.h"
 #include "server/scene/digest.h"
@@ -38,11 +39,13 @@ std::string identity_of(const Scene& scene) {
 /// Plans frames one by one.
 class Planner {
  public:
-  Planner(const RenderJob& job, const Scene& scene, Animation animation, OutputPattern pattern)
+  Planner(const RenderJob& job, const Scene& scene, Animation animation, OutputPattern pattern,
+          std::optional<ModelMoments> moments)
       : job_(job),
         scene_(scene),
         animation_(std::move(animation)),
         pattern_(std::move(pattern)),
+        moments_(std::move(moments)),
         model_(scene.model()),
         identity_(identity_of(scene)) {
     scene.read([&](const SceneView& view) { settings_ = view.settings; });
@@ -63,8 +66,10 @@ class Planner {
     JobFrame frame{.number = number,
                    .request = std::move(animated->request),
                    .settings = std::move(animated->settings),
+                   .model = {},
                    .file = pattern_.file(number),
                    .fingerprint = {}};
+    if (Status moves = move(frame); !moves.ok()) return moves;
     frame.fingerprint = fingerprint_of(frame);
     return frame;
   }
@@ -83,6 +88,23 @@ class Planner {
                      exr ? "exr" : "png or png16");
     if (exr) request.format = FrameFormat::exr;
     request.view.clear();
+    return {};
+  }
+
+  /// Patterns and tufts stand in space (renderer/pattern), and a model would move through them.
+  Status move(JobFrame& frame) const {
+    if (!moments_) return {};
+    const Coat* coat = &settings_.coat;
+    for (const Command& command : frame.settings) {
+      if (const auto* set = std::get_if<SetCoat>(&command)) coat = &set->coat;
+    }
+    if (has_pattern(*coat) || coat->tufts.gather > 0)
+      return failure(Code::invalid,
+                     "A moving model cannot wear a pattern, variation or tufts yet: they would swim over it.",
+                     "/motion", "a coat without them");
+    Result<ModelMoment> moment = moments_->at(frame.number);
+    if (!moment) return moment.status();
+    frame.model = std::move(*moment);
     return {};
   }
 
@@ -111,6 +133,7 @@ class Planner {
   std::string fingerprint_of(const JobFrame& frame) const {
     std::string text = identity_ + "\n" + encode(frame.request) + "\n";
     for (const Command& command : frame.settings) text += encode(command) + "\n";
+    if (frame.model) text += frame.model->digest + "\n" + frame.model->pose + "\n";
     return digest(text);
   }
 
@@ -118,6 +141,7 @@ class Planner {
   const Scene& scene_;
   const Animation animation_;
   const OutputPattern pattern_;
+  const std::optional<ModelMoments> moments_;
   const std::shared_ptr<const SceneModel> model_;
   SceneSettings settings_;
   std::vector<Revision> revisions_;
@@ -149,6 +173,8 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   if (job.time_lapse && job.turntable && job.turntable->turns == Turning::model)
     return failure(Code::invalid, "A time lapse shows each revision in its own lights, which cannot turn.",
                    "/turntable/turns", "camera");
+  if (job.time_lapse && job.motion)
+    return failure(Code::invalid, "A time lapse shows a model at rest.", "/motion", "without time_lapse");
   const Result<std::vector<int>> all = parse_frames(job.frames);
   if (!all) return all.status();
   const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);
@@ -158,7 +184,14 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   if (!pattern) return pattern.status();
   Result<Animation> animation = Animation::create(job, scene.settings()->settings);
   if (!animation) return animation.status();
-  return plan_frames(Planner(job, scene, std::move(*animation), std::move(*pattern)), *all, *wanted, job.frames);
+  std::optional<ModelMoments> moments;
+  if (job.motion) {
+    Result<ModelMoments> made = ModelMoments::create(*job.motion, job.fps, folder);
+    if (!made) return made.status();
+    moments = std::move(*made);
+  }
+  return plan_frames(Planner(job, scene, std::move(*animation), std::move(*pattern), std::move(moments)), *all, *wanted,
+                     job.frames);
 }
 
 }  // namespace pelage

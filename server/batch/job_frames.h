@@ -1,11 +1,13 @@
 // What each frame of a job is: its request, the settings of its scene, its file and its fingerprint.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/job.h"
+#include "server/batch/model_moments.h"
 #include "server/batch/output_pattern.h"
 #include "server/scene/scene.h"
 
@@ -14,7 +16,8 @@ namespace pelage {
 struct JobFrame {
   int number = 0;
   FrameRequest request;
-  std::vector<Command> settings;  // run before it is drawn
+  std::vector<Command> settings;     // run before it is drawn
+  std::optional<ModelMoment> model;  // where the model moves
   std::string file;
   std::string fingerprint;  // of all that the picture follows from, 32 hex digits
 };

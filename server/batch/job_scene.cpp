@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <span>
 
 #include "protocol/base/limits.h"
@@ -19,18 +18,10 @@ namespace {
 
 constexpr const char* saved_ending = ".pelage";
 
-std::optional<ModelFormat> format_of_ending(const std::string& ending) {
-  const auto found = std::ranges::find(worker_format_names, ending.empty() ? ending : ending.substr(1));
-  if (found == worker_format_names.end()) return {};
-  return static_cast<ModelFormat>(found - worker_format_names.begin());
-}
-
 Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& job, const std::string& path,
                                           const std::string& bytes) {
-  const auto format = format_of_ending(std::filesystem::path(path).extension().string());
-  if (!format)
-    return failure(Code::invalid, "This is neither a scene nor a model by its ending.", "/scene",
-                   ".pelage, .obj, .ply, .stl, .off, .gltf, .glb, .3ds or .zip");
+  const Result<ModelFormat> format = format_of_file(path, "/scene");
+  if (!format) return format.status();
   ImportOptions options = job.options.value_or(ImportOptions());
   options.format = *format;
   NewScene empty;  // until it has its model
@@ -60,6 +51,15 @@ Result<std::shared_ptr<Scene>> open_scene(SceneStore& store, const RenderJob& jo
 }
 
 }  // namespace
+
+Result<ModelFormat> format_of_file(const std::string& path, const std::string& pointer) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  const auto found = std::ranges::find(worker_format_names, ending.empty() ? ending : ending.substr(1));
+  if (found != worker_format_names.end()) return static_cast<ModelFormat>(found - worker_format_names.begin());
+  return failure(
+      Code::invalid, "The file is no model by its ending.", pointer,
+      std::string(pointer == "/scene" ? ".pelage, " : "") + ".obj, .ply, .stl, .off, .gltf, .glb, .3ds or .zip");
+}
 
 Result<std::string> read_file(const std::string& path) {
   std::error_code error;

@@ -18,6 +18,9 @@ class JobScene {
   static Result<JobScene> open(const RenderJob& job, const std::string& folder);
 
   const std::shared_ptr<Scene>& scene() const { return scene_; }
+  /// Its model, ready to stand elsewhere.
+  Result<MovingModel> moving_model() const { return store_->moving_model(*scene_); }
+  std::uint64_t new_model_id() const { return store_->new_model_id(); }
 
  private:
   JobScene(TemporaryFolder folder, std::unique_ptr<SceneStore> store, std::shared_ptr<Scene> scene)
@@ -27,6 +30,9 @@ class JobScene {
   std::unique_ptr<SceneStore> store_;
   std::shared_ptr<Scene> scene_;
 };
+
+/// By the ending of a model's file; refused (invalid, `pointer`) for others.
+Result<ModelFormat> format_of_file(const std::string& path, const std::string& pointer);
 
 /// All bytes of a file; not_found, with what the system says.
 Result<std::string> read_file(const std::string& path);

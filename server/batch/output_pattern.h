@@ -5,23 +5,24 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
+#include "server/batch/file_pattern.h"
 
 namespace pelage {
 
 class OutputPattern {
  public:
-  /// `pattern` as "out/fox.####.exr"; one that begins with no / lies below `folder`. Refused (invalid): an ending that
-  /// is neither .png nor .exr, several runs of #, none where there are `several` frames, no name before the ending.
+  /// As FilePattern. Refused (invalid) too: an ending that is neither .png nor .exr, no # where there are `several`
+  /// frames.
   static Result<OutputPattern> create(const std::string& pattern, const std::string& folder, bool several);
 
-  /// At least as many digits as there are #; a minus comes before them.
-  std::string file(int frame) const;
+  std::string file(int frame) const { return pattern_.file(frame); }
   FrameFormat format() const { return format_; }  // png or exr
 
  private:
-  std::string before_, after_;
-  std::size_t digits_ = 0;
-  FrameFormat format_ = FrameFormat::png;
+  OutputPattern(FilePattern pattern, FrameFormat format) : pattern_(std::move(pattern)), format_(format) {}
+
+  FilePattern pattern_;
+  FrameFormat format_;
 };
 
 }  // namespace pelage

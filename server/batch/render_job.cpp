@@ -3,6 +3,7 @@
 #include "protocol/base/stopwatch.h"
 #include "server/batch/output_file.h"
 #include "server/frames/scene_tracer.h"
+#include "server/import/import.h"
 
 namespace pelage {
 
@@ -16,7 +17,8 @@ Status stopped_status() { return failure(Code::unavailable, "stopped before the 
 
 JobRenderer::JobRenderer(const JobScene& scene, double fps, const DrawOptions& options,
                          std::unique_ptr<FrameService> frames, std::unique_ptr<YieldGate> gate)
-    : scene_(scene.scene()),
+    : job_scene_(scene),
+      scene_(scene.scene()),
       summary_(scene_->summary()),
       fps_(fps),
       options_(options),
@@ -32,11 +34,38 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }
 
+/// Everything that goes wrong is of the job's model at that moment.
+Status JobRenderer::stand(const ModelMoment& moment) {
+  const auto refused = [&](const Status& status) {
+    return failure(status.code, moment.file + ": " + status.message, "/motion/model", status.limit);
+  };
+  if (!moving_) {
+    Result<MovingModel> moving = job_scene_.moving_model();
+    if (!moving) return moving.status();
+    moving_ = std::move(*moving);
+  }
+  const Result<std::string> bytes = read_file(moment.file);
+  if (!bytes) return refused(bytes.status());
+  const Result<RawModel> raw =
+      import_model(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)), moment.pose);
+  if (!raw) return refused(raw.status());
+  const std::uint64_t id = job_scene_.new_model_id();
+  Result<ScenePose> pose = moving_->pose(*raw, scene_->settings()->settings, id);
+  if (!pose) return refused(pose.status());
+  scene_->pose(std::move(*pose));
+  if (stands_as_ != 0) frames_->forget(stands_as_);
+  stands_as_ = id;
+  return {};
+}
+
 Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   if (!frame.settings.empty()) {
     const Result<CommandAnswer> set = scene_->execute(frame.settings);
     if (!set) return set.status();
+  }
+  if (frame.model) {
+    if (Status stands = stand(*frame.model); !stands.ok()) return stands;
   }
   return pictures_.frame(scene_, frame.request, stopped, [&](const FrameAnswer& answer) {
     return texts_of(frame, answer, summary_, fps_, passed.milliseconds() / 1e3);

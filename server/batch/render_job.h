@@ -30,7 +30,7 @@ struct JobOutcome {
 /// What draws the frames of a job; one at a time.
 class JobRenderer {
  public:
-  /// Fails (unavailable) as FrameService::start.
+  /// Fails (unavailable) as FrameService::start. The scene outlives it.
   static Result<std::unique_ptr<JobRenderer>> start(const JobScene& scene, double fps, const DrawOptions& options);
 
   /// Draws all frames and says so in the log. Ends at the first failure, and (unavailable) once `stopped` says so:
@@ -45,8 +45,13 @@ class JobRenderer {
               std::unique_ptr<YieldGate> gate);
   Result<FrameAnswer> picture(const JobFrame& frame, const std::function<bool()>& stopped);
 
+  Status stand(const ModelMoment& moment);
+
+  const JobScene& job_scene_;
   std::shared_ptr<Scene> scene_;
-  const SceneSummary summary_;  // before keyframes
+  std::optional<MovingModel> moving_;  // once a frame moves
+  std::uint64_t stands_as_ = 0;        // id of the model of the last pose
+  const SceneSummary summary_;         // before keyframes
   const double fps_;
   const DrawOptions options_;
   std::unique_ptr<YieldGate> gate_;

@@ -47,20 +47,31 @@ bool is_built_in(const std::string& name) {
 
 }  // namespace
 
-Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
-  Result<Mesh> mesh = prepare(raw, how.prepare);
-  if (!mesh) return mesh.status();
-  if (!is_built_in(how.name)) lean_over_rims(*mesh);
-  Result<PatchMap> patches = lay(*mesh, how.fur_patches);
+Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how) {
+  Result<PreparedMesh> prepared = prepare_with_sources(raw, how.prepare);
+  if (!prepared) return prepared.status();
+  if (!is_built_in(how.name)) lean_over_rims(prepared->mesh);
+  Result<PatchMap> patches = lay(prepared->mesh, how.fur_patches);
   if (!patches) return patches.status();
+  return LaidModel{std::move(*prepared), std::move(*patches)};
+}
+
+Result<std::shared_ptr<const SceneModel>> finish_model(Mesh mesh, PatchMap patches, const StoredModel& how,
+                                                       std::uint64_t id) {
   for (const ChosenTriangles& chosen : how.subdivisions) {
-    Result<SubdividedSurface> finer = subdivide(*mesh, *patches, chosen);
+    Result<SubdividedSurface> finer = subdivide(mesh, patches, chosen);
     if (!finer) return finer.status();
     mesh = std::move(finer->mesh), patches = std::move(finer->patches);
   }
-  std::string mesh_id = id_of(*mesh);
-  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(*mesh)), std::move(*patches), id, how.name,
+  std::string mesh_id = id_of(mesh);
+  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(mesh)), std::move(patches), id, how.name,
                                                           how.fur_patches, how.subdivisions, std::move(mesh_id)});
+}
+
+Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
+  Result<LaidModel> laid = lay_model(raw, how);
+  if (!laid) return laid.status();
+  return finish_model(std::move(laid->prepared.mesh), std::move(laid->patches), how, id);
 }
 
 namespace {

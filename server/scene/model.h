@@ -8,11 +8,25 @@
 #include "protocol/commands/scene.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
-/// Prepares a model as `how` says (its bytes are not looked at), lays its patches and subdivides it. Fails as prepare
-/// and subdivide do, and (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
+/// A model on its own triangles, before any is split.
+struct LaidModel {
+  PreparedMesh prepared;
+  PatchMap patches;
+};
+
+/// Prepares a model as `how` says (its bytes are not looked at) and lays its patches. Fails as prepare does, and
+/// (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
+Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how);
+
+/// Splits its triangles as `how` says. Fails as subdivide does.
+Result<std::shared_ptr<const SceneModel>> finish_model(Mesh mesh, PatchMap patches, const StoredModel& how,
+                                                       std::uint64_t id);
+
+/// Both.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
 // A scene's model and fields on finer triangles.

@@ -1,6 +1,7 @@
 #include "server/scene/scene.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <span>
 #include <utility>
@@ -245,8 +246,18 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
 }
 
 SceneView Scene::view() const {
+  if (pose_)
+    return {*pose_->model,        fields_,          pose_->settings, history_.revision(),
+            picture_.image.get(), pose_->model->id, pose_->model,    picture_.image};
   return {*model_,  fields_, history_.settings(), history_.revision(), picture_.image.get(),
           copy_id_, model_,  picture_.image};
+}
+
+void Scene::pose(std::optional<ScenePose> pose) {
+  const std::lock_guard lock(mutex_);
+  assert(!pose || pose->model->surface.mesh().triangles.size() == model_->surface.mesh().triangles.size());
+  pose_ = std::move(pose);
+  dirty_ = {{0, static_cast<std::uint32_t>(model_->surface.mesh().positions.size())}};
 }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
@@ -360,6 +371,7 @@ Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> mode
   if (!written.ok()) return written;
   model_ = std::move(model);
   copy_id_ = model_->id;
+  pose_.reset();
   fields_ = std::move(first);
   history_ = new_history(revision, first_settings(*model_));
   picture_ = {};

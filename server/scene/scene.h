@@ -63,6 +63,13 @@ struct SceneView {
   std::shared_ptr<const RawImage> picture_owner = {};
 };
 
+/// How a scene stands at a moment: its model elsewhere, and its settings with what stands on the model there. The groom
+/// stays what it is.
+struct ScenePose {
+  std::shared_ptr<const SceneModel> model;  // with the triangles of the scene's
+  SceneSettings settings;
+};
+
 /// What a scene's fields were at a revision.
 struct PastFields {
   std::shared_ptr<const SceneModel> model;
@@ -176,6 +183,11 @@ class Scene {
   /// As read, and hands over the vertex ranges that changed since the last call (everything after a new model).
   void read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use);
 
+  /// Lets whoever draws the present see the scene so until the next call, and at rest for none; settings that are set
+  /// meanwhile are not seen. No part of the groom: not in the journal, and revisions stay. The pose has the model's
+  /// triangles.
+  void pose(std::optional<ScenePose> pose);
+
   /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
   Result<SceneSummary> replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
                                      const ExecuteOptions& options = {});
@@ -266,6 +278,7 @@ class Scene {
   History history_;
   LiveStroke live_;
   LaidPicture picture_;
+  std::optional<ScenePose> pose_;
   std::vector<VertexRange> dirty_;   // since the last frame
   std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
   std::atomic<bool> removed_{false};

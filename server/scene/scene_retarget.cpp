@@ -66,6 +66,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   if (!written.ok()) return written;
   model_ = std::move(subdivided->model);
   copy_id_ = model_->id;
+  pose_.reset();
   fields_ = std::move(subdivided->fields);
   history_ = new_history(revision, *settings);
   live_.end();

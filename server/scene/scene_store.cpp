@@ -114,6 +114,14 @@ Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::sh
   return scene;
 }
 
+Result<MovingModel> SceneStore::moving_model(const Scene& scene) const {
+  const Result<StoredScene> stored = impl_->journal->scene(scene.id());
+  if (!stored) return stored.status();
+  return MovingModel::create(stored->model, scene.model());
+}
+
+std::uint64_t SceneStore::new_model_id() const { return ++impl_->last_model; }
+
 SceneStore::SceneStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SceneStore::~SceneStore() = default;
 

@@ -9,6 +9,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
+#include "server/scene/moving_model.h"
 #include "server/scene/open_scenes.h"
 #include "server/scene/scene.h"
 
@@ -25,6 +26,11 @@ class SceneStore {
                                                   std::size_t undo_bytes = limits::undo_bytes,
                                                   std::size_t memory = std::numeric_limits<std::size_t>::max());
   ~SceneStore();
+
+  /// The scene's model, ready to stand elsewhere, as Scene::pose wants it.
+  Result<MovingModel> moving_model(const Scene& scene) const;
+  /// For a model of its own, unique in the process.
+  std::uint64_t new_model_id() const;
 
   /// Refused (busy) at the limit of scenes.
   Result<std::shared_ptr<Scene>> create(const NewScene& request);

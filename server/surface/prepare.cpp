@@ -207,6 +207,12 @@ Status check_parts(const Orientation& orientation, const PrepareOptions& options
 }  // namespace
 
 Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
+  Result<PreparedMesh> prepared = prepare_with_sources(raw, options);
+  if (!prepared) return prepared.status();
+  return std::move(prepared->mesh);
+}
+
+Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOptions& options) {
   const auto [up, front] = std::pair(options.up, options.front);
   if (glm::dot(direction_of(up), direction_of(front)) != 0) {
     return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
@@ -254,7 +260,7 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
   mesh.shading_normals = shading_normals(soup.positions, mesh.triangles, mesh.normals, options.crease_degrees);
   for (const std::uint32_t v : grow_over_creases(mesh.triangles, mesh.shading_normals, mesh.normals))
     mesh.tangents[v] = glm::vec3(tailward(glm::normalize(glm::dvec3(mesh.normals[v]))));
-  return mesh;
+  return PreparedMesh{std::move(mesh), std::move(soup.sources), turn};
 }
 
 }  // namespace pelage

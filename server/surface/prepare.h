@@ -48,4 +48,15 @@ struct PrepareOptions {
 /// edges, parts and vertices far from the rest, and parts too small to see.
 Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options = {});
 
+/// A prepared mesh, and where its vertices came from.
+struct PreparedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> sources;  // in RawModel::positions, of each vertex: the first that was welded into it
+  glm::dmat3 turn{1};                  // from the file's axes to +Y up and +Z in front
+
+  /// Where a position of the file lies.
+  glm::dvec3 to_internal(glm::dvec3 raw) const { return mesh.to_internal(turn * raw); }
+};
+Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOptions& options = {});
+
 }  // namespace pelage

@@ -39,7 +39,7 @@ ALLOWED = {
     "server/glb": [],
     "server/studio": [],
     "server/batch": ["protocol", "server/surface", "server/groom", "server/history", "server/import", "server/scene", "server/frames",
-                     "server/export", "renderer/image", "renderer/gl/context"],
+                     "server/export", "renderer/image", "renderer/pattern", "renderer/gl/context"],
     "server/calibration": ["protocol/base", "protocol/commands", "server/surface", "server/patches", "server/builtin", "server/fields", "server/first_groom", "server/scene",
                            "server/frames", "renderer"],
     "server/http": ["protocol", "server/export", "server/scene", "server/frames", "server/proxy_mesh", "server/studio", "server/import", "server/surface", "server/history"],

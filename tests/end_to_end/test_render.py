@@ -1,6 +1,7 @@
 """pelage-render: jobs to files, as a farm runs it."""
 import hashlib
 import json
+import math
 import os
 import signal
 import struct
@@ -10,7 +11,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from support.server import BIN, REPOSITORY, ServedTest, flood
+from support.server import BIN, REPOSITORY, ServedTest, flood, shared_folder
 
 JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
        "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
@@ -140,6 +141,68 @@ class RenderTest(unittest.TestCase):
         grow = [{"parameter": "/wind/speed", "keys": [{"frame": 1, "value": 0}, {"frame": 4, "value": 2}]}]
         self.render(self.job(**still, commands=[wind], keyframes=grow))
         self.assertNotEqual(self.hashes()["ball.004.png"], moved["ball.004.png"])
+
+    def write_ball(self, name, stretch=0.0, sides=12):
+        """A ball of quads and triangles as an OBJ, bent to the side by the height."""
+        lines, rings = [], sides // 2
+        for ring in range(rings + 1):
+            for side in range(sides):
+                up, round = math.pi * ring / rings, 2 * math.pi * side / sides
+                y = -math.cos(up)
+                lines.append(f"v {math.sin(up) * math.sin(round) + stretch * (y + 1) ** 2:.6f} {y:.6f} {math.sin(up) * math.cos(round):.6f}")
+        for ring in range(rings):
+            for side in range(sides):
+                a, b = ring * sides + side + 1, ring * sides + (side + 1) % sides + 1
+                lines.append(f"f {a} {b} {b + sides} {a + sides}")
+        (self.folder / name).write_text("\n".join(lines) + "\n")
+
+    def pixels(self):
+        return {path.name: b"".join(body for name, body in chunks_of(path) if name == b"IDAT") for path in self.frames()}
+
+    def moving(self, **more):
+        still = {"turntable": {"degrees": 0, "turns": "camera"}, "frames": "1-3", "builtin": None, "scene": "ball.obj",
+                 "options": {"format": "obj"}, **more}
+        path = self.job(**still)
+        path.write_text(json.dumps({name: value for name, value in json.loads(path.read_text()).items() if value is not None}))
+        return path
+
+    def test_a_model_moves_by_numbered_files_with_its_groom(self):
+        for number, stretch in (("", 0), (".01", 0), (".02", 0.1), (".03", 0.2)):
+            self.write_ball(f"ball{number}.obj", stretch)
+        comb = [{"op": "comb", "flood": True, "direction": [1, 0, 0], "lean": 0.8}]
+        self.render(self.moving(commands=comb))
+        still = self.pixels()
+        self.assertEqual(len(set(still.values())), 1)
+        self.render(self.moving(commands=comb, motion={"model": "ball.##.obj"}))
+        moved = self.pixels()
+        self.assertEqual(moved["ball.001.png"], still["ball.001.png"])
+        self.assertEqual(len(set(moved.values())), 3)
+        hashes = self.hashes()
+        self.render(self.moving(commands=comb, motion={"model": "ball.##.obj"}), "--frames", "3,2", "--threads", 1)
+        self.assertEqual(self.hashes(), hashes)  # whatever was drawn before
+        self.write_ball("ball.02.obj", 0.15)
+        run = self.render(self.moving(commands=comb, motion={"model": "ball.##.obj"}), "--skip-existing")
+        self.assertEqual(run.stdout.count("Saved:"), 1, run.stdout)  # that file's frame alone
+
+    def test_a_model_that_is_another_is_refused_by_its_file(self):
+        self.write_ball("ball.obj"), self.write_ball("ball.01.obj"), self.write_ball("ball.02.obj", sides=14)
+        run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-2"), code=3)
+        self.assertIn("ball.02.obj: It is not the scene's model elsewhere: it has 112 vertices", run.stderr)
+        self.assertEqual(len(self.frames()), 1)
+        run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-3"), "--check", code=3)
+        self.assertIn("ball.03.obj cannot be read", run.stderr)
+        tufts = [{"op": "set_coat", "coat": {"tufts": {"gather": 0.5}}}]
+        run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1", commands=tufts), "--check", code=3)
+        self.assertIn("/motion", run.stderr)
+
+    def test_an_animation_of_a_file_moves_its_model(self):
+        fox = shared_folder() / "meshes" / "Fox.glb"
+        job = {"scene": str(fox), "frames": "1-3", "fps": 6, "options": {"format": "glb", "pose": "Walk@0"}, "motion": {"model": str(fox), "animation": "Walk"}}
+        self.render(self.moving(**job))
+        walked = self.pixels()
+        self.assertEqual(len(set(walked.values())), 3)
+        self.render(self.moving(**{**job, "frames": "-1,0,3", "motion": {**job["motion"], "loop_seconds": 0.5}}))
+        self.assertEqual(self.pixels()["ball.003.png"], self.pixels()["ball.000.png"])
 
     def test_jobs_that_come_with_the_program_are_right(self):
         jobs = sorted((REPOSITORY / "clients" / "jobs").glob("*.json"))

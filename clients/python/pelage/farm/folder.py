@@ -17,6 +17,7 @@ import glob
 import json
 import os
 import pathlib
+import re
 import shutil
 from typing import Any, Dict, Iterator, List, NamedTuple, Optional
 
@@ -26,6 +27,7 @@ from .plan import Plan, PlannedFrame, plan_from
 from .ranges import frames_of, range_of
 
 JOB = "job.json"
+MODELS = "models"  # files that the job moves by
 LOCK = "lock"  # with the engine `local`, `submit` holds it until all is drawn
 
 
@@ -128,7 +130,7 @@ class FarmFolder:
         write_whole(self.path / name, text.encode())
 
     def copy_job(self, source: pathlib.Path) -> bool:
-        """Copies a job and its scene. Gives whether they differ from what was there. Raises FarmError."""
+        """Copies a job, its scene and the files it moves by. Gives whether they differ from what was there. Raises FarmError."""
         document = read_job(source)
         self.logs.mkdir(parents=True, exist_ok=True)
         changed = False
@@ -136,6 +138,12 @@ class FarmFolder:
             scene = source.parent / document["scene"]
             document["scene"] = scene.name
             changed = copy_changed(scene, self.path / scene.name)
+        motion = document.get("motion")
+        if isinstance(motion, dict) and isinstance(motion.get("model"), str):
+            models = source.parent / motion["model"]
+            motion["model"] = f"{MODELS}/{models.name}"
+            for model in numbered_files(models):
+                changed |= copy_changed(model, self.path / MODELS / model.name)
         text = json.dumps(document, indent=2) + "\n"
         changed |= not self.job.exists() or self.job.read_text(encoding="utf-8") != text
         self.write(JOB, text)
@@ -154,15 +162,27 @@ def read_job(path: pathlib.Path) -> Dict[str, Any]:
     return document
 
 
+def numbered_files(pattern: pathlib.Path) -> List[pathlib.Path]:
+    """The files that a name with a run of # stands for, in order; the file itself without one. Raises FarmError."""
+    if "#" not in pattern.name:
+        return [pattern]
+    number = re.compile(re.sub(r"(\\#)+", r"-?\\d+", re.escape(pattern.name)))
+    found = sorted(path for path in pattern.parent.glob("*") if number.fullmatch(path.name))
+    if not found:
+        raise FarmError(f"The job moves by {pattern}, and there is none", "correct the job's `motion`", BAD_INPUT)
+    return found
+
+
 def copy_changed(source: pathlib.Path, target: pathlib.Path) -> bool:
     """Copies a file unless the target has the same bytes. Raises FarmError."""
     try:
         content = source.read_bytes()
     except OSError as error:
-        step = "export the scene with `pelage farm pack`, or correct the job's `scene`"
-        raise FarmError(f"The job's scene cannot be read: {error}", step, BAD_INPUT) from error
+        step = "export the scene with `pelage farm pack`, or correct the job's `scene` or `motion`"
+        raise FarmError(f"A file of the job cannot be read: {error}", step, BAD_INPUT) from error
     if target.exists() and target.read_bytes() == content:
         return False
+    target.parent.mkdir(exist_ok=True)
     write_whole(target, content)
     shutil.copymode(source, target)
     return True

@@ -1,0 +1,33 @@
+#include "server/batch/file_pattern.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace pelage {
+
+Result<FilePattern> FilePattern::create(const std::string& pattern, const std::string& folder,
+                                        const std::string& pointer) {
+  const std::filesystem::path path(pattern);
+  const std::string whole = (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
+  const std::size_t name = whole.size() - path.filename().string().size(), first = whole.find('#', name);
+  if (whole.find('#') < name)
+    return failure(Code::invalid, "A folder's name has a #.", pointer, "# in the name of the file only");
+  FilePattern result;
+  result.before_ = whole.substr(0, first);
+  if (first == std::string::npos) return result;
+  const std::size_t last = whole.find_first_not_of('#', first);
+  if (last != std::string::npos && whole.find('#', last) != std::string::npos)
+    return failure(Code::invalid, "The digits of a frame stand in one place.", pointer, "one run of #");
+  if (last != std::string::npos) result.after_ = whole.substr(last);
+  result.digits_ = std::min(last, whole.size()) - first;
+  return result;
+}
+
+std::string FilePattern::file(int frame) const {
+  if (digits_ == 0) return before_;
+  const std::string number = std::to_string(std::abs(frame));
+  const std::string zeros(digits_ > number.size() ? digits_ - number.size() : 0, '0');
+  return before_ + (frame < 0 ? "-" : "") + zeros + number + after_;
+}
+
+}  // namespace pelage

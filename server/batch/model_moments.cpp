@@ -1,0 +1,47 @@
+#include "server/batch/model_moments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "server/batch/job_scene.h"
+#include "server/scene/digest.h"
+
+namespace pelage {
+
+Result<ModelMoments> ModelMoments::create(const JobMotion& motion, double fps, const std::string& folder) {
+  Result<FilePattern> files = FilePattern::create(motion.model, folder, "/motion/model");
+  if (!files) return files.status();
+  const Result<ModelFormat> format = format_of_file(motion.model, "/motion/model");
+  if (!format) return format.status();
+  if (files->numbered() && !motion.animation.empty())
+    return failure(Code::invalid, "Numbered files have no animation.", "/motion/animation", "without #, or none");
+  if (!files->numbered() && motion.animation.empty())
+    return failure(Code::invalid, "The model would stand still.", "/motion",
+                   "# for the digits of the frame, or an animation");
+  if (motion.loop_seconds && motion.animation.empty())
+    return failure(Code::invalid, "Only an animation begins again.", "/motion/loop_seconds", "with an animation");
+  return ModelMoments(motion, fps, std::move(*files), *format);
+}
+
+std::string ModelMoments::pose_at(int frame) const {
+  if (motion_.animation.empty()) return {};
+  double seconds = std::max(0.0, frame / fps_);
+  if (motion_.loop_seconds) seconds = std::fmod(seconds, *motion_.loop_seconds);
+  return fmt::format("{}@{:.9g}", motion_.animation, seconds);
+}
+
+Result<ModelMoment> ModelMoments::at(int frame) const {
+  ModelMoment moment{.file = files_.file(frame), .format = format_, .pose = pose_at(frame), .digest = {}};
+  std::string& known = digests_[moment.file];
+  if (known.empty()) {
+    const Result<std::string> bytes = read_file(moment.file);
+    if (!bytes) return failure(bytes.status().code, bytes.status().message, "/motion/model");
+    known = digest(*bytes);
+  }
+  moment.digest = known;
+  return moment;
+}
+
+}  // namespace pelage

@@ -1,0 +1,43 @@
+// Which file shows a job's model at a frame.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/job.h"
+#include "protocol/commands/scene.h"
+#include "server/batch/file_pattern.h"
+
+namespace pelage {
+
+/// A model in a file, as it stands at a moment.
+struct ModelMoment {
+  std::string file;
+  ModelFormat format = ModelFormat::obj;
+  std::string pose;    // ImportOptions::pose
+  std::string digest;  // of the file's bytes
+};
+
+class ModelMoments {
+ public:
+  /// Files lie in `folder`. Refused (invalid) with the pointer into the job: neither numbers nor an animation or both, an
+  /// ending of no model, a loop of no animation.
+  static Result<ModelMoments> create(const JobMotion& motion, double fps, const std::string& folder);
+
+  /// Fails with not_found ("/motion/model") where the frame has no file.
+  Result<ModelMoment> at(int frame) const;
+
+ private:
+  ModelMoments(JobMotion motion, double fps, FilePattern files, ModelFormat format)
+      : motion_(std::move(motion)), fps_(fps), files_(std::move(files)), format_(format) {}
+  std::string pose_at(int frame) const;
+
+  JobMotion motion_;
+  double fps_;
+  FilePattern files_;
+  ModelFormat format_;
+  mutable std::map<std::string, std::string> digests_;  // by file: one with an animation is read once
+};
+
+}  // namespace pelage

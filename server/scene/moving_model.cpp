@@ -1,0 +1,165 @@
+#include "server/scene/moving_model.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "server/import/import.h"
+#include "server/scene/eye_view.h"
+#include "server/surface/turns.h"
+
+namespace pelage {
+
+namespace {
+
+/// How a place of the surface at rest moves.
+struct RigidMove {
+  glm::dvec3 from{0}, to{0};  // internal
+  glm::dmat3 turn{1};
+
+  glm::dvec3 place(glm::dvec3 internal) const { return to + turn * (internal - from); }
+};
+
+/// The rotation nearest to a mean of rotations that hardly differ: its columns made orthogonal again.
+glm::dmat3 orthogonal(const glm::dmat3& mean) {
+  const glm::dvec3 z = glm::normalize(mean[2]);
+  const glm::dvec3 x = glm::normalize(mean[0] - glm::dot(mean[0], z) * z);
+  return {x, glm::cross(z, x), z};
+}
+
+class Carrier {
+ public:
+  Carrier(const Surface& rest, const Mesh& moved, std::span<const glm::dmat3> turns)
+      : rest_(rest), moved_(moved), turns_(turns) {}
+
+  void carry(Eye& eye) const {
+    const RigidMove move = move_at(eye.position);
+    eye.position = carried(move, eye.position);
+    eye.gaze = move.turn * eye.gaze;
+    if (eye.lids && eye.lids->facing) eye.lids->facing = move.turn * *eye.lids->facing;
+  }
+
+  void carry(SkinRegion& region) const {
+    const RigidMove move = move_at(region.centre);
+    region.centre = carried(move, region.centre);
+    const glm::dmat3 frame = move.turn * tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
+    region.axis = frame[2];
+    const glm::dmat3 upright = upright_frame(region.axis);
+    region.turn_degrees = glm::degrees(std::atan2(glm::dot(frame[0], upright[1]), glm::dot(frame[0], upright[0])));
+    if (region.facing) region.facing->direction = move.turn * region.facing->direction;
+  }
+
+  void carry(GuideCurve& curve) const {
+    const RigidMove move = move_at(curve.front());
+    for (glm::dvec3& point : curve) point = carried(move, point);
+  }
+
+ private:
+  RigidMove move_at(glm::dvec3 model) const {
+    const Mesh& mesh = rest_.mesh();
+    const SurfacePoint point = rest_.nearest(mesh.to_internal(model));
+    const glm::uvec3 corners = mesh.triangles[point.triangle];
+    RigidMove move{.from = rest_.position(point), .turn = glm::dmat3(0)};
+    for (int k = 0; k < 3; ++k) {
+      move.to += point.barycentric[k] * glm::dvec3(moved_.positions[corners[k]]);
+      move.turn += point.barycentric[k] * turns_[corners[k]];
+    }
+    move.turn = orthogonal(move.turn);
+    return move;
+  }
+
+  glm::dvec3 carried(const RigidMove& move, glm::dvec3 model) const {
+    return rest_.mesh().to_model(move.place(rest_.mesh().to_internal(model)));
+  }
+
+  const Surface& rest_;
+  const Mesh& moved_;
+  std::span<const glm::dmat3> turns_;
+};
+
+/// What is compared with other files: looks and pictures go.
+RawModel shape_of(RawModel raw) {
+  RawModel shape;
+  shape.positions = std::move(raw.positions);
+  shape.face_sizes = std::move(raw.face_sizes);
+  shape.corners = std::move(raw.corners);
+  return shape;
+}
+
+}  // namespace
+
+SceneSettings carried_along(SceneSettings settings, const Surface& rest, const Mesh& moved,
+                            std::span<const glm::dmat3> turns) {
+  const Carrier carrier(rest, moved, turns);
+  for (Eye& eye : settings.eyes) carrier.carry(eye);
+  for (SkinRegion& region : settings.skin) carrier.carry(region);
+  for (CurveGroup& group : settings.curves) {
+    for (GuideCurve& curve : group.curves) carrier.carry(curve);
+  }
+  return settings;
+}
+
+MovingModel::MovingModel(RawModel raw, StoredModel how, LaidModel laid, std::shared_ptr<const SceneModel> rest)
+    : raw_(std::move(raw)), how_(std::move(how)), laid_(std::move(laid)), rest_(std::move(rest)) {}
+
+Result<MovingModel> MovingModel::create(const StoredModel& stored, std::shared_ptr<const SceneModel> rest) {
+  Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored.raw)));
+  if (!raw) return raw.status();
+  Result<LaidModel> laid = lay_model(*raw, stored);
+  if (!laid) return laid.status();
+  StoredModel how = stored;
+  how.raw.clear();
+  return MovingModel(shape_of(std::move(*raw)), std::move(how), std::move(*laid), std::move(rest));
+}
+
+Status MovingModel::check(const RawModel& raw) const {
+  const auto refused = [](const std::string& what, const std::string& limit) {
+    return failure(Code::invalid, "It is not the scene's model elsewhere: " + what + ".", "", limit);
+  };
+  if (raw.positions.size() != raw_.positions.size())
+    return refused("it has " + std::to_string(raw.positions.size()) + " vertices",
+                   std::to_string(raw_.positions.size()));
+  if (raw.face_sizes.size() != raw_.face_sizes.size())
+    return refused("it has " + std::to_string(raw.face_sizes.size()) + " faces",
+                   std::to_string(raw_.face_sizes.size()));
+  if (raw.face_sizes != raw_.face_sizes || raw.corners != raw_.corners)
+    return refused("its faces are of other vertices", "the same faces");
+  constexpr double furthest = 1000;  // sizes
+  for (const std::uint32_t source : laid_.prepared.sources) {
+    const glm::dvec3 place = laid_.prepared.to_internal(raw.positions[source]);
+    if (!is_finite(place) || glm::length(place) > furthest)
+      return refused("vertex " + std::to_string(source + 1) + " lies too far away", "1,000 sizes from the model at rest");
+  }
+  return {};
+}
+
+Result<std::shared_ptr<const SceneModel>> MovingModel::build(const RawModel& raw, std::uint64_t id) const {
+  const PreparedMesh& prepared = laid_.prepared;
+  const Mesh& rest = prepared.mesh;
+  std::vector<glm::vec3> positions;
+  positions.reserve(rest.positions.size());
+  for (const std::uint32_t source : prepared.sources)
+    positions.emplace_back(prepared.to_internal(raw.positions[source]));
+  const std::vector<glm::dmat3> turns = surface_turns(rest, positions);
+  for (std::size_t v = 0; v < positions.size(); ++v) {  // backs of sheets lie off what they are copies of
+    const glm::vec3 source(prepared.to_internal(raw_.positions[prepared.sources[v]]));
+    positions[v] += glm::vec3(turns[v] * glm::dvec3(rest.positions[v] - source));
+  }
+  PatchMap patches = laid_.patches;
+  for (PatchPoint& point : patches.points) point.axis = glm::vec3(turns[point.vertex] * glm::dvec3(point.axis));
+  return finish_model(moved(rest, std::move(positions), turns), std::move(patches), how_, id);
+}
+
+Result<ScenePose> MovingModel::pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const {
+  if (Status same = check(raw); !same.ok()) return same;
+  auto model = build(raw, id);
+  if (!model) return model.status();
+  const Mesh& rest = rest_->surface.mesh();
+  const Mesh& mesh = (*model)->surface.mesh();
+  if (mesh.positions.size() != rest.positions.size() || mesh.triangles != rest.triangles)
+    return failure(Code::invalid, "Its split triangles come out otherwise here than at rest.", "", "the same triangles");
+  const std::vector<glm::dmat3> turns = surface_turns(rest, mesh.positions);
+  return ScenePose{std::move(*model), carried_along(std::move(settings), rest_->surface, mesh, turns)};
+}
+
+}  // namespace pelage
