@@ -1,10 +1,11 @@
 // Small scenes of a server of their own, and the files that they are exported as.
+import {get as http_get} from "node:http";
 import {after, before} from "node:test";
 import {Server} from "../../studio/support/server.mjs";
 
 let server;
 
-/** Called once, at the top of a test file. `prepare` runs when the server is there. */
+/** Called once, at the top of a test file. `prepare` makes the scenes. */
 export function start(prepare = async () => {}) {
   before(async () => {
     server = await Server.start(["--gl", "none"]);
@@ -29,17 +30,28 @@ export async function scene_of(builtin, triangles, ...commands) {
   return server.get(`/v1/scenes/${id}`);
 }
 
+/** A body and its headers, over a connection of its own: readers work for seconds without a break, after which node 18
+ * takes a connection for open that the server has closed. */
+async function get(path) {
+  const answer = await new Promise((done, failed) => http_get(server.address + path, {agent: false}, done).on("error", failed));
+  const parts = [];
+  for await (const part of answer) parts.push(part);
+  const bytes = new Uint8Array(Buffer.concat(parts));
+  if (answer.statusCode !== 200) throw new Error(`${path}: ${answer.statusCode} ${new TextDecoder().decode(bytes)}`);
+  return {bytes, headers: answer.headers};
+}
+
 /** The file, and what the server says that it holds. query: As in "cards?cards=300". */
 export async function exported({id}, query) {
-  const answer = await fetch(`${server.address}/v1/scenes/${id}/export/${query}`);
-  if (!answer.ok) throw new Error(`${query}: ${answer.status} ${await answer.text()}`);
-  return {bytes: new Uint8Array(await answer.arrayBuffer()), about: JSON.parse(answer.headers.get("pelage-export"))};
+  const {bytes, headers} = await get(`/v1/scenes/${id}/export/${query}`);
+  return {bytes, about: JSON.parse(headers["pelage-export"])};
 }
 
 /** What a dry run says. */
-export const dry_run = ({id}, query) => server.get(`/v1/scenes/${id}/export/${query}${query.includes("?") ? "&" : "?"}dry_run=1`);
+export async function dry_run({id}, query) {
+  const {bytes} = await get(`/v1/scenes/${id}/export/${query}${query.includes("?") ? "&" : "?"}dry_run=1`);
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
 
 /** The light mesh of the model, which the studio shows while one grooms. */
-export async function light_mesh({id}) {
-  return new Uint8Array(await (await fetch(`${server.address}/v1/scenes/${id}/mesh`)).arrayBuffer());
-}
+export const light_mesh = async ({id}) => (await get(`/v1/scenes/${id}/mesh`)).bytes;

@@ -1,16 +1,17 @@
 // TinyUSDZ, a reader of USD by others, in node. Its package is WebAssembly for browsers, built to refuse node; it asks as
-// it starts, and from then on needs no browser.
+// it starts, and from then on needs no browser. Nor does the package say that it is a module, without which node 18 does
+// not import it: it goes in as text.
 import {readFileSync} from "node:fs";
 import {createRequire} from "node:module";
-import init from "tinyusdz/tinyusdz.js";
 
-const wasm = readFileSync(createRequire(import.meta.url).resolve("tinyusdz/tinyusdz.wasm"));
+const file = (name) => readFileSync(createRequire(import.meta.url).resolve(`tinyusdz/${name}`));
+const {default: init} = await import(`data:text/javascript;base64,${file("tinyusdz.js").toString("base64")}`);
 
 async function started() {
   process.type = "renderer";  // as in a page of Electron, which has node too
   globalThis.window = globalThis;
   try {
-    return await init({wasmBinary: wasm});
+    return await init({wasmBinary: file("tinyusdz.wasm"), locateFile: (name) => name});
   } finally {
     delete process.type;
     delete globalThis.window;
