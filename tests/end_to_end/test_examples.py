@@ -123,6 +123,21 @@ class Checks(ExampleTest):
             self.assertLess(after, 0.6 * before, printed)
         self.assertEqual(numpy.load(self.folder / "matched" / "direction.npy").shape[1], 3)
 
+    def test_match_direction_of_a_patch(self):
+        """A picture that fans out from below its lower rim, which the program is not told how it was made."""
+        across = numpy.arange(256)
+        x, y = across[None, :] - 128, 380 - across[:, None]
+        rays = 128 + 100 * numpy.sin(60 * numpy.arctan2(x, y))  # light and dark from one point
+        Image.fromarray(rays.astype(numpy.uint8)).save(self.folder / "fan.png")
+        patch = ("match_direction.py", "--patch", "--reference", "fan.png", "--size", 256, "--triangles", 3000)
+        printed = self.example(*patch, "--away-from", 0.5, 1.5, "--rounds", 3, "--output", "fan")
+        before, after = map(float, re.search(r"pictures: (\S+) degrees before, (\S+) after", printed).groups())
+        self.assertLess(after, 8, printed)
+        self.assertLess(after, before / 2, printed)
+        field = numpy.load(self.folder / "fan" / "direction.npy").astype(float)
+        self.assertGreater(field[:, 2].min(), 0)  # away from that point: up the picture, which is +z of the patch
+        self.assertIn("beyond the reference, which has 256 x 256", self.example(*patch, "--crop", 200, 0, 80, code=1))
+
 
 class OtherPrograms(ExampleTest):
     def test_to_blender(self):

@@ -1,13 +1,18 @@
 """Turns the fur so that its strands run on the picture as those of a reference picture do.
 
     python3 clients/python/examples/match_direction.py --output matched
-    python3 clients/python/examples/match_direction.py --model koala.obj --reference photo.png --turn 90 --output matched
+    python3 clients/python/examples/match_direction.py --model koala.obj --reference koala.png --turn 90 --output matched
+    python3 clients/python/examples/match_direction.py --patch --reference photo.jpg --crop 130 0 85 --output matched
 
 Without --reference the program draws one itself, of the same model with a groom that the optimiser does not know. Prints
 after each round the mean angle between the strands of both pictures, and ends with 1 unless it falls to under half. Of a
 reference of its own it also prints the mean angle between the two fields, which the optimiser never sees. Writes
 reference.png, before.png, after.png, sheet.png with lines along the strands, and direction.npy, which
 `scene.set_field("direction", numpy.load("direction.npy"))` puts on a scene of that model.
+
+With --patch the reference is a close-up of fur, such as a photo of an animal's flank: it is matched on a flat patch seen
+from straight above. All fur is first laid along the lines of the photo, to that end of each which points away from
+--away-from, such as a whorl; then the rounds begin. sheet.png then has a drawing of the reference's lines in its place.
 
 How: a structure tensor reads along which line strands run at each pixel of both pictures. Where they differ, each vertex
 that the camera sees turns its fur about its normal by part of the difference. The frame is drawn again and compared again,
@@ -17,7 +22,7 @@ the next one turns less.
 What it can do: lay the fur as it lies on a picture of the same model from the same camera, with fur of about the same
 length. What it cannot: see the back of the model, tell a direction from its opposite (a picture shows lines, not where
 they begin: fur turns to the nearer of both), read fur too fine or too blurred for the picture, or find camera, length and
-colour. A photo of another animal needs a model and camera fitted to it first. Needs Pillow and NumPy.
+colour. A whole animal needs a model and camera fitted to its photo first; a close-up does not. Needs Pillow and NumPy.
 """
 
 from __future__ import annotations
@@ -30,7 +35,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageOps
 
 import common
 import pelage
@@ -40,6 +45,7 @@ from pelage.schemas import PinholeCamera
 
 Array = NDArray[numpy.float64]
 WINDOW = 13  # pixels, of the mean of the structure tensor
+PATCH_WINDOW = 25  # strands of a photo cross each other
 EDGE = 6  # pixels within the silhouette whose edge would count as strands
 GRAZING = 0.35  # cosine between normal and view under which a vertex is left alone
 WORTH = 0.1  # of the difference: a round that turns less is not worth its frame
@@ -53,6 +59,17 @@ READABLE: List[Dict[str, Any]] = [
     {"op": "length", "flood": True, "value": 0.04},
     {"op": "unify", "flood": True, "inclination": 0.9, "weight": 1},
 ]
+
+# The same for a patch, where strands are seen from near: long, grey with dark roots.
+PATCH: List[Dict[str, Any]] = [
+    {"op": "set_coat", "coat": {
+        "count": 1500, "width_root": 0.0025, "width_tip": 0.0006, "bend": 0.1, "clump": 0, "colour_spread": 0.7,
+        "length_spread": 0.6, "root_share": 0.5,
+        "ramp": [{"at": 0, "colour": "#3a3230"}, {"at": 0.5, "colour": "#8a8284"}, {"at": 1, "colour": "#d8d4d8"}]}},
+    {"op": "length", "flood": True, "value": 0.12},
+    {"op": "unify", "flood": True, "inclination": 0.9, "weight": 1},
+]
+SHOWN = 0.8  # of a patch's side: its rims are out of the picture
 
 
 class Lines(NamedTuple):
@@ -73,7 +90,14 @@ class View(NamedTuple):
 def arguments() -> argparse.Namespace:
     parser = common.options(__doc__)
     common.model_options(parser)
-    parser.add_argument("--reference", type=pathlib.Path, help="a square picture of the same model")
+    parser.add_argument("--reference", type=pathlib.Path, help="a picture of the same model, or of fur; of a wide one its middle counts")
+    parser.add_argument("--patch", action="store_true", help="match a close-up on a flat patch instead of a model")
+    parser.add_argument("--crop", type=int, nargs=3, metavar=("LEFT", "TOP", "SIDE"), help="take this square of the reference, in pixels")
+    parser.add_argument(
+        "--away-from", type=float, nargs=2, default=(0.5, -10), metavar=("X", "Y"),
+        help="where fur of a patch grows away from, in shares of the picture from its left and top; may lie outside of it "
+        "(default: .5 -10, far above: fur hangs down)",
+    )
     parser.add_argument(
         "--turn", type=float, default=90,
         help="degrees of its camera around the model (default: 90, its left)",
@@ -84,7 +108,11 @@ def arguments() -> argparse.Namespace:
         "--output", type=pathlib.Path, default=pathlib.Path("matched"),
         help="folder (default: matched)",
     )
-    return parser.parse_args()
+    args = parser.parse_args()
+    args.window = WINDOW
+    if args.patch:
+        args.model, args.window = "plane", PATCH_WINDOW
+    return args
 
 
 def blurred(values: Array, size: int) -> Array:
@@ -97,14 +125,14 @@ def blurred(values: Array, size: int) -> Array:
     return values
 
 
-def lines_of(picture: Array) -> Lines:
+def lines_of(picture: Array, window: int) -> Lines:
     """Reads lines from the brightness of a picture. Soft light and shadow are divided out first."""
     bright = picture[..., :3].mean(axis=2)
     detail = bright - blurred(bright, WINDOW)
     detail /= numpy.sqrt(blurred(detail**2, 2 * WINDOW + 1)) + 1.0
     down, right = numpy.gradient(detail)
     # The gradient's angle doubled, as a vector with y up; lines run across the gradient, which is minus that.
-    tensor = blurred(numpy.stack([right**2 - down**2, -2 * right * down, right**2 + down**2], axis=-1), WINDOW)
+    tensor = blurred(numpy.stack([right**2 - down**2, -2 * right * down, right**2 + down**2], axis=-1), window)
     strength = numpy.hypot(tensor[..., 0], tensor[..., 1])
     return Lines(-tensor[..., :2] / (strength[..., None] + 1e-9), strength / (tensor[..., 2] + 1e-9))
 
@@ -115,10 +143,16 @@ def turn_between(now: Array, wanted: Array) -> Array:
     return numpy.arctan2(sine, (now * wanted).sum(axis=-1)) / 2
 
 
-def smooth_turns(now: Lines, wanted: Lines, inside: Array) -> Array:
+def smooth(values: Array, weight: Array, window: int) -> Array:
+    """The weighted mean of the pixels around each."""
+    each = weight[..., None] if values.ndim > weight.ndim else weight
+    mean: Array = blurred(each * values, window) / (blurred(each, window) + 1e-6)
+    return mean
+
+
+def smooth_turns(now: Lines, wanted: Lines, inside: Array, window: int) -> Array:
     """How far lines are to be turned at each pixel: a mean of those around it, of clear ones more."""
-    weight = now.clarity * wanted.clarity * inside
-    return blurred(weight * turn_between(now.twice, wanted.twice), WINDOW) / (blurred(weight, WINDOW) + 1e-6)
+    return smooth(turn_between(now.twice, wanted.twice), now.clarity * wanted.clarity * inside, window)
 
 
 def camera_axes(camera: PinholeCamera) -> Array:
@@ -127,6 +161,14 @@ def camera_axes(camera: PinholeCamera) -> Array:
     right = numpy.cross(away, camera["up"])
     up = numpy.cross(right, away)
     return numpy.stack([axis / numpy.linalg.norm(axis) for axis in (right, up, away)])
+
+
+def from_above(scene: pelage.Scene) -> PinholeCamera:
+    """A narrow camera over the middle of the flat patch, whose fur points down on the picture as it is made."""
+    side = SHOWN * scene.info()["bounds"]["max"][0] * 2
+    fov = 10.0
+    height = side / 2 / math.tan(math.radians(fov / 2))
+    return {"position": [0, height, 0], "target": [0, 0, 0], "up": [0, 0, 1], "fov_degrees": fov}
 
 
 def shape_of(scene: pelage.Scene) -> Tuple[Array, Array]:
@@ -157,6 +199,7 @@ def view_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace
     # Fur is nearer than the skin below it; what is much nearer is another part of the body.
     behind = away - pixels[at[:, 1], at[:, 0], 1]
     seen = (facing > GRAZING) & (behind < 0.06 * scene.info()["size"]) & (inside[at[:, 1], at[:, 0]] > 0)
+    seen |= args.patch  # what lies beyond the picture follows its border
     return View(at, seen, normals), inside
 
 
@@ -191,18 +234,36 @@ def degrees_between(now: Lines, wanted: Lines, inside: Array) -> float:
     return float(numpy.degrees((weight * numpy.abs(turn_between(now.twice, wanted.twice))).sum() / weight.sum()))
 
 
+def lay_along(scene: pelage.Scene, view: View, camera: PinholeCamera, lines: Lines, args: argparse.Namespace) -> None:
+    """Lays all fur along the lines, to that end of each which points away from `args.away_from`."""
+    column, row = view.pixels.T
+    twice = smooth(lines.twice, lines.clarity, args.window)[row, column]
+    angles = numpy.arctan2(twice[:, 1], twice[:, 0]) / 2
+    away = numpy.stack([column, -row], axis=1) / args.size - numpy.multiply(args.away_from, [1, -1])
+    angles += math.pi * (away[:, 0] * numpy.cos(angles) + away[:, 1] * numpy.sin(angles) < 0)
+    right, up, _ = camera_axes(camera)
+    leans = numpy.linalg.norm(scene.field("direction"), axis=1)[:, None]
+    laid = leans * (numpy.cos(angles)[:, None] * right + numpy.sin(angles)[:, None] * up)
+    scene.set_field("direction", laid.astype(numpy.float32))
+
+
 def match(scene: pelage.Scene, camera: PinholeCamera, wanted: Lines, args: argparse.Namespace) -> Tuple[float, float]:
     """Turns the fur until no round helps; the mean angles before and after."""
     view, inside = view_of(scene, camera, args)
     column, row = view.pixels.T
-    now, gain = lines_of(draw(scene, camera, args)), 0.8
+    now, gain = lines_of(draw(scene, camera, args), args.window), 0.8
     first = error = degrees_between(now, wanted, inside)
     print(f"before: {error:.1f} degrees", flush=True)
+    if args.patch:
+        lay_along(scene, view, camera, wanted, args)
+        now = lines_of(draw(scene, camera, args), args.window)
+        error = degrees_between(now, wanted, inside)
+        print(f"laid along the lines: {error:.1f} degrees", flush=True)
     for done in range(args.rounds):
         common.report(done, args.rounds, "round")
-        angles = gain * smooth_turns(now, wanted, inside)[row, column]
+        angles = gain * smooth_turns(now, wanted, inside, args.window)[row, column]
         scene.set_field("direction", turned(scene.field("direction").astype(float), view.normals, angles * view.seen))
-        tried = lines_of(draw(scene, camera, args))
+        tried = lines_of(draw(scene, camera, args), args.window)
         found = degrees_between(tried, wanted, inside)
         print(f"round {done + 1}: {found:.1f} degrees{'' if found < error else ', taken back'}", flush=True)
         if found < error:
@@ -228,11 +289,20 @@ def with_lines(pixels: Array, lines: Lines, inside: Array) -> Image.Image:
     return image
 
 
+def cropped(picture: Image.Image, left: int, top: int, side: int) -> Image.Image:
+    width, height = picture.size
+    if side < 1 or left < 0 or top < 0 or left + side > width or top + side > height:
+        raise ValueError(f"--crop {left} {top} {side} reaches beyond the reference, which has {width} x {height} pixels")
+    return picture.crop((left, top, left + side, top + side))
+
+
 def reference_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[Array, Optional[Array]]:
     """The picture to match, and the field that made it where it is our own."""
     if args.reference:
-        picture = Image.open(args.reference).convert("RGB").resize((args.size, args.size), Image.Resampling.LANCZOS)
-        return numpy.asarray(picture, float), None
+        picture = Image.open(args.reference).convert("RGB")
+        if args.crop:
+            picture = cropped(picture, *args.crop)
+        return numpy.asarray(ImageOps.fit(picture, (args.size, args.size), Image.Resampling.LANCZOS), float), None
     return own_reference(scene, camera, args)
 
 
@@ -244,28 +314,37 @@ def degrees_off(directions: NDArray[numpy.float32], wanted: Array, seen: NDArray
     return float(numpy.degrees(numpy.arccos(cosines.clip(-1, 1))).mean())
 
 
-def save(scene: pelage.Scene, pictures: Dict[str, Array], inside: Array, folder: pathlib.Path) -> None:
+def sheet_of(pictures: Dict[str, Array], inside: Array, args: argparse.Namespace) -> Image.Image:
+    """Pictures with lines along the strands; of a patch without, beside the lines of the reference alone."""
+    labelled = [(name, with_lines(one, lines_of(one, args.window), inside)) for name, one in pictures.items()]
+    if args.patch:
+        paper = numpy.full_like(pictures["reference"], 240)
+        plain = [(name, Image.fromarray(pictures[name].astype(numpy.uint8))) for name in ("before", "after")]
+        labelled = [("lines of the reference", with_lines(paper, lines_of(pictures["reference"], args.window), inside)), *plain]
+    return common.sheet(labelled, len(labelled))
+
+
+def save(scene: pelage.Scene, pictures: Dict[str, Array], inside: Array, args: argparse.Namespace) -> None:
     for name, one in pictures.items():
-        common.save_image(folder / f"{name}.png", Image.fromarray(one.astype(numpy.uint8)))
-    labelled = [(name, with_lines(one, lines_of(one), inside)) for name, one in pictures.items()]
-    common.save_image(folder / "sheet.png", common.sheet(labelled, len(labelled)))
-    write_whole(folder / "direction.npy", encoded(scene.field("direction")))
-    print(folder / "sheet.png")
+        common.save_image(args.output / f"{name}.png", Image.fromarray(one.astype(numpy.uint8)))
+    common.save_image(args.output / "sheet.png", sheet_of(pictures, inside, args))
+    write_whole(args.output / "direction.npy", encoded(scene.field("direction")))
+    print(args.output / "sheet.png")
 
 
 def main() -> int:
     args = arguments()
     with common.server(args) as running, common.new_scene(running, args) as scene:
         if not args.groom:
-            scene.run(*READABLE)
-        camera = common.orbit(scene, args.turn)
+            scene.run(*(PATCH if args.patch else READABLE))
+        camera = from_above(scene) if args.patch else common.orbit(scene, args.turn)
         reference, hidden = reference_of(scene, camera, args)
         start = scene.field("direction")
         view, inside = view_of(scene, camera, args)
         pictures = {"reference": reference, "before": draw(scene, camera, args)}
-        before, after = match(scene, camera, lines_of(reference), args)
+        before, after = match(scene, camera, lines_of(reference, args.window), args)
         pictures["after"] = draw(scene, camera, args)
-        save(scene, pictures, inside, args.output)
+        save(scene, pictures, inside, args)
         if hidden is not None:
             fields = [degrees_off(one, hidden, view.seen) for one in (start, scene.field("direction"))]
             print(f"fields: {fields[0]:.1f} degrees before, {fields[1]:.1f} after")
