@@ -56,7 +56,11 @@ void members(V& v, Visited<V, JobMotion>& c) {
           "Name of an animation of that file. Frame f shows its second f / fps; before its first key and after its "
           "last one it holds still.");
   v.number("loop_seconds", c.loop_seconds, {0.001, 1e6, "seconds"},
-           "Seconds after which the animation begins again. Without, it plays once.");
+           "Seconds after which the animation begins again, before frame 0 too. Without, it plays once.");
+  v.number(
+      "inertia", c.inertia, {0, 10, ""},
+      "How much the body's motion makes the fur swing: 0 not at all, 1 as in nature. A frame then also reads where "
+      "the model was in the 4 seconds before it.");
 }
 
 template <class V>

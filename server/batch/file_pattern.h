@@ -9,8 +9,8 @@ namespace pelage {
 
 class FilePattern {
  public:
-  /// `pattern` as "out/fox.####.exr": # are the digits of the frame; one that begins with no / lies below `folder`. Refused
-  /// (invalid, `pointer`): several runs of #, # in the name of a folder.
+  /// `pattern` as "out/fox.####.exr": # are the digits of the frame; one that begins with no / lies below `folder`.
+  /// Refused (invalid, `pointer`): several runs of #, # in the name of a folder.
   static Result<FilePattern> create(const std::string& pattern, const std::string& folder, const std::string& pointer);
 
   /// At least as many digits as there are #; a minus comes before them.

@@ -40,7 +40,7 @@ std::string identity_of(const Scene& scene) {
 class Planner {
  public:
   Planner(const RenderJob& job, const Scene& scene, Animation animation, OutputPattern pattern,
-          std::optional<ModelMoments> moments)
+          std::shared_ptr<const ModelMoments> moments)
       : job_(job),
         scene_(scene),
         animation_(std::move(animation)),
@@ -67,10 +67,13 @@ class Planner {
                    .request = std::move(animated->request),
                    .settings = std::move(animated->settings),
                    .model = {},
+                   .moments = nullptr,
                    .file = pattern_.file(number),
                    .fingerprint = {}};
     if (Status moves = move(frame); !moves.ok()) return moves;
-    frame.fingerprint = fingerprint_of(frame);
+    const Result<std::string> swing = moments_ ? moments_->identity_of_swing(number) : std::string();
+    if (!swing) return swing.status();
+    frame.fingerprint = fingerprint_of(frame, *swing);
     return frame;
   }
 
@@ -104,7 +107,7 @@ class Planner {
                      "/motion", "a coat without them");
     Result<ModelMoment> moment = moments_->at(frame.number);
     if (!moment) return moment.status();
-    frame.model = std::move(*moment);
+    frame.model = std::move(*moment), frame.moments = moments_;
     return {};
   }
 
@@ -130,10 +133,10 @@ class Planner {
     return revisions_[static_cast<std::size_t>(std::lround(share * static_cast<double>(revisions_.size() - 1)))];
   }
 
-  std::string fingerprint_of(const JobFrame& frame) const {
+  std::string fingerprint_of(const JobFrame& frame, const std::string& swing) const {
     std::string text = identity_ + "\n" + encode(frame.request) + "\n";
     for (const Command& command : frame.settings) text += encode(command) + "\n";
-    if (frame.model) text += frame.model->digest + "\n" + frame.model->pose + "\n";
+    if (frame.model) text += frame.model->digest + "\n" + frame.model->pose + "\n" + swing;
     return digest(text);
   }
 
@@ -141,7 +144,7 @@ class Planner {
   const Scene& scene_;
   const Animation animation_;
   const OutputPattern pattern_;
-  const std::optional<ModelMoments> moments_;
+  const std::shared_ptr<const ModelMoments> moments_;
   const std::shared_ptr<const SceneModel> model_;
   SceneSettings settings_;
   std::vector<Revision> revisions_;
@@ -184,11 +187,11 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   if (!pattern) return pattern.status();
   Result<Animation> animation = Animation::create(job, scene.settings()->settings);
   if (!animation) return animation.status();
-  std::optional<ModelMoments> moments;
+  std::shared_ptr<const ModelMoments> moments;
   if (job.motion) {
     Result<ModelMoments> made = ModelMoments::create(*job.motion, job.fps, folder);
     if (!made) return made.status();
-    moments = std::move(*made);
+    moments = std::make_shared<const ModelMoments>(std::move(*made));
   }
   return plan_frames(Planner(job, scene, std::move(*animation), std::move(*pattern), std::move(moments)), *all, *wanted,
                      job.frames);

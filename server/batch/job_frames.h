@@ -1,6 +1,7 @@
 // What each frame of a job is: its request, the settings of its scene, its file and its fingerprint.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ namespace pelage {
 struct JobFrame {
   int number = 0;
   FrameRequest request;
-  std::vector<Command> settings;     // run before it is drawn
-  std::optional<ModelMoment> model;  // where the model moves
+  std::vector<Command> settings;                // run before it is drawn
+  std::optional<ModelMoment> model;             // where the model moves
+  std::shared_ptr<const ModelMoments> moments;  // of all frames; null where `model` is none
   std::string file;
   std::string fingerprint;  // of all that the picture follows from, 32 hex digits
 };

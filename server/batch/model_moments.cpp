@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "server/batch/job_scene.h"
+#include "server/batch/pose_history.h"
 #include "server/scene/digest.h"
 
 namespace pelage {
@@ -27,8 +29,9 @@ Result<ModelMoments> ModelMoments::create(const JobMotion& motion, double fps, c
 
 std::string ModelMoments::pose_at(int frame) const {
   if (motion_.animation.empty()) return {};
-  double seconds = std::max(0.0, frame / fps_);
-  if (motion_.loop_seconds) seconds = std::fmod(seconds, *motion_.loop_seconds);
+  double seconds = frame / fps_;
+  if (motion_.loop_seconds) seconds -= *motion_.loop_seconds * std::floor(seconds / *motion_.loop_seconds);
+  seconds = std::max(0.0, seconds);
   return fmt::format("{}@{:.9g}", motion_.animation, seconds);
 }
 
@@ -42,6 +45,25 @@ Result<ModelMoment> ModelMoments::at(int frame) const {
   }
   moment.digest = known;
   return moment;
+}
+
+Result<std::optional<ModelMoment>> ModelMoments::find(int frame) const {
+  std::error_code error;
+  if (!std::filesystem::exists(files_.file(frame), error)) return std::optional<ModelMoment>();
+  Result<ModelMoment> moment = at(frame);
+  if (!moment) return moment.status();
+  return std::optional(std::move(*moment));
+}
+
+Result<std::string> ModelMoments::identity_of_swing(int frame) const {
+  if (!(motion_.inertia > 0)) return std::string();
+  std::string identity = fmt::format("{} {}\n", motion_.inertia, fps_);
+  for (int k = frame - PoseHistory::frames_before(fps_) - 1; k <= frame + 1; ++k) {
+    const Result<std::optional<ModelMoment>> moment = find(k);
+    if (!moment) return moment.status();
+    identity += *moment ? (*moment)->digest + (*moment)->pose + "\n" : "\n";
+  }
+  return identity;
 }
 
 }  // namespace pelage

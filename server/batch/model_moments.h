@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -21,12 +22,18 @@ struct ModelMoment {
 
 class ModelMoments {
  public:
-  /// Files lie in `folder`. Refused (invalid) with the pointer into the job: neither numbers nor an animation or both, an
-  /// ending of no model, a loop of no animation.
+  /// Files lie in `folder`. Refused (invalid) with the pointer into the job: neither numbers nor an animation or both,
+  /// an ending of no model, a loop of no animation.
   static Result<ModelMoments> create(const JobMotion& motion, double fps, const std::string& folder);
 
   /// Fails with not_found ("/motion/model") where the frame has no file.
   Result<ModelMoment> at(int frame) const;
+  /// The same; none where there is no file.
+  Result<std::optional<ModelMoment>> find(int frame) const;
+
+  /// All of the moments that a frame's fur swings by; "" without inertia.
+  Result<std::string> identity_of_swing(int frame) const;
+  double inertia() const { return motion_.inertia; }
 
  private:
   ModelMoments(JobMotion motion, double fps, FilePattern files, ModelFormat format)

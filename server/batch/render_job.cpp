@@ -34,28 +34,52 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }
 
-/// Everything that goes wrong is of the job's model at that moment.
-Status JobRenderer::stand(const ModelMoment& moment) {
+Result<RawModel> JobRenderer::load(const ModelMoment& moment) const {
+  const Result<std::string> bytes = read_file(moment.file);
+  if (!bytes) return bytes.status();
+  return import_model(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)),
+                      moment.pose);
+}
+
+/// What goes wrong is of the job's model at that moment.
+Status JobRenderer::stand(const JobFrame& frame) {
   const auto refused = [&](const Status& status) {
-    return failure(status.code, moment.file + ": " + status.message, "/motion/model", status.limit);
+    return failure(status.code, frame.model->file + ": " + status.message, "/motion/model", status.limit);
   };
   if (!moving_) {
     Result<MovingModel> moving = job_scene_.moving_model();
     if (!moving) return moving.status();
     moving_ = std::move(*moving);
   }
-  const Result<std::string> bytes = read_file(moment.file);
-  if (!bytes) return refused(bytes.status());
-  const Result<RawModel> raw =
-      import_model(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)), moment.pose);
+  const Result<RawModel> raw = load(*frame.model);
   if (!raw) return refused(raw.status());
   const std::uint64_t id = job_scene_.new_model_id();
   Result<ScenePose> pose = moving_->pose(*raw, scene_->settings()->settings, id);
   if (!pose) return refused(pose.status());
+  if (frame.moments->inertia() > 0) {
+    Result<BodySwing> swing = swing_of(frame);
+    if (!swing) return refused(swing.status());
+    pose->swing = std::move(*swing);
+  }
   scene_->pose(std::move(*pose));
   if (stands_as_ != 0) frames_->forget(stands_as_);
   stands_as_ = id;
   return {};
+}
+
+Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
+  if (!history_) {
+    const auto model_at = [this, moments = frame.moments](int number) -> Result<std::optional<RawModel>> {
+      const Result<std::optional<ModelMoment>> moment = moments->find(number);
+      if (!moment) return moment.status();
+      if (!*moment) return std::optional<RawModel>();
+      Result<RawModel> raw = load(**moment);
+      if (!raw) return raw.status();
+      return std::optional(std::move(*raw));
+    };
+    history_.emplace(*moving_, fps_, frame.moments->inertia(), model_at);
+  }
+  return history_->at(frame.number, frame.request.time.value_or(frame.number / fps_));
 }
 
 Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::function<bool()>& stopped) {
@@ -65,7 +89,7 @@ Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::funct
     if (!set) return set.status();
   }
   if (frame.model) {
-    if (Status stands = stand(*frame.model); !stands.ok()) return stands;
+    if (Status stands = stand(frame); !stands.ok()) return stands;
   }
   return pictures_.frame(scene_, frame.request, stopped, [&](const FrameAnswer& answer) {
     return texts_of(frame, answer, summary_, fps_, passed.milliseconds() / 1e3);

@@ -12,6 +12,7 @@
 #include "server/batch/farm_log.h"
 #include "server/batch/job_frames.h"
 #include "server/batch/job_scene.h"
+#include "server/batch/pose_history.h"
 #include "server/frames/picture_service.h"
 
 namespace pelage {
@@ -45,13 +46,16 @@ class JobRenderer {
               std::unique_ptr<YieldGate> gate);
   Result<FrameAnswer> picture(const JobFrame& frame, const std::function<bool()>& stopped);
 
-  Status stand(const ModelMoment& moment);
+  Status stand(const JobFrame& frame);
+  Result<RawModel> load(const ModelMoment& moment) const;
+  Result<BodySwing> swing_of(const JobFrame& frame);
 
   const JobScene& job_scene_;
   std::shared_ptr<Scene> scene_;
-  std::optional<MovingModel> moving_;  // once a frame moves
-  std::uint64_t stands_as_ = 0;        // id of the model of the last pose
-  const SceneSummary summary_;         // before keyframes
+  std::optional<MovingModel> moving_;   // once a frame moves
+  std::optional<PoseHistory> history_;  // once one has inertia
+  std::uint64_t stands_as_ = 0;         // id of the model of the last pose
+  const SceneSummary summary_;          // before keyframes
   const double fps_;
   const DrawOptions options_;
   std::unique_ptr<YieldGate> gate_;

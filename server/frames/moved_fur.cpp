@@ -8,11 +8,14 @@ MovedDirection moved_at(const SceneView& scene, double moment) {
   const Mesh& mesh = scene.model.surface.mesh();
   const StillFur fur{mesh.positions,           mesh.normals,          mesh.tangents,
                      scene.fields.direction(), scene.fields.length(), scene.fields.values(Field::stiffness)};
-  return std::make_shared<const std::vector<glm::vec2>>(swayed(fur, scene.settings.wind, moment));
+  std::optional<BodyMotion> body;
+  if (scene.swing) body = BodyMotion{scene.swing->acceleration, scene.swing->step};
+  return std::make_shared<const std::vector<glm::vec2>>(
+      swayed(fur, scene.settings.wind, moment, body ? &*body : nullptr));
 }
 
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request) {
-  if (!blows(scene.settings.wind)) return {};
+  if (!blows(scene.settings.wind) && !scene.swing) return {};
   return request.time.value_or(scene.settings.wind.time);
 }
 

@@ -19,7 +19,7 @@ using MovedDirection = std::shared_ptr<const std::vector<glm::vec2>>;
 /// The scene's at a moment.
 MovedDirection moved_at(const SceneView& scene, double moment);
 
-/// When a frame shows the scene; none where nothing blows.
+/// When a frame shows the scene; none where nothing blows and nothing swings.
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request);
 
 /// Belongs to the render thread. A renderer's copy of a scene holds one direction field: the scene's own, or that of a

@@ -56,22 +56,28 @@ Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how) {
   return LaidModel{std::move(*prepared), std::move(*patches)};
 }
 
-Result<std::shared_ptr<const SceneModel>> finish_model(Mesh mesh, PatchMap patches, const StoredModel& how,
-                                                       std::uint64_t id) {
+Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how) {
   for (const ChosenTriangles& chosen : how.subdivisions) {
-    Result<SubdividedSurface> finer = subdivide(mesh, patches, chosen);
+    Result<SubdividedSurface> finer = subdivide(laid.mesh, laid.patches, chosen);
     if (!finer) return finer.status();
-    mesh = std::move(finer->mesh), patches = std::move(finer->patches);
+    laid = {std::move(finer->mesh), std::move(finer->patches)};
   }
-  std::string mesh_id = id_of(mesh);
-  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(mesh)), std::move(patches), id, how.name,
-                                                          how.fur_patches, how.subdivisions, std::move(mesh_id)});
+  return laid;
+}
+
+std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id) {
+  std::string mesh_id = id_of(laid.mesh);
+  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(laid.mesh)), std::move(laid.patches), id,
+                                                          how.name, how.fur_patches, how.subdivisions,
+                                                          std::move(mesh_id)});
 }
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
   Result<LaidModel> laid = lay_model(raw, how);
   if (!laid) return laid.status();
-  return finish_model(std::move(laid->prepared.mesh), std::move(laid->patches), how, id);
+  Result<LaidMesh> split = split_triangles({std::move(laid->prepared.mesh), std::move(laid->patches)}, how);
+  if (!split) return split.status();
+  return finish_model(std::move(*split), how, id);
 }
 
 namespace {

@@ -22,9 +22,16 @@ struct LaidModel {
 /// (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
 Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how);
 
-/// Splits its triangles as `how` says. Fails as subdivide does.
-Result<std::shared_ptr<const SceneModel>> finish_model(Mesh mesh, PatchMap patches, const StoredModel& how,
-                                                       std::uint64_t id);
+/// Triangles and where the fur's tile lies on them.
+struct LaidMesh {
+  Mesh mesh;
+  PatchMap patches;
+};
+
+/// Splits triangles as `how` says. Fails as subdivide does.
+Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how);
+
+std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id);
 
 /// Both.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);

@@ -128,38 +128,47 @@ Status MovingModel::check(const RawModel& raw) const {
   for (const std::uint32_t source : laid_.prepared.sources) {
     const glm::dvec3 place = laid_.prepared.to_internal(raw.positions[source]);
     if (!is_finite(place) || glm::length(place) > furthest)
-      return refused("vertex " + std::to_string(source + 1) + " lies too far away", "1,000 sizes from the model at rest");
+      return refused("vertex " + std::to_string(source + 1) + " lies too far away",
+                     "1,000 sizes from the model at rest");
   }
   return {};
 }
 
-Result<std::shared_ptr<const SceneModel>> MovingModel::build(const RawModel& raw, std::uint64_t id) const {
+Result<LaidMesh> MovingModel::laid(const RawModel& raw) const {
+  if (Status same = check(raw); !same.ok()) return same;
   const PreparedMesh& prepared = laid_.prepared;
-  const Mesh& rest = prepared.mesh;
+  const Mesh& own = prepared.mesh;
   std::vector<glm::vec3> positions;
-  positions.reserve(rest.positions.size());
+  positions.reserve(own.positions.size());
   for (const std::uint32_t source : prepared.sources)
     positions.emplace_back(prepared.to_internal(raw.positions[source]));
-  const std::vector<glm::dmat3> turns = surface_turns(rest, positions);
+  const std::vector<glm::dmat3> turns = surface_turns(own, positions);
   for (std::size_t v = 0; v < positions.size(); ++v) {  // backs of sheets lie off what they are copies of
     const glm::vec3 source(prepared.to_internal(raw_.positions[prepared.sources[v]]));
-    positions[v] += glm::vec3(turns[v] * glm::dvec3(rest.positions[v] - source));
+    positions[v] += glm::vec3(turns[v] * glm::dvec3(own.positions[v] - source));
   }
   PatchMap patches = laid_.patches;
   for (PatchPoint& point : patches.points) point.axis = glm::vec3(turns[point.vertex] * glm::dvec3(point.axis));
-  return finish_model(moved(rest, std::move(positions), turns), std::move(patches), how_, id);
+  Result<LaidMesh> split = split_triangles({moved(own, std::move(positions), turns), std::move(patches)}, how_);
+  if (!split) return split.status();
+  if (split->mesh.positions.size() != rest().positions.size() || split->mesh.triangles != rest().triangles)
+    return failure(Code::invalid, "Its split triangles come out otherwise here than at rest.", "",
+                   "the same triangles");
+  return split;
+}
+
+Result<Mesh> MovingModel::mesh(const RawModel& raw) const {
+  Result<LaidMesh> made = laid(raw);
+  if (!made) return made.status();
+  return std::move(made->mesh);
 }
 
 Result<ScenePose> MovingModel::pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const {
-  if (Status same = check(raw); !same.ok()) return same;
-  auto model = build(raw, id);
-  if (!model) return model.status();
-  const Mesh& rest = rest_->surface.mesh();
-  const Mesh& mesh = (*model)->surface.mesh();
-  if (mesh.positions.size() != rest.positions.size() || mesh.triangles != rest.triangles)
-    return failure(Code::invalid, "Its split triangles come out otherwise here than at rest.", "", "the same triangles");
-  const std::vector<glm::dmat3> turns = surface_turns(rest, mesh.positions);
-  return ScenePose{std::move(*model), carried_along(std::move(settings), rest_->surface, mesh, turns)};
+  Result<LaidMesh> made = laid(raw);
+  if (!made) return made.status();
+  const std::vector<glm::dmat3> turns = surface_turns(rest(), made->mesh.positions);
+  settings = carried_along(std::move(settings), rest_->surface, made->mesh, turns);
+  return ScenePose{.model = finish_model(std::move(*made), how_, id), .settings = std::move(settings)};
 }
 
 }  // namespace pelage

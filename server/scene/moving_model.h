@@ -13,8 +13,8 @@
 namespace pelage {
 
 /// The settings with eyes, curves and bare skin where the surface takes them: each moves and turns as a whole with the
-/// place at rest that it is nearest to; a curve with that of its root. An eye that looks at a point goes on doing so. `turns`
-/// are those of `rest` (surface_turns), `moved` has its triangles.
+/// place at rest that it is nearest to; a curve with that of its root. An eye that looks at a point goes on doing so.
+/// `turns` are those of `rest` (surface_turns), `moved` has its triangles.
 SceneSettings carried_along(SceneSettings settings, const Surface& rest, const Mesh& moved,
                             std::span<const glm::dmat3> turns);
 
@@ -30,10 +30,14 @@ class MovingModel {
   /// that are not finite or further than 1,000 sizes from the model at rest.
   Result<ScenePose> pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const;
 
+  /// The mesh alone. Refused as `pose`.
+  Result<Mesh> mesh(const RawModel& raw) const;
+  const Mesh& rest() const { return rest_->surface.mesh(); }
+
  private:
   MovingModel(RawModel raw, StoredModel how, LaidModel laid, std::shared_ptr<const SceneModel> rest);
   Status check(const RawModel& raw) const;
-  Result<std::shared_ptr<const SceneModel>> build(const RawModel& raw, std::uint64_t id) const;
+  Result<LaidMesh> laid(const RawModel& raw) const;
 
   RawModel raw_;  // positions and faces only
   StoredModel how_;

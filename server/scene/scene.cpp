@@ -246,11 +246,12 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
 }
 
 SceneView Scene::view() const {
-  if (pose_)
-    return {*pose_->model,        fields_,          pose_->settings, history_.revision(),
-            picture_.image.get(), pose_->model->id, pose_->model,    picture_.image};
-  return {*model_,  fields_, history_.settings(), history_.revision(), picture_.image.get(),
-          copy_id_, model_,  picture_.image};
+  SceneView view{*model_,  fields_, history_.settings(), history_.revision(), picture_.image.get(),
+                 copy_id_, model_,  picture_.image};
+  if (!pose_) return view;
+  return {*pose_->model, fields_,           pose_->settings,
+          view.revision, view.skin_texture, pose_->model->id,
+          pose_->model,  picture_.image,    pose_->swing ? &*pose_->swing : nullptr};
 }
 
 void Scene::pose(std::optional<ScenePose> pose) {

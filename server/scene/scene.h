@@ -51,6 +51,14 @@ struct GroomSource {
   std::shared_ptr<const FieldSet> fields;
 };
 
+/// How a model that moves has moved, which makes its fur swing.
+struct BodySwing {
+  /// Of the skin at a vertex at a time of the scene, sizes per second squared, turned as the skin has turned since:
+  /// what BodyMotion (server/motion) wants. Called from several threads.
+  std::function<glm::dvec3(std::uint32_t vertex, double time)> acceleration;
+  double step = 1.0 / 24;  // seconds, [1/1000, 1], from one known acceleration to the next
+};
+
 /// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.
 struct SceneView {
   const SceneModel& model;
@@ -61,6 +69,7 @@ struct SceneView {
   std::uint64_t copy_id = model.id;                    // what the renderer keeps the model with these fields by
   std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on without the lock
   std::shared_ptr<const RawImage> picture_owner = {};
+  const BodySwing* swing = nullptr;  // null for a model that stands still
 };
 
 /// How a scene stands at a moment: its model elsewhere, and its settings with what stands on the model there. The groom
@@ -68,6 +77,7 @@ struct SceneView {
 struct ScenePose {
   std::shared_ptr<const SceneModel> model;  // with the triangles of the scene's
   SceneSettings settings;
+  std::optional<BodySwing> swing = {};
 };
 
 /// What a scene's fields were at a revision.

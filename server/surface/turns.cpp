@@ -9,13 +9,13 @@ namespace pelage {
 
 namespace {
 
-/// What lies around a vertex: its normals, as long as twice the area, and the sums that a least-squares map of the edges
-/// follows from.
+/// What lies around a vertex: its normals, as long as twice the area, and the sums that a least-squares map of the
+/// edges follows from.
 struct Around {
   glm::dvec3 rest_normal{0}, normal{0};
-  glm::dvec3 edges_u{0}, edges_v{0};        // of edges there, times their coordinates at rest
-  double uu = 0, uv = 0, vv = 0;            // of those coordinates
-  glm::dvec3 u{0}, v{0}, w{0};              // at rest: tangent, bitangent, normal
+  glm::dvec3 edges_u{0}, edges_v{0};  // of edges there, times their coordinates at rest
+  double uu = 0, uv = 0, vv = 0;      // of those coordinates
+  glm::dvec3 u{0}, v{0}, w{0};        // at rest: tangent, bitangent, normal
 };
 
 glm::dvec3 unit_or(glm::dvec3 vector, glm::dvec3 other) {

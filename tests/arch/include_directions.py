@@ -38,7 +38,7 @@ ALLOWED = {
     "server/proxy_mesh": ["protocol/base", "protocol/commands", "server/surface", "server/glb"],
     "server/glb": [],
     "server/studio": [],
-    "server/batch": ["protocol", "server/surface", "server/groom", "server/history", "server/import", "server/scene", "server/frames",
+    "server/batch": ["protocol", "server/surface", "server/groom", "server/history", "server/import", "server/motion", "server/scene", "server/frames",
                      "server/export", "renderer/image", "renderer/pattern", "renderer/gl/context"],
     "server/calibration": ["protocol/base", "protocol/commands", "server/surface", "server/patches", "server/builtin", "server/fields", "server/first_groom", "server/scene",
                            "server/frames", "renderer"],

@@ -184,6 +184,23 @@ class RenderTest(unittest.TestCase):
         run = self.render(self.moving(commands=comb, motion={"model": "ball.##.obj"}), "--skip-existing")
         self.assertEqual(run.stdout.count("Saved:"), 1, run.stdout)  # that file's frame alone
 
+    def test_fur_swings_by_the_motion_of_the_body(self):
+        for frame in range(-2, 5):  # it starts with a jerk at frame 1
+            self.write_ball(f"ball.{'-' if frame < 0 else ''}{abs(frame):02}.obj", 0.1 * max(0, frame))
+        self.write_ball("ball.obj")
+        motion = {"model": "ball.##.obj"}
+        self.render(self.moving(motion=motion))
+        stiff = self.pixels()
+        self.render(self.moving(motion={**motion, "inertia": 1}))
+        swung = self.pixels()
+        self.assertTrue(all(swung[name] != stiff[name] for name in list(swung)[1:]), "the jerk is felt afterwards")
+        hashes = self.hashes()
+        self.render(self.moving(motion={**motion, "inertia": 1}), "--frames", "3", "--threads", 1)  # whatever was drawn before
+        self.assertEqual(self.hashes(), hashes)
+        self.write_ball("ball.-01.obj", 0.01)  # which all of them follow from
+        run = self.render(self.moving(motion={**motion, "inertia": 1}), "--skip-existing")
+        self.assertEqual(run.stdout.count("Saved:"), 3, run.stdout)
+
     def test_a_model_that_is_another_is_refused_by_its_file(self):
         self.write_ball("ball.obj"), self.write_ball("ball.01.obj"), self.write_ball("ball.02.obj", sides=14)
         run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-2"), code=3)

@@ -18,16 +18,11 @@ start(async () => {
   bald = await scene_of("torus", 500, bare);
 });
 
-// Files of cards list the material of eyes in scenes without eyes, which the format allows.
-const allowed = /^info UNUSED_OBJECT \/materials\/1:/;
-const unexpected = ({found}, query, name) =>
-  query.startsWith("cards") && !models[name].includes(eyes) ? found.filter((issue) => !allowed.test(issue)) : found;
-
 for (const name of Object.keys(models)) {
   for (const query of files) {
     test(`${query} of a ${name}: no error, warning, info or hint`, async () => {
       const report = await validated((await exported(scenes[name], query)).bytes);
-      assert.deepEqual(unexpected(report, query, name), []);
+      assert.deepEqual(report.found, []);
       assert.ok(report.info.hasDefaultScene);
     });
   }
@@ -64,15 +59,9 @@ test("cards have three levels of detail, each with its share of the triangles", 
 });
 
 test("bare skin has files too", async () => {
-  for (const query of ["fields", "cards?cards=300"]) {
-    const {found} = await validated((await exported(bald, query)).bytes);
-    assert.deepEqual(found.filter((issue) => !/^info UNUSED_OBJECT \/materials\/[12]:/.test(issue)), [], query);
+  for (const query of ["fields", "shells", "cards?cards=300"]) {
+    assert.deepEqual((await validated((await exported(bald, query)).bytes)).found, [], query);
   }
-});
-
-// Until the server is mended: shells of bare skin have empty arrays, which glTF forbids.
-test("shells of bare skin", {todo: "server/export/shells.cpp is to leave out what no layer uses"}, async () => {
-  assert.deepEqual((await validated((await exported(bald, "shells")).bytes)).found, []);
 });
 
 /** The first primitive of the skin: where its positions, normals and triangles are. */

@@ -13,7 +13,9 @@ namespace {
 class ModelMomentsTest : public ::testing::Test {
  protected:
   void write(const std::string& name, const std::string& bytes) const { std::ofstream(folder_.file(name)) << bytes; }
-  Result<ModelMoments> made(const JobMotion& motion) const { return ModelMoments::create(motion, 24, folder_.file("")); }
+  Result<ModelMoments> made(const JobMotion& motion) const {
+    return ModelMoments::create(motion, 24, folder_.file(""));
+  }
 
   TemporaryFolder folder_ = std::move(TemporaryFolder::make()).value();
 };

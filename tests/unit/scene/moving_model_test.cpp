@@ -53,8 +53,9 @@ TEST_F(MovingModels, AtRestAreWhatTheyWere) {
 
 TEST_F(MovingModels, TakeEyesCurvesAndSkinAlong) {
   const glm::dvec3 at = place(*scene_, 100);
-  execute(*scene_, {SetEyes{{{.position = at, .gaze = {0, 0, 1}}}}, SetCurves{{{.curves = {{at, at + glm::dvec3(0, 1, 0)}}}}},
-                    SetSkin{{{.centre = at, .radii = {0.1, 0.2, 0.3}, .axis = {0, 0, 1}, .turn_degrees = 30}}}});
+  execute(*scene_,
+          {SetEyes{{{.position = at, .gaze = {0, 0, 1}}}}, SetCurves{{{.curves = {{at, at + glm::dvec3(0, 1, 0)}}}}},
+           SetSkin{{{.centre = at, .radii = {0.1, 0.2, 0.3}, .axis = {0, 0, 1}, .turn_degrees = 30}}}});
   const Result<ScenePose> there = pose(turned());
   ASSERT_TRUE(there.ok()) << there.status().message;
   const glm::dvec3 expected = quarter * at + glm::dvec3(5, 0, 0);
@@ -102,6 +103,8 @@ TEST_F(MovingModels, OfSplitTrianglesMoveToo) {
 }
 
 TEST_F(MovingModels, AreRefusedWhereTheyAreOthers) {
+  const MovingModel model = moving();
+  const auto pose = [&](const RawModel& raw) { return model.pose(raw, {}, 1); };
   RawModel other = raw_;
   other.positions.emplace_back(0);
   EXPECT_FALSE(pose(other).ok());

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t plenty = std::size_t{1} << 30;
+constexpr std::size_t enough_memory = std::size_t{1} << 30;
 
 bool always() { return true; }
 
@@ -36,7 +36,7 @@ Ray past_first(const StrandSet& set, float aside) {
 
 TEST(World, RayMeetsAStrandWhereItIs) {
   FurPatch patch(0.12);
-  World world(plenty);
+  World world(enough_memory);
   grown(world, patch, thick_coat());
   const StrandSet set = patch.grow({thick_coat()});
   for (const float offset : {-0.9f, -0.3f, 0.0f, 0.6f}) {
@@ -59,7 +59,7 @@ TEST(World, RayMeetsAStrandWhereItIs) {
 
 TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
   FurPatch patch(0.12);
-  World world(plenty);
+  World world(enough_memory);
   grown(world, patch, thick_coat());
   Ray ray = past_first(patch.grow({thick_coat()}), 0);
   const Hit first = world.intersect(ray);
@@ -74,7 +74,7 @@ TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
 
 TEST(World, LightPassesStrandsByColourAndCount) {
   FurPatch patch(0.12);
-  World world(plenty);
+  World world(enough_memory);
   Coat coat = thick_coat();
   for (const float red : {0.0f, 0.25f, 1.0f}) {
     coat.ramp = {{0, {red, 0, 1}}};
@@ -97,7 +97,7 @@ TEST(World, LightPassesStrandsByColourAndCount) {
 
 TEST(World, SkinAndEyesStopLight) {
   FurPatch patch(0.12, 2, 0);  // no fur
-  World world(plenty);
+  World world(enough_memory);
   FurFrame frame;
   frame.eyes.resize(1);
   frame.eyes[0].position = {0, 0, 1}, frame.eyes[0].radius = 0.1f;
@@ -115,7 +115,7 @@ TEST(World, SkinAndEyesStopLight) {
 TEST(World, OnlyWhatChangedIsGrownAgain) {
   FurPatch patch(0.6, 40);
   Coat coat = plain_coat(4000);
-  World world(plenty);
+  World world(enough_memory);
   const World::Change first = grown(world, patch, coat);
   EXPECT_EQ(first.grown, first.strands);
   EXPECT_GT(first.strands, 90'000u);
@@ -143,7 +143,7 @@ TEST(World, TooLittleMemoryIsSaidAndEnoughWorksAgain) {
 
 TEST(World, GrowingStopsWhenNobodyWaits) {
   const FurPatch patch(0.6, 10);
-  World world(plenty);
+  World world(enough_memory);
   int asked = 0;
   const auto twice = [&asked] { return ++asked <= 2; };
   const Result<World::Change> change =

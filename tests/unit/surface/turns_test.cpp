@@ -48,8 +48,7 @@ TEST(Turns, OfASheetThatShearsAreHalfWay) {
   const double shear = 0.4, angle = std::atan(shear / 2);  // polar factor of ((1, shear), (0, 1))
   const glm::dvec3 up(mesh.normals[0]);
   const glm::dvec3 x = tailward(up), y = glm::cross(up, x);
-  const auto turns = surface_turns(
-      mesh, moved_by(mesh, [&](glm::dvec3 p) { return p + shear * glm::dot(p, y) * x; }));
+  const auto turns = surface_turns(mesh, moved_by(mesh, [&](glm::dvec3 p) { return p + shear * glm::dot(p, y) * x; }));
   for (const glm::dmat3& turn : turns)
     ASSERT_LT(glm::distance(turn * x, std::cos(angle) * x - std::sin(angle) * y), 1e-4);
 }
@@ -60,8 +59,9 @@ TEST(Turns, AreRotationsWhateverHappens) {
   expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return -p; })));
   expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e3 * p; })));
   expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e-12 * p; })));
-  expect_rotations(surface_turns(
-      mesh, moved_by(mesh, [](glm::dvec3 p) { return glm::dvec3(p.x * std::sin(40 * p.y), p.z, std::cos(90 * p.x)); })));
+  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) {
+                                   return glm::dvec3(p.x * std::sin(40 * p.y), p.z, std::cos(90 * p.x));
+                                 })));
 }
 
 TEST(Turns, TakeNormalsAndTangentsAlong) {
@@ -79,7 +79,8 @@ TEST(Turns, TakeNormalsAndTangentsAlong) {
   }
   ASSERT_EQ(mesh.shading_normals.size(), rest.shading_normals.size());
   for (std::size_t t = 0; t < rest.shading_normals.size(); ++t)
-    ASSERT_LT(glm::distance(turn * glm::dvec3(rest.shading_normals[t][1]), glm::dvec3(mesh.shading_normals[t][1])), 2e-4);
+    ASSERT_LT(glm::distance(turn * glm::dvec3(rest.shading_normals[t][1]), glm::dvec3(mesh.shading_normals[t][1])),
+              2e-4);
 }
 
 }  // namespace

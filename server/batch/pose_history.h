@@ -1,0 +1,47 @@
+// How a job's model moved before a frame: what makes its fur swing.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "server/scene/moving_model.h"
+
+namespace pelage {
+
+class PoseHistory {
+ public:
+  /// The model at a frame; none before the first and after the last one that there is, where it holds still.
+  using Load = std::function<Result<std::optional<RawModel>>(int frame)>;
+
+  /// Outlived by the model. `strength` is JobMotion::inertia.
+  PoseHistory(const MovingModel& model, double fps, double strength, Load load);
+
+  /// What the fur of a frame swings by; `time` is the scene's there. Accelerations are second differences of where vertices are at
+  /// frames, straight between two of them, in the coordinates of the skin at each frame, and turned to those at this one. Loads the frames
+  /// of the warm-up (server/motion) that are not known yet. Fails as `load` and MovingModel do.
+  Result<BodySwing> at(int frame, double time);
+
+  /// Frames before one that it follows from; one after it counts too.
+  static int frames_before(double fps);
+
+ private:
+  struct Pose {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::mat3> turns;  // since the model at rest
+  };
+  using Accelerations = std::shared_ptr<const std::vector<glm::vec3>>;  // in coordinates of the model at rest
+
+  Result<const Pose*> pose(int frame);  // null where the model holds still
+  Result<Accelerations> acceleration(int frame);
+
+  const MovingModel& model_;
+  double fps_, strength_;
+  Load load_;
+  std::map<int, std::shared_ptr<const Pose>> poses_;
+  std::map<int, Accelerations> accelerations_;
+};
+
+}  // namespace pelage
