@@ -44,7 +44,7 @@ struct JobMotion {
   std::string model;                   // "walk.####.obj", # are the digits of the frame; or a file with the animation
   std::string animation;               // of that file, by its name; frame f shows its second f / fps
   std::optional<double> loop_seconds;  // (0, 1e6], after which it begins again; none: it stays where it ends
-  double inertia = 0;                  // [0, 10], how much the body's motion makes the fur swing; 1 as in nature
+  double inertia = 0;                  // [0, 10], how much of the body's acceleration the fur feels
 };
 
 struct RenderJob {

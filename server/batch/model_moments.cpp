@@ -32,7 +32,7 @@ std::string ModelMoments::pose_at(int frame) const {
   double seconds = frame / fps_;
   if (motion_.loop_seconds) seconds -= *motion_.loop_seconds * std::floor(seconds / *motion_.loop_seconds);
   seconds = std::max(0.0, seconds);
-  return fmt::format("{}@{:.9g}", motion_.animation, seconds);
+  return fmt::format("{}@{:.6f}", motion_.animation, seconds);  // a loop comes back to the same microsecond
 }
 
 Result<ModelMoment> ModelMoments::at(int frame) const {
@@ -47,21 +47,21 @@ Result<ModelMoment> ModelMoments::at(int frame) const {
   return moment;
 }
 
-Result<std::optional<ModelMoment>> ModelMoments::find(int frame) const {
+Result<std::string> ModelMoments::name_of(int frame) const {
   std::error_code error;
-  if (!std::filesystem::exists(files_.file(frame), error)) return std::optional<ModelMoment>();
-  Result<ModelMoment> moment = at(frame);
+  if (!std::filesystem::exists(files_.file(frame), error)) return std::string();
+  const Result<ModelMoment> moment = at(frame);
   if (!moment) return moment.status();
-  return std::optional(std::move(*moment));
+  return moment->digest + " " + moment->pose;
 }
 
 Result<std::string> ModelMoments::identity_of_swing(int frame) const {
   if (!(motion_.inertia > 0)) return std::string();
   std::string identity = fmt::format("{} {}\n", motion_.inertia, fps_);
   for (int k = frame - PoseHistory::frames_before(fps_) - 1; k <= frame + 1; ++k) {
-    const Result<std::optional<ModelMoment>> moment = find(k);
-    if (!moment) return moment.status();
-    identity += *moment ? (*moment)->digest + (*moment)->pose + "\n" : "\n";
+    const Result<std::string> name = name_of(k);
+    if (!name) return name.status();
+    identity += *name + "\n";
   }
   return identity;
 }

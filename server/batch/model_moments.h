@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -28,8 +27,8 @@ class ModelMoments {
 
   /// Fails with not_found ("/motion/model") where the frame has no file.
   Result<ModelMoment> at(int frame) const;
-  /// The same; none where there is no file.
-  Result<std::optional<ModelMoment>> find(int frame) const;
+  /// Of the bytes and the pose; "" where there is no file.
+  Result<std::string> name_of(int frame) const;
 
   /// All of the moments that a frame's fur swings by; "" without inertia.
   Result<std::string> identity_of_swing(int frame) const;

@@ -2,51 +2,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <set>
 
 #include "server/motion/sway.h"
 #include "server/surface/turns.h"
 
 namespace pelage {
 
-namespace {
-
-/// Forgets what lies before `first`.
-template <class T>
-void forget_before(std::map<int, T>& known, int first) {
-  known.erase(known.begin(), known.lower_bound(first));
-}
-
-}  // namespace
-
-PoseHistory::PoseHistory(const MovingModel& model, double fps, double strength, Load load)
-    : model_(model), fps_(fps), strength_(strength), load_(std::move(load)) {}
+PoseHistory::PoseHistory(const MovingModel& model, double fps, double strength, Source source)
+    : model_(model), fps_(fps), strength_(strength), source_(std::move(source)) {}
 
 int PoseHistory::frames_before(double fps) { return static_cast<int>(std::ceil(warm_up_seconds * fps)) + 1; }
 
-Result<const PoseHistory::Pose*> PoseHistory::pose(int frame) {
-  const auto known = poses_.find(frame);
-  if (known != poses_.end()) return known->second.get();
-  Result<std::optional<RawModel>> raw = load_(frame);
+Result<std::shared_ptr<const PoseHistory::Pose>> PoseHistory::pose(int frame) {
+  const Result<std::string> name = source_.name(frame);
+  if (!name) return name.status();
+  if (name->empty()) return std::shared_ptr<const Pose>();
+  const auto known = poses_.find(*name);
+  if (known != poses_.end()) return known->second;
+  const Result<RawModel> raw = source_.load(frame);
   if (!raw) return raw.status();
-  std::shared_ptr<const Pose>& kept = poses_[frame];
-  if (!*raw) return kept.get();
-  Result<Mesh> mesh = model_.mesh(**raw);
+  Result<Mesh> mesh = model_.mesh(*raw);
   if (!mesh) return mesh.status();
-  Pose made{std::move(mesh->positions), {}};
-  for (const glm::dmat3& turn : surface_turns(model_.rest(), made.positions)) made.turns.emplace_back(turn);
-  kept = std::make_shared<const Pose>(std::move(made));
-  return kept.get();
+  auto made = std::make_shared<Pose>(Pose{std::move(mesh->positions), {}});
+  for (const glm::dmat3& turn : surface_turns(model_.rest(), made->positions)) made->turns.emplace_back(turn);
+  return poses_[*name] = std::move(made);
+}
+
+Status PoseHistory::forget_all_but(int first, int last) {
+  accelerations_.erase(accelerations_.begin(), accelerations_.lower_bound(first));
+  std::set<std::string> wanted;
+  for (int frame = first - 1; frame <= last + 1; ++frame) {
+    const Result<std::string> name = source_.name(frame);
+    if (!name) return name.status();
+    wanted.insert(*name);
+  }
+  std::erase_if(poses_, [&](const auto& known) { return !wanted.contains(known.first); });
+  return {};
 }
 
 Result<PoseHistory::Accelerations> PoseHistory::acceleration(int frame) {
   const auto known = accelerations_.find(frame);
   if (known != accelerations_.end()) return known->second;
-  const Pose* around[3];
+  std::shared_ptr<const Pose> around[3];
   for (int k = 0; k < 3; ++k) {
-    const Result<const Pose*> at = pose(frame - 1 + k);
+    Result<std::shared_ptr<const Pose>> at = pose(frame - 1 + k);
     if (!at) return at.status();
-    around[k] = *at;
+    around[k] = std::move(*at);
   }
   if (!around[0] || !around[1] || !around[2]) return accelerations_[frame] = nullptr;
   std::vector<glm::vec3> found;
@@ -60,17 +62,16 @@ Result<PoseHistory::Accelerations> PoseHistory::acceleration(int frame) {
 
 Result<BodySwing> PoseHistory::at(int frame, double time) {
   const int first = frame - frames_before(fps_);
-  forget_before(poses_, first - 1), forget_before(accelerations_, first);
+  if (Status forgotten = forget_all_but(first, frame); !forgotten.ok()) return forgotten;
   std::vector<Accelerations> history;
   for (int k = first; k <= frame; ++k) {
     Result<Accelerations> found = acceleration(k);
     if (!found) return found.status();
     history.push_back(std::move(*found));
   }
-  if (const Result<const Pose*> now = pose(frame); !now) return now.status();
-  const std::shared_ptr<const Pose> now = poses_.at(frame);
-  const double fps = fps_;
-  const auto at_place = [history, now, time, fps](std::uint32_t vertex, double when) {
+  const Result<std::shared_ptr<const Pose>> stands = pose(frame);
+  if (!stands) return stands.status();
+  const auto at_place = [history, now = *stands, time, fps = fps_](std::uint32_t vertex, double when) {
     const double last = static_cast<double>(history.size() - 1);
     const double place = std::clamp(last + (when - time) * fps, 0.0, last);
     const auto low = static_cast<std::size_t>(place), high = std::min(low + 1, history.size() - 1);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "protocol/base/status.h"
@@ -13,15 +14,21 @@ namespace pelage {
 
 class PoseHistory {
  public:
-  /// The model at a frame; none before the first and after the last one that there is, where it holds still.
-  using Load = std::function<Result<std::optional<RawModel>>(int frame)>;
+  /// Where the model stands at each frame.
+  struct Source {
+    /// The same for frames at which it stands alike, as in a loop; "" before the first and after the last one that
+    /// there is, where it holds still.
+    std::function<Result<std::string>(int frame)> name;
+    std::function<Result<RawModel>(int frame)> load;
+  };
 
   /// Outlived by the model. `strength` is JobMotion::inertia.
-  PoseHistory(const MovingModel& model, double fps, double strength, Load load);
+  PoseHistory(const MovingModel& model, double fps, double strength, Source source);
 
-  /// What the fur of a frame swings by; `time` is the scene's there. Accelerations are second differences of where vertices are at
-  /// frames, straight between two of them, in the coordinates of the skin at each frame, and turned to those at this one. Loads the frames
-  /// of the warm-up (server/motion) that are not known yet. Fails as `load` and MovingModel do.
+  /// What the fur of a frame swings by; `time` is the scene's there. Accelerations are second differences of where
+  /// vertices are at frames, straight between two of them, in the coordinates of the skin at each frame, and turned to
+  /// those at this one. Loads what is not known yet of the frames of the warm-up (server/motion). Fails as the source
+  /// and MovingModel do.
   Result<BodySwing> at(int frame, double time);
 
   /// Frames before one that it follows from; one after it counts too.
@@ -34,13 +41,14 @@ class PoseHistory {
   };
   using Accelerations = std::shared_ptr<const std::vector<glm::vec3>>;  // in coordinates of the model at rest
 
-  Result<const Pose*> pose(int frame);  // null where the model holds still
+  Result<std::shared_ptr<const Pose>> pose(int frame);  // null where the model holds still
+  Status forget_all_but(int first, int last);
   Result<Accelerations> acceleration(int frame);
 
   const MovingModel& model_;
   double fps_, strength_;
-  Load load_;
-  std::map<int, std::shared_ptr<const Pose>> poses_;
+  Source source_;
+  std::map<std::string, std::shared_ptr<const Pose>> poses_;  // by name
   std::map<int, Accelerations> accelerations_;
 };
 

@@ -69,15 +69,13 @@ Status JobRenderer::stand(const JobFrame& frame) {
 
 Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
   if (!history_) {
-    const auto model_at = [this, moments = frame.moments](int number) -> Result<std::optional<RawModel>> {
-      const Result<std::optional<ModelMoment>> moment = moments->find(number);
+    const auto name = [moments = frame.moments](int number) { return moments->name_of(number); };
+    const auto model = [this, moments = frame.moments](int number) -> Result<RawModel> {
+      const Result<ModelMoment> moment = moments->at(number);
       if (!moment) return moment.status();
-      if (!*moment) return std::optional<RawModel>();
-      Result<RawModel> raw = load(**moment);
-      if (!raw) return raw.status();
-      return std::optional(std::move(*raw));
+      return load(*moment);
     };
-    history_.emplace(*moving_, fps_, frame.moments->inertia(), model_at);
+    history_.emplace(*moving_, fps_, frame.moments->inertia(), PoseHistory::Source{name, model});
   }
   return history_->at(frame.number, frame.request.time.value_or(frame.number / fps_));
 }

@@ -40,12 +40,15 @@ TEST_F(ModelMomentsTest, OfAnAnimationGoByTheSecondAndBeginAgain) {
   write("fox.glb", "bytes");
   const auto once = made({.model = "fox.glb", .animation = "Walk", .loop_seconds = {}});
   ASSERT_TRUE(once.ok()) << once.status().message;
-  EXPECT_EQ(once->at(36)->pose, "Walk@1.5");
-  EXPECT_EQ(once->at(-3)->pose, "Walk@0");
+  EXPECT_EQ(once->at(36)->pose, "Walk@1.500000");
+  EXPECT_EQ(once->at(-3)->pose, "Walk@0.000000");
   const auto again = made({.model = "fox.glb", .animation = "Walk", .loop_seconds = 0.5});
-  EXPECT_EQ(again->at(6)->pose, "Walk@0.25");
-  EXPECT_EQ(again->at(18)->pose, "Walk@0.25");
+  EXPECT_EQ(again->at(6)->pose, "Walk@0.250000");
+  EXPECT_EQ(again->at(18)->pose, "Walk@0.250000");
+  EXPECT_EQ(again->at(-6)->pose, "Walk@0.250000");
   EXPECT_EQ(again->at(6)->digest, once->at(36)->digest);
+  const auto seventeen = made({.model = "fox.glb", .animation = "Walk", .loop_seconds = 0.7083333});
+  EXPECT_EQ(*seventeen->name_of(3), *seventeen->name_of(3 + 17 * 5));
 }
 
 TEST_F(ModelMomentsTest, AreRefusedWhereNothingMoves) {

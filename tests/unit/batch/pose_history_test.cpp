@@ -19,13 +19,16 @@ class PoseHistoryTest : public ::testing::Test {
  protected:
   template <typename Move>
   PoseHistory history(const Move& move, double strength = 1, int first = -1000) {
-    return PoseHistory(model_, fps, strength, [this, move, first](int frame) -> Result<std::optional<RawModel>> {
+    const auto name = [first](int frame) -> Result<std::string> {
+      return frame < first ? std::string() : std::to_string(frame);
+    };
+    const auto load = [this, move](int frame) -> Result<RawModel> {
       ++loads_;
-      if (frame < first) return std::optional<RawModel>();
       RawModel raw = make_builtin(shape_);
       for (glm::dvec3& position : raw.positions) position = move(position, frame / fps);
-      return std::optional(std::move(raw));
-    });
+      return raw;
+    };
+    return PoseHistory(model_, fps, strength, {name, load});
   }
 
   BuiltinModel shape_{Builtin::sphere, 200};
@@ -57,9 +60,8 @@ TEST_F(PoseHistoryTest, OfAFallIsItsAcceleration) {
 
 TEST_F(PoseHistoryTest, OfATurnPointsOutOfTheSkinAsItDidThen) {
   constexpr double rate = 2;
-  auto turn = history([](glm::dvec3 p, double t) {
-    return glm::dmat3(glm::rotate(glm::dmat4(1), rate * t, glm::dvec3(0, 1, 0))) * p;
-  });
+  auto turn = history(
+      [](glm::dvec3 p, double t) { return glm::dmat3(glm::rotate(glm::dmat4(1), rate * t, glm::dvec3(0, 1, 0))) * p; });
   const auto swing = turn.at(24, 1);
   ASSERT_TRUE(swing.ok());
   const Mesh now = std::move(model_.mesh([&] {
@@ -67,7 +69,8 @@ TEST_F(PoseHistoryTest, OfATurnPointsOutOfTheSkinAsItDidThen) {
                      for (glm::dvec3& p : raw.positions)
                        p = glm::dmat3(glm::rotate(glm::dmat4(1), rate, glm::dvec3(0, 1, 0))) * p;
                      return raw;
-                   }())).value();
+                   }()))
+                       .value();
   for (std::uint32_t v = 0; v < now.positions.size(); v += 7) {
     const glm::dvec3 place = now.to_model(glm::dvec3(now.positions[v])) / size_;
     const glm::dvec3 inwards = -rate * rate * glm::dvec3(place.x, 0, place.z);
