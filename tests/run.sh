@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases a quarter
-# runs on EGL, and an eighth on OSMesa, whose pictures have the bytes of EGL's: of 0 to 7 the one of this day, or N.
-# Then clang-tidy over an eighth of the sources, half of what reads bytes from outside under the sanitizers, and 30 s of the
-# fuzzer. Eight days pass all of it; tests/nightly.sh does so in one night.
+# Installs what the tests need, builds and passes all of them but the nightly ones. Of the GL and extreme cases an eighth
+# runs on EGL and on OSMesa: of 0 to 7 the one of this day, or N.
+# Then clang-tidy over an eighth of the sources, a quarter of what reads bytes from outside under the sanitizers, and 30 s of
+# the fuzzer. Eight days pass all of it; tests/nightly.sh does so in one night.
 # usage: tests/run.sh [--eighth N] [ctest arguments]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -26,9 +26,9 @@ passed=yes no_skips=()
 PELAGE_EIGHTH=$eighth ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "$@" || passed=no
 if [ $# -eq 0 ]; then  # all of them
   tests/tidy.sh "$eighth" 8 || passed=no
-  halves=("unit_base unit_protocol property_json" "unit_fields unit_history unit_guides")
-  read -ra half <<< "${halves[eighth % 2]}"
-  tests/sanitizers.sh 30 "${half[@]}" || passed=no
+  quarters=("unit_base unit_protocol" "unit_history" "property_json" "unit_fields unit_guides")
+  read -ra quarter <<< "${quarters[eighth % 4]}"
+  tests/sanitizers.sh 30 "${quarter[@]}" || passed=no
 fi
 echo "tests: done after $((SECONDS - started)) s, packages and build included"
 python3 tests/count.py build/tests/results "${no_skips[@]}" || passed=no

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "server/motion/sway.h"
 #include "server/surface/turns.h"
@@ -29,16 +28,14 @@ Result<std::shared_ptr<const PoseHistory::Pose>> PoseHistory::pose(int frame) {
   return poses_[*name] = std::move(made);
 }
 
-Status PoseHistory::forget_all_but(int first, int last) {
-  accelerations_.erase(accelerations_.begin(), accelerations_.lower_bound(first));
-  std::set<std::string> wanted;
-  for (int frame = first - 1; frame <= last + 1; ++frame) {
-    const Result<std::string> name = source_.name(frame);
+Result<std::map<std::string, int>> PoseHistory::names_before(int frame) const {
+  std::map<std::string, int> names;
+  for (int k = frame - frames_before(fps_) - 1; k <= frame + 1; ++k) {
+    const Result<std::string> name = source_.name(k);
     if (!name) return name.status();
-    wanted.insert(*name);
+    ++names[*name];
   }
-  std::erase_if(poses_, [&](const auto& known) { return !wanted.contains(known.first); });
-  return {};
+  return names;
 }
 
 Result<PoseHistory::Accelerations> PoseHistory::acceleration(int frame) {
@@ -62,12 +59,17 @@ Result<PoseHistory::Accelerations> PoseHistory::acceleration(int frame) {
 
 Result<BodySwing> PoseHistory::at(int frame, double time) {
   const int first = frame - frames_before(fps_);
-  if (Status forgotten = forget_all_but(first, frame); !forgotten.ok()) return forgotten;
+  accelerations_.erase(accelerations_.begin(), accelerations_.lower_bound(first));
+  const Result<std::map<std::string, int>> names = names_before(frame);
+  if (!names) return names.status();
   std::vector<Accelerations> history;
   for (int k = first; k <= frame; ++k) {
     Result<Accelerations> found = acceleration(k);
     if (!found) return found.status();
     history.push_back(std::move(*found));
+    // Places and turns are large: only those are kept that come again.
+    const Result<std::string> passed = source_.name(k - 1);
+    if (passed && k < frame && (!names->contains(*passed) || names->at(*passed) == 1)) poses_.erase(*passed);
   }
   const Result<std::shared_ptr<const Pose>> stands = pose(frame);
   if (!stands) return stands.status();

@@ -102,6 +102,18 @@ class Local(FarmTest):
         self.assertIn("no folder of a farm job", self.farm("status", self.folder, code=3).stderr)
         self.farm("submit", job, "--engine", "lsf", code=2)
 
+    def test_the_files_that_a_job_moves_by_are_copied(self):
+        for number, height in (("", 1), (".01", 1), (".02", 2)):
+            text = f"v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 {height} 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n"
+            (self.folder / f"tetra{number}.obj").write_text(text)
+        job = self.write_job(frames="1-2", builtin=None, scene="tetra.obj", motion={"model": "tetra.##.obj"})
+        self.assertIn("2 of 2 frames", self.submit(job))
+        models = self.folder / "ball.farm" / "models"
+        self.assertEqual(sorted(path.name for path in models.iterdir()), ["tetra.01.obj", "tetra.02.obj"])
+        for path in self.folder.glob("tetra.*.obj"):
+            path.unlink()
+        self.assertIn("there is none", self.farm("submit", job, code=3).stderr)
+
     def test_pack(self):
         recipe = self.folder / "groom.json"
         recipe.write_text('{"variables": {"fur": 0.02}, "steps": [{"op": "length", "flood": true, "value": "${fur}"}]}')

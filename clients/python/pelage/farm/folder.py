@@ -130,20 +130,20 @@ class FarmFolder:
         write_whole(self.path / name, text.encode())
 
     def copy_job(self, source: pathlib.Path) -> bool:
-        """Copies a job, its scene and the files it moves by. Gives whether they differ from what was there. Raises FarmError."""
+        """Copies a job, its scene and what it moves by. Gives whether they differ from what was there. Raises FarmError."""
         document = read_job(source)
         self.logs.mkdir(parents=True, exist_ok=True)
         changed = False
         if isinstance(document.get("scene"), str):
             scene = source.parent / document["scene"]
             document["scene"] = scene.name
-            changed = copy_changed(scene, self.path / scene.name)
+            changed = copy_changed(scene, self.path / scene.name, "scene")
         motion = document.get("motion")
         if isinstance(motion, dict) and isinstance(motion.get("model"), str):
             models = source.parent / motion["model"]
             motion["model"] = f"{MODELS}/{models.name}"
             for model in numbered_files(models):
-                changed |= copy_changed(model, self.path / MODELS / model.name)
+                changed |= copy_changed(model, self.path / MODELS / model.name, "motion")
         text = json.dumps(document, indent=2) + "\n"
         changed |= not self.job.exists() or self.job.read_text(encoding="utf-8") != text
         self.write(JOB, text)
@@ -173,13 +173,13 @@ def numbered_files(pattern: pathlib.Path) -> List[pathlib.Path]:
     return found
 
 
-def copy_changed(source: pathlib.Path, target: pathlib.Path) -> bool:
-    """Copies a file unless the target has the same bytes. Raises FarmError."""
+def copy_changed(source: pathlib.Path, target: pathlib.Path, member: str) -> bool:
+    """Copies a file that a member of the job names unless the target has the same bytes. Raises FarmError."""
     try:
         content = source.read_bytes()
     except OSError as error:
-        step = "export the scene with `pelage farm pack`, or correct the job's `scene` or `motion`"
-        raise FarmError(f"A file of the job cannot be read: {error}", step, BAD_INPUT) from error
+        step = f"correct the job's `{member}`" + (", or export one with `pelage farm pack`" if member == "scene" else "")
+        raise FarmError(f"The job's {member} cannot be read: {error}", step, BAD_INPUT) from error
     if target.exists() and target.read_bytes() == content:
         return False
     target.parent.mkdir(exist_ok=True)
