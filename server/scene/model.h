@@ -33,7 +33,7 @@ Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how);
 
 std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id);
 
-/// Both.
+/// Lays a model and splits its triangles. Fails as both do.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
 // A scene's model and fields on finer triangles.
