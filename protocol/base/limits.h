@@ -50,6 +50,7 @@ inline constexpr double command_coordinate_sizes = 1e6;  // positions in a comma
 inline constexpr double model_precision = 1e-4;          // largest 32-bit step of a model, in its sizes
 inline constexpr int shells = 1024;
 inline constexpr int frame_pixels = 8192;               // width and height, each
+inline constexpr int job_tiles = 16;                    // of a job's frame, side by side and below each other
 inline constexpr std::int64_t aov_pixels = 67'108'864;  // drawn pixels times AOVs of an EXR: 1 GB on the GPU
 inline constexpr int trace_passes = 65536;
 inline constexpr int strands = 8'000'000;                        // that are traced

@@ -141,9 +141,19 @@ struct TraceReport {
   bool operator==(const TraceReport&) const = default;
 };
 
+/// Pixels of a frame.
+struct Crop {
+  int left = 0, top = 0;      // from the left and from the top of the frame
+  int width = 1, height = 1;  // [1, 8192]; all of them inside the frame
+
+  bool operator==(const Crop&) const = default;
+};
+
 struct FrameRequest {
   int width = 512;   // [1, 8192]
   int height = 512;  // [1, 8192]
+  std::optional<Crop> crop =
+      {};  // draws these pixels alone, as they are in the whole frame; the picture has their size
   Camera camera;
   Knobs knobs = knobs_of(Tier::interactive);
   // At most one of these, and then no knobs: the server chooses them.
@@ -169,6 +179,11 @@ struct FrameRequest {
   std::string view;         // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }
+  /// Share of the frame's pixels that are drawn, (0, 1].
+  double drawn_share() const {
+    const double all = static_cast<double>(width) * height;
+    return crop ? static_cast<double>(crop->width) * crop->height / all : 1;
+  }
 };
 
 }  // namespace pelage

@@ -47,6 +47,11 @@ struct JobMotion {
   double inertia = 0;                  // [0, 10], how much of the body's acceleration the fur feels
 };
 
+/// How many parts of about equal size each frame is drawn in, side by side and below each other: [1, 16] each.
+struct TileGrid {
+  int columns = 1, rows = 1;
+};
+
 struct RenderJob {
   std::string scene;                     // file of a scene (.pelage) or of a model; "" where there is `builtin`
   std::optional<ImportOptions> options;  // of a model's file
@@ -60,6 +65,7 @@ struct RenderJob {
   bool time_lapse = false;  // the groom from its first revision to its last, over the frames
   std::vector<ParameterKeys> keyframes;
   std::optional<JobMotion> motion;
+  std::optional<TileGrid> tiles;  // each drawn by itself, on whatever node
 };
 
 /// What keyframes make of one frame.

@@ -17,7 +17,7 @@ namespace {
 using json_parts::Backdrop, json_parts::MemberName, json_parts::members;
 using nlohmann::json;
 
-enum class Kind { text, number, list, names, boolean };  // lists and names have commas
+enum class Kind { text, number, list, names, boolean, crop };  // lists, names and crops have commas
 
 /// A parameter, and the JSON pointer of what it stands for.
 struct Parameter {
@@ -53,6 +53,7 @@ class QueryMembers {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
   void object(MemberName, const Tracing&, const char* = "") {}  // strands are traced for POST alone
+  void object(MemberName name, const std::optional<Crop>&, const char* = "") { add(name, Kind::crop); }
   void object(MemberName name, const Camera&, const char* = "") {
     for (const Camera& form : {Camera{}, Camera{.automatic = AutoView::none}}) add_below(name, form);
   }
@@ -106,12 +107,20 @@ std::string list_of(std::string_view text) {
   return list;
 }
 
+/// Left, top, width and height as a crop has them; the text for anything else.
+json crop_of(const json& list, const std::string& text) {
+  if (!list.is_array() || list.size() != 4) return text;
+  return {{"left", list[0]}, {"top", list[1]}, {"width", list[2]}, {"height", list[3]}};
+}
+
 /// What is no number, list or truth value stays text, and the decoder says what it expected.
 json value_of(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::names) return names_of(text);
-  if (kind == Kind::list && text.find_first_not_of("0123456789+-.eE, ") != std::string::npos) return text;
-  json value = json::parse(kind == Kind::list ? list_of(text) : as_json_number(text), nullptr, false);
+  const bool list = kind == Kind::list || kind == Kind::crop;
+  if (list && text.find_first_not_of("0123456789+-.eE, ") != std::string::npos) return text;
+  json value = json::parse(list ? list_of(text) : as_json_number(text), nullptr, false);
+  if (kind == Kind::crop) return crop_of(value, text);
   const bool fits = kind == Kind::number ? value.is_number()
                     : kind == Kind::list ? value.is_array()
                                          : value.is_boolean();

@@ -82,10 +82,23 @@ void members(V& v, Visited<V, Knobs>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, Crop>& c) {
+  v.type("Crop", "A part of a frame.");
+  v.integer("left", c.left, {0, limits::frame_pixels - 1, "pixels"}, "From the frame's left to the part's.");
+  v.integer("top", c.top, {0, limits::frame_pixels - 1, "pixels"}, "From the frame's top to the part's.");
+  v.integer(required("width"), c.width, pixels, "Width of the part, which ends inside the frame.");
+  v.integer(required("height"), c.height, pixels, "Height of the part, which ends inside the frame.");
+}
+
+template <class V>
 void members(V& v, Visited<V, FrameRequest>& c) {
   v.type("FrameRequest", "A picture to draw. What is not given takes its default.");
   v.integer("width", c.width, pixels, "Width of the picture.");
   v.integer("height", c.height, pixels, "Height of the picture.");
+  v.object(
+      "crop", c.crop,
+      "Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole frame "
+      "has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.");
   v.object("camera", c.camera, "Where the scene is seen from.");
   if (v.shows(!c.plans())) v.special("quality", c.knobs, "A tier, or single knobs.");
   v.number(

@@ -64,6 +64,13 @@ void members(V& v, Visited<V, JobMotion>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, TileGrid>& c) {
+  v.type("TileGrid", "Parts of about equal size that a frame is cut into.");
+  v.integer("columns", c.columns, {1, limits::job_tiles, "tiles"}, "Tiles side by side; at most the frame's width.");
+  v.integer("rows", c.rows, {1, limits::job_tiles, "tiles"}, "Tiles below each other; at most the frame's height.");
+}
+
+template <class V>
 void members(V& v, Visited<V, RenderJob>& c) {
   v.type("RenderJob",
          "Frames of one scene that `pelage-render` draws into files. What is not given takes its default.");
@@ -88,6 +95,10 @@ void members(V& v, Visited<V, RenderJob>& c) {
             "only.");
   v.objects("keyframes", c.keyframes, {0, 256}, "Parameters that change over the frames.");
   v.object("motion", c.motion, "Moves the model from frame to frame, with the groom on it.");
+  v.object("tiles", c.tiles,
+           "Cuts each frame into tiles that are drawn one by one, on several nodes where there are. Whichever process "
+           "draws the last tile of a frame puts them together: the same file as without tiles. A frame that is cut has "
+           "neither `crop` nor `budget_ms` nor an end of tracing by `seconds`.");
 }
 
 }  // namespace pelage::json_parts

@@ -50,6 +50,16 @@ void check_size(const Value& value, const FrameRequest& request) {
   }
 }
 
+void check_crop(const Value& value, const FrameRequest& request) {
+  if (!request.crop) return;
+  const Crop& crop = *request.crop;
+  if (crop.left + crop.width > request.width || crop.top + crop.height > request.height) {
+    value.refuse_below("crop", "The part ends outside the frame.",
+                       "left + width at most " + std::to_string(request.width) + ", top + height at most " +
+                           std::to_string(request.height));
+  }
+}
+
 void check_layers(const Value& value, const FrameRequest& request) {
   const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
   const bool linear = is_linear(request.format);
@@ -101,6 +111,7 @@ void check(const Value& value, const FrameRequest& request) {
   check_dial(value, request);
   check_strands(value, request);
   check_size(value, request);
+  check_crop(value, request);
   check_layers(value, request);
   check_overlay(value, request);
   check_past(value, request);

@@ -17,7 +17,7 @@ struct FinishInput {
   int threads = default_threads();      // the same bits for any number
 };
 
-/// A picture of the frame's size.
+/// A picture of the frame's size; of one with a crop, rows outside it stay 0.
 Image finish_picture(const FurFrame& frame, const FinishInput& input);
 Image16 finish_picture_deep(const FurFrame& frame, const FinishInput& input);
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "renderer/frame/areas.h"
 #include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/parts.h"
 #include "renderer/frame/pieces.h"
@@ -61,12 +62,12 @@ Result<GlRenderer::Prepared> GlRenderer::draw_part(const FurFrame& frame, const 
 }
 
 Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, const Pause& pause, DrawTimes& times) {
-  if (!pause) return draw_part(frame, {}, times);
+  if (!pause) return draw_whole(frame, times);
   const Status given_up = failure(Code::conflict, "the drawing was given up");
   if (!bake(frame.coat, pause)) return given_up;
   Pieces pieces = pieces_of(frame);
   Area piece = pieces.next();
-  if (pieces.done()) return draw_part(frame, {}, times);
+  if (pieces.done()) return draw_whole(frame, times);
   if (!let_in(pause) || !bake(frame.coat, pause)) return given_up;  // large targets take long to make
   prepare_whole(frame, times);                                      // shadow maps, which the pieces share
   for (;; piece = pieces.next()) {
@@ -77,6 +78,12 @@ Result<GlRenderer::Prepared> GlRenderer::draw_in_pieces(const FurFrame& frame, c
     pieces.took(passed.milliseconds());
   }
   return prepare_whole(frame, times);  // for what is drawn beside light
+}
+
+Result<GlRenderer::Prepared> GlRenderer::draw_whole(const FurFrame& frame, DrawTimes& times) {
+  if (!frame.crop) return draw_part(frame, {}, times);
+  prepare_whole(frame, times);  // what is outside the crop casts shadows into it
+  return draw_part(frame, drawn_area(frame, {targets_.drawn.width(), targets_.drawn.height()}), times);
 }
 
 GlRenderer::Prepared GlRenderer::prepare_whole(const FurFrame& frame, DrawTimes& times) {
@@ -100,7 +107,7 @@ Pieces GlRenderer::pieces_of(const FurFrame& frame) {
     const glm::dvec2 low(in.left, pixels.y - in.top - in.height), size(in.width, in.height);
     return in.pixels() + fur.in(low / pixels, (low + size) / pixels);
   };
-  return {area_of(targets_.drawn), work, fragment_ms(frame.knobs.order)};
+  return {drawn_area(frame, {width, height}), work, fragment_ms(frame.knobs.order)};
 }
 
 bool GlRenderer::let_in(const Pause& pause) {

@@ -98,7 +98,9 @@ class GlRenderer {
   Status draw_light(const FurFrame& frame, const Prepared& scene);
   /// Prepares and draws the light of a part, and waits for it.
   Result<Prepared> draw_part(const FurFrame& frame, const std::optional<Area>& part, DrawTimes& times);
-  /// The light of the frame, in pieces where there is a pause. The whole, as it was prepared.
+  /// The light of the frame, or of its crop, at once.
+  Result<Prepared> draw_whole(const FurFrame& frame, DrawTimes& times);
+  /// The same in pieces where there is a pause. The whole, as it was prepared.
   Result<Prepared> draw_in_pieces(const FurFrame& frame, const Pause& pause, DrawTimes& times);
   /// By the fur in them: a small frame is one piece.
   Pieces pieces_of(const FurFrame& frame);

@@ -97,7 +97,7 @@ FurFrame backplate_frame(const FurFrame& frame) {
   constexpr int max_pixels = 2048;  // along a side, of a picture that is larger than its frame
   const int factor = 2 * std::max(frame.width, frame.height) <= max_pixels ? 2 : 1;
   FurFrame open = frame;
-  open.width *= factor, open.height *= factor;
+  open.width *= factor, open.height *= factor, open.crop.reset();
   open.knobs = {};
   open.knobs.scale = 1, open.knobs.self_shadow = false, open.knobs.shadow_maps = false;
   open.knobs.eye_steps = frame.knobs.eye_steps;

@@ -7,6 +7,7 @@
 
 #include "protocol/base/stopwatch.h"
 #include "renderer/finish/finish.h"
+#include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/run_beside.h"
 #include "renderer/marched/field_overlay.h"
@@ -79,8 +80,8 @@ std::optional<Area> MarchedRenderer::draw_changed(const FurFrame& frame, const s
   if (!bake(frame.coat, pause)) return {};
   const float reach = marcher_.reach_of(frame.model);
   const bool same_reach = std::exchange(view.reach, reach) == reach;
-  const Area whole{0, 0, view.light.width, view.light.height};
-  const Area part = shown && same_reach ? changed_area(frame, *shown, view) : whole;
+  const Area whole = drawn_area(frame, {view.light.width, view.light.height});
+  const Area part = shown && same_reach ? common_area(changed_area(frame, *shown, view), whole) : whole;
   if (part.pixels() == 0 || draw_area(frame, part, pause, times, view.light, nullptr)) return part;
   return {};
 }
@@ -112,7 +113,7 @@ Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes&
   } catch (const std::bad_alloc&) {
     return no_memory_for_light();
   }
-  const Area whole{0, 0, drawn.light.width, drawn.light.height};
+  const Area whole = drawn_area(frame, {drawn.light.width, drawn.light.height});
   if (!bake(frame.coat, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels)) return given_up();
   return drawn;
 }

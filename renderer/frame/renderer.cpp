@@ -5,9 +5,27 @@
 
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/draw_times.h"
+#include "renderer/image/cropped.h"
 #include "renderer/marched/field_overlay.h"
 
 namespace pelage {
+
+namespace {
+
+/// A frame's crop of a picture of the frame's size; all of it without one.
+template <class Picture>
+Picture crop_of(const FurFrame& frame, Picture whole) {
+  if (!frame.crop) return whole;
+  return cropped(whole, frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height);
+}
+
+template <class Picture>
+Result<Picture> crop_of(const FurFrame& frame, Result<Picture> whole) {
+  if (!whole || !frame.crop) return whole;
+  return crop_of(frame, std::move(whole).value());
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererOptions& options) {
   Result<std::unique_ptr<GlRenderer>> passes = GlRenderer::create(gl, options.sorted_bytes);
@@ -52,22 +70,25 @@ Result<Picture> Renderer::draw_by_gl(const FurFrame& frame, DrawTimes* times, co
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  if (!gl_) return marched_.draw(frame, times, pause);
+  if (!gl_) return crop_of(frame, marched_.draw(frame, times, pause));
   return draw_by_gl<Image>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
-    return gl_->draw(frame, overlay, drawn, pause);
+    return crop_of(frame, gl_->draw(frame, overlay, drawn, pause));
   });
 }
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  if (!gl_) return marched_.draw_deep(frame, times, pause);
+  if (!gl_) return crop_of(frame, marched_.draw_deep(frame, times, pause));
   return draw_by_gl<Image16>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
-    return gl_->draw_deep(frame, overlay, drawn, pause);
+    return crop_of(frame, gl_->draw_deep(frame, overlay, drawn, pause));
   });
 }
 
 Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                                     const Pause& pause) {
-  return gl_ ? gl_->draw_aovs(frame, aovs, times, pause) : marched_.draw_aovs(frame, aovs, times, pause);
+  auto images = gl_ ? gl_->draw_aovs(frame, aovs, times, pause) : marched_.draw_aovs(frame, aovs, times, pause);
+  if (!images || !frame.crop) return images;
+  for (FloatImage& image : *images) image = crop_of(frame, std::move(image));
+  return images;
 }
 
 Result<Backplate> Renderer::draw_backplate(const FurFrame& frame, DrawTimes* times) {
@@ -75,11 +96,11 @@ Result<Backplate> Renderer::draw_backplate(const FurFrame& frame, DrawTimes* tim
 }
 
 Result<Image> Renderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
-  return marched_.finish(frame, light, times);
+  return crop_of(frame, marched_.finish(frame, light, times));
 }
 
 Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
-  return marched_.finish_deep(frame, light, times);
+  return crop_of(frame, marched_.finish_deep(frame, light, times));
 }
 
 void Renderer::clear_view_cache() { marched_.clear_view_cache(); }

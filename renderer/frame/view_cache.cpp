@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -56,21 +55,6 @@ void add_changes(const CurveStrips& strips, const CurveStrips& other, const Ball
   }
 }
 
-/// One pixel more on each side for what was rounded.
-glm::ivec2 pixels_of(float low, float high, int pixels) {
-  const auto pixel = [&](float clip) {
-    return std::clamp((clip * 0.5f + 0.5f), 0.0f, 1.0f) * static_cast<float>(pixels);
-  };
-  return {std::max(0, static_cast<int>(pixel(low)) - 1), std::min(pixels, static_cast<int>(pixel(high)) + 2)};
-}
-
-// The cubic of Catmull and Rom reads two pixels to each side.
-glm::ivec2 finished_range(int begin, int length, int light, int picture) {
-  const double scale = static_cast<double>(picture) / light;
-  return {std::max(0, static_cast<int>(std::floor((begin - 2) * scale)) - 1),
-          std::min(picture, static_cast<int>(std::ceil((begin + length + 2) * scale)) + 1)};
-}
-
 }  // namespace
 
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
@@ -81,18 +65,6 @@ std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& no
   add_changes(old, other, boxes, all);
   add_changes(other, old, boxes, all);
   return all;
-}
-
-Area area_of(const std::optional<ClipBox>& box, int width, int height) {
-  if (!box) return {};
-  const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
-  return {across.x, height - up.y, across.y - across.x, up.y - up.x};
-}
-
-Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture) {
-  const glm::ivec2 across = finished_range(area.left, area.width, light.x, picture.x);
-  const glm::ivec2 down = finished_range(area.top, area.height, light.y, picture.y);
-  return {across.x, down.x, across.y - across.x, down.y - down.x};
 }
 
 CachedView ViewCache::take(const FurFrame& frame, int format) {

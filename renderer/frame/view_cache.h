@@ -10,7 +10,6 @@
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/passes/sorted/sorted_pass.h"
 #include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
@@ -60,11 +59,5 @@ class ViewCache {
 
 /// The part of the picture where curves are not, or do not look, the same in both frames.
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);
-
-/// The pixels that the box touches; no pixels for no box.
-Area area_of(const std::optional<ClipBox>& box, int width, int height);
-
-/// The pixels of a finished picture that an area of its light touches.
-Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture);
 
 }  // namespace pelage

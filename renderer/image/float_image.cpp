@@ -1,15 +1,11 @@
 #include "renderer/image/float_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <string_view>
 
 #include "protocol/base/colour_space.h"
@@ -109,28 +105,16 @@ struct ReadFile {
 };
 
 Result<ReadFile> read_file(std::span<const std::byte> bytes, std::size_t max_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const PictureFormat format = format_of(text);
-  if (format == PictureFormat::unknown) return unreadable("it is neither PNG, JPEG, EXR nor HDR.");
-  if (is_cut_off(format, text)) return unreadable("it is cut off.");
-
-  const char* name = name_of(format);
-  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(bytes.data()), bytes.size());
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
-  if (!input) return unreadable(reason_of(OIIO::geterror()));
-  OIIO::ImageSpec spec;
-  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return unreadable(reason_of(input->geterror()));
-  if (Status status = check_size(spec, max_pixels); !status.ok()) return status;
-
-  input->threads(1);
-  const bool named = format == PictureFormat::exr || spec.nchannels > 4;
+  constexpr std::array wanted{PictureFormat::png, PictureFormat::jpeg, PictureFormat::exr, PictureFormat::hdr};
+  Result<OpenPicture> file = open_picture(bytes, wanted, max_pixels);
+  if (!file) return file.status();
+  OIIO::ImageSpec& spec = file->spec;
+  const bool named = file->format == PictureFormat::exr || spec.nchannels > 4;
   const Places places = named ? places_by_name(spec.channelnames) : places_by_count(spec.nchannels);
   if (!has_colour(places)) return unreadable("it has no channels R, G and B, nor Y.");
   FloatImage image{spec.width, spec.height, std::vector<float>(spec.image_pixels() * 4, 1.0f)};
-  if (Status status = read_channels(*input, places, image); !status.ok()) return status;
-  return ReadFile{format, std::move(spec), std::move(image)};
+  if (Status status = read_channels(*file->input, places, image); !status.ok()) return status;
+  return ReadFile{file->format, std::move(spec), std::move(image)};
 }
 
 }  // namespace
@@ -163,8 +147,10 @@ OIIO::TypeDesc type_of(ExrSample sample) {
   return sample == ExrSample::half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
 }
 
-OIIO::ImageSpec exr_spec(int width, int height, std::span<const ExrPlane> planes, std::span<const ImageText> texts) {
-  OIIO::ImageSpec spec(width, height, static_cast<int>(planes.size()), OIIO::TypeDesc::FLOAT);
+OIIO::ImageSpec exr_spec(const ExrWindow& window, std::span<const ExrPlane> planes, std::span<const ImageText> texts) {
+  OIIO::ImageSpec spec(window.width, window.height, static_cast<int>(planes.size()), OIIO::TypeDesc::FLOAT);
+  spec.x = window.left, spec.y = window.top;
+  if (window.full_width > 0) spec.full_width = window.full_width, spec.full_height = window.full_height;
   spec.channelnames.clear();
   for (const ExrPlane& plane : planes) {
     spec.channelnames.push_back(plane.channel);
@@ -221,9 +207,9 @@ std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample,
   return planes;
 }
 
-std::string encode_exr(int width, int height, std::span<const ExrPlane> planes, std::span<const ImageText> texts) {
-  assert(width > 0 && height > 0);
-  const OIIO::ImageSpec spec = exr_spec(width, height, planes, texts);
+std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes, std::span<const ImageText> texts) {
+  assert(window.width > 0 && window.height > 0);
+  const OIIO::ImageSpec spec = exr_spec(window, planes, texts);
   assert(are_whole(spec.image_pixels(), planes));
   return write_picture(PictureFormat::exr, spec, OIIO::TypeDesc::UNKNOWN, native_pixels(spec, planes).data());
 }

@@ -59,8 +59,16 @@ struct ExrPlane {
 /// R, G, B and A of interleaved RGBA; with an AOV's name their names are "AOV.R" and so on.
 std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& aov = {});
 
+/// The pixels of an EXR (its data window), and the whole that they are a part of (its display window): 0 for no more
+/// than they.
+struct ExrWindow {
+  int width = 0, height = 0, left = 0, top = 0;
+  int full_width = 0, full_height = 0;
+};
+
 /// An EXR with these channels, zip compressed (lossless); the same input gives the same bytes. Finite numbers beyond
 /// the range of half are held at its largest; NaN and infinity stay.
-std::string encode_exr(int width, int height, std::span<const ExrPlane> planes, std::span<const ImageText> texts = {});
+std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes,
+                       std::span<const ImageText> texts = {});
 
 }  // namespace pelage

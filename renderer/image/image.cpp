@@ -1,9 +1,9 @@
 #include "renderer/image/image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -34,6 +34,17 @@ bool is_png_cut_off(std::string_view bytes) {
 bool is_jpeg_cut_off(std::string_view bytes) {
   const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
   return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
+}
+
+/// "PNG, JPEG nor EXR".
+std::string list_of(std::span<const PictureFormat> formats) {
+  constexpr std::array names{"unknown", "PNG", "JPEG", "EXR", "HDR"};
+  std::string list;
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (i > 0) list += i + 1 < formats.size() ? ", " : " nor ";
+    list += names.at(static_cast<std::size_t>(formats[i]));
+  }
+  return list;
 }
 
 }  // namespace
@@ -78,6 +89,34 @@ Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
                       " pixels; at most " + std::to_string(max_pixels) + " are allowed.");
   }
   return {};
+}
+
+Result<OpenPicture> open_picture(std::span<const std::byte> bytes, std::span<const PictureFormat> wanted,
+                                 std::size_t max_pixels) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  OpenPicture picture;
+  picture.format = format_of(text);
+  if (std::find(wanted.begin(), wanted.end(), picture.format) == wanted.end())
+    return unreadable("it is neither " + list_of(wanted) + ".");
+  if (is_cut_off(picture.format, text)) return unreadable("it is cut off.");
+  const char* name = name_of(picture.format);
+  picture.source = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(bytes.data()), bytes.size());
+  OIIO::ImageSpec wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  picture.input = OIIO::ImageInput::create(name, false, nullptr, picture.source.get());
+  if (!picture.input) return unreadable(reason_of(OIIO::geterror()));
+  OIIO::ImageInput& input = *picture.input;
+  if (!input.set_ioproxy(picture.source.get()) || !input.open(name, picture.spec, wishes))
+    return unreadable(reason_of(input.geterror()));
+  if (Status status = check_size(picture.spec, max_pixels); !status.ok()) return status;
+  input.threads(1);
+  return picture;
+}
+
+std::string text_in_picture(std::span<const std::byte> bytes, const std::string& key) {
+  constexpr std::array wanted{PictureFormat::png, PictureFormat::exr};
+  const Result<OpenPicture> file = open_picture(bytes, wanted, std::numeric_limits<std::size_t>::max());
+  return file ? std::string(file->spec.get_string_attribute(key)) : std::string();
 }
 
 std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
@@ -144,27 +183,15 @@ std::string encode_jpeg(const Image& image, int quality) {
 }
 
 Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const PictureFormat format = format_of(text);
-  if (format != PictureFormat::png && format != PictureFormat::jpeg) return unreadable("it is neither PNG nor JPEG.");
-  if (is_cut_off(format, text)) return unreadable("it is cut off.");
-
-  const char* name = name_of(format);
-  OIIO::Filesystem::IOMemReader source(const_cast<std::byte*>(bytes.data()), bytes.size());
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::create(name, false, nullptr, &source);
-  if (!input) return unreadable(reason_of(OIIO::geterror()));
-  OIIO::ImageSpec spec;
-  if (!input->set_ioproxy(&source) || !input->open(name, spec, wishes)) return unreadable(reason_of(input->geterror()));
-  if (Status status = check_size(spec, max_pixels); !status.ok()) return status;
+  constexpr std::array wanted{PictureFormat::png, PictureFormat::jpeg};
+  const Result<OpenPicture> file = open_picture(bytes, wanted, max_pixels);
+  if (!file) return file.status();
+  const OIIO::ImageSpec& spec = file->spec;
   if (spec.nchannels > 4) return unreadable("it has an unknown number of channels.");
-
-  input->threads(1);
   std::vector<std::uint8_t> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()) || input->has_error()) {
-    return unreadable(reason_of(input->geterror()));
-  }
+  OIIO::ImageInput& input = *file->input;
+  if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()) || input.has_error())
+    return unreadable(reason_of(input.geterror()));
   return Image{spec.width, spec.height, to_rgba(pixels, static_cast<std::size_t>(spec.nchannels))};
 }
 

@@ -1,10 +1,12 @@
 // What the readers and writers of pictures share: the kind of a file by its first bytes, and clear refusals.
 #pragma once
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +35,21 @@ std::string reason_of(const std::string& text);
 
 /// Refuses pictures without pixels, with depth, or with more than `max_pixels`.
 Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels);
+
+/// A picture in memory whose pixels are still to be read.
+struct OpenPicture {
+  PictureFormat format = PictureFormat::unknown;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> source;
+  std::unique_ptr<OIIO::ImageInput> input;  // reads on one thread; alpha is straight where the file has it so
+  OIIO::ImageSpec spec;
+};
+
+/// Refused (invalid) when it is of another format than `wanted`, broken, or over `max_pixels`. The bytes outlive it.
+Result<OpenPicture> open_picture(std::span<const std::byte> bytes, std::span<const PictureFormat> wanted,
+                                 std::size_t max_pixels);
+
+/// What the file of a PNG or an EXR keeps under a key; "" for nothing, and for what cannot be read.
+std::string text_in_picture(std::span<const std::byte> bytes, const std::string& key);
 
 /// The file of these pixels, rows from the top; `type` is theirs, UNKNOWN for the specification's own.
 std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,

@@ -168,6 +168,7 @@ struct FurFrame {
   std::vector<FurSkinRegion> skin;  // at most 64, those of the last sync
   FurCamera camera;
   int width = 0, height = 0;
+  std::optional<Crop> crop = {};  // the pixels that are drawn; the picture has their size
   Knobs knobs;
   Background background = Background::colour;
   glm::vec3 background_colour{0};  // linear

@@ -55,7 +55,17 @@ std::size_t Film::bytes(int width, int height, std::span<const Aov> aovs, bool f
   return each * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-Film::Film(int width, int height, std::span<const Aov> aovs, bool filter) : width_(width), height_(height) {
+Film::Film(int width, int height, std::span<const Aov> aovs, bool filter, const std::optional<Crop>& crop)
+    : width_(width), height_(height) {
+  const Crop wanted = crop.value_or(Crop{0, 0, width, height});
+  const int beside = filter ? filter_margin : 0;  // pixels that the filter reads around the crop
+  const int tile_count = tiles_across() * ((height + tile - 1) / tile);
+  for (int number = 0; number < tile_count; ++number) {
+    const TileBox box = box_of(number);
+    if (box.right > wanted.left - beside && box.left < wanted.left + wanted.width + beside &&
+        box.bottom > wanted.top - beside && box.top < wanted.top + wanted.height + beside)
+      tiles_.push_back(number);
+  }
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::array<bool, part_count> parts = parts_of(aovs, filter);
   samples_.resize(pixels);
@@ -89,9 +99,20 @@ void Film::add(int x, int y, const FilmSample& s) {
 int Film::samples(int x, int y) const { return static_cast<int>(samples_[index(x, y)]); }
 
 double Film::mean_samples() const {
-  double sum = 0;
-  for (const std::uint32_t count : samples_) sum += count;
-  return samples_.empty() ? 0 : sum / static_cast<double>(samples_.size());
+  double sum = 0, pixels = 0;
+  for (const int number : tiles_) {
+    const TileBox box = box_of(number);
+    for (int y = box.top; y < box.bottom; ++y) {
+      for (int x = box.left; x < box.right; ++x) sum += samples_[index(x, y)];
+    }
+    pixels += static_cast<double>(box.right - box.left) * (box.bottom - box.top);
+  }
+  return pixels > 0 ? sum / pixels : 0;
+}
+
+Film::TileBox Film::box_of(int number) const {
+  const int left = number % tiles_across() * tile, top = number / tiles_across() * tile;
+  return {left, top, std::min(left + tile, width_), std::min(top + tile, height_)};
 }
 
 glm::vec3 Film::colour(Part part, std::size_t pixel) const {
@@ -111,8 +132,7 @@ double Film::shown_error(std::size_t pixel, double exposure) const {
 }
 
 Film::Noise Film::judge(int number, double exposure) const {
-  const int left = number % tiles_across() * tile, top = number / tiles_across() * tile;
-  const int right = std::min(left + tile, width_), bottom = std::min(top + tile, height_);
+  const auto [left, top, right, bottom] = box_of(number);
   Noise noise{0, (right - left) * (bottom - top), false};
   if (means_[spread].empty()) noise.sum = infinity;
   for (int y = top; y < bottom && noise.sum < infinity; ++y) {
@@ -132,7 +152,7 @@ double Film::noise(int number, double exposure) const {
 
 double Film::noise(double exposure) const {
   Noise all;
-  for (int number = 0; number < tile_count(); ++number) {
+  for (const int number : tiles_) {
     const Noise noise = judge(number, exposure);
     if (!noise.seen && noise.sum < infinity) continue;
     all.sum += noise.sum;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,16 +34,18 @@ class Film {
 
   /// Bytes that a film of this size takes.
   static std::size_t bytes(int width, int height, std::span<const Aov> aovs, bool filter);
-  Film(int width, int height, std::span<const Aov> aovs, bool filter);
+  /// With a crop, only the tiles that its pixels are made of are added to.
+  Film(int width, int height, std::span<const Aov> aovs, bool filter, const std::optional<Crop>& crop = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
   int tiles_across() const { return (width_ + tile - 1) / tile; }
-  int tile_count() const { return tiles_across() * ((height_ + tile - 1) / tile); }
+  /// Numbers of the tiles that are added to, ascending.
+  std::span<const int> tiles() const { return tiles_; }
 
   void add(int x, int y, const FilmSample& sample);
   int samples(int x, int y) const;  // so far
-  double mean_samples() const;
+  double mean_samples() const;      // of a pixel of the tiles
 
   /// Estimated mean absolute error of a shown channel (sRGB of the filmic tone mapped mean, [0, 1]) over a tile's
   /// pixels: from the spread of each pixel's samples; infinity where a pixel has fewer than 4, or for a film without
@@ -68,18 +71,23 @@ class Film {
     int pixels = 0;
     bool seen = false;
   };
+  struct TileBox {
+    int left, top, right, bottom;
+  };
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   glm::vec3 colour(Part part, std::size_t pixel) const;
   double shown_error(std::size_t pixel, double exposure) const;
+  TileBox box_of(int tile) const;
   Noise judge(int tile, double exposure) const;
   bool can_filter() const;
   FloatImage filtered_beauty() const;
   glm::vec4 aov_at(Aov aov, std::size_t pixel) const;
 
   int width_, height_;
+  std::vector<int> tiles_;
   std::vector<std::uint32_t> samples_;
   std::array<std::vector<float>, part_count> means_;  // spread: of the squared luminance about its mean
 };

@@ -12,8 +12,9 @@ namespace pelage {
 
 namespace {
 
-constexpr int farthest = 6;           // pixels that light comes from at 1 sample
-constexpr int margin = farthest + 3;  // and more for silhouettes, and for windows that touch a pixel
+constexpr int farthest = 6;            // pixels that light comes from at 1 sample
+constexpr int margin = filter_margin;  // and more for silhouettes, and for windows that touch a pixel
+static_assert(margin == farthest + 3);
 constexpr int band_rows = 32;
 constexpr int block_pixels = 32;     // pixels of a row that are worked on together
 constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights

@@ -13,6 +13,9 @@ namespace pelage {
 /// From so many samples a pixel on, nothing is changed.
 inline constexpr std::uint32_t filtered_samples = 64;
 
+/// Pixels to each side that a filtered pixel follows from.
+inline constexpr int filter_margin = 9;
+
 /// Means over a pixel's samples, rows from the top. Features are multiplied by body, depth is with the share of samples
 /// that hit something.
 struct FilterSource {

@@ -67,8 +67,8 @@ struct Tracer::Impl {
   std::optional<StrandShading> shading;
   std::optional<TraceScene> scene;
   std::optional<Film> film;
-  std::vector<char> active;  // by tile
-  bool blurred = false;      // strands move while the shutter is open
+  std::vector<int> active;  // tiles of the film that still need samples
+  bool blurred = false;     // strands move while the shutter is open
   TraceReport report;
 };
 
@@ -99,8 +99,8 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   if (!change) return change.status();
   if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);
   tracer.scene.emplace(frame, std::move(base), *tracer.shading);
-  tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter);
-  tracer.active.assign(static_cast<std::size_t>(tracer.film->tile_count()), 1);
+  tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter, frame.crop);
+  tracer.active.assign(tracer.film->tiles().begin(), tracer.film->tiles().end());
   tracer.blurred = !fields.closing.empty();
   tracer.report.strands = change->strands;
   tracer.report.grow_ms = passed.milliseconds();
@@ -136,12 +136,11 @@ void Tracer::Impl::judge() {
   const Tracing& trace = scene->frame().knobs.trace;
   report.samples = film->mean_samples();
   report.noise = film->noise(scene->frame().exposure);
-  bool any = false;
-  for (std::size_t i = 0; i < active.size(); ++i) {
-    active[i] = still_noisy(static_cast<int>(i));
-    any = any || active[i];
+  active.clear();
+  for (const int tile : film->tiles()) {
+    if (still_noisy(tile)) active.push_back(tile);
   }
-  if (!any)
+  if (active.empty())
     report.end = TraceEnd::noise;
   else if (report.passes >= trace.passes)
     report.end = TraceEnd::passes;
@@ -153,10 +152,7 @@ Status Tracer::add_pass(const GoOn& go_on) {
   Impl& tracer = *impl_;
   if (tracer.report.end != TraceEnd::none) return {};
   const Stopwatch passed;
-  std::vector<int> tiles;
-  for (std::size_t i = 0; i < tracer.active.size(); ++i) {
-    if (tracer.active[i]) tiles.push_back(static_cast<int>(i));
-  }
+  const std::vector<int>& tiles = tracer.active;
   const bool whole =
       for_each_piece(tracer.workers, tiles.size(), [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
   tracer.report.trace_ms += passed.milliseconds();

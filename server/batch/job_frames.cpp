@@ -9,6 +9,7 @@
 #include "protocol/json/encode.h"
 #include "renderer/pattern/pattern.h"
 #include "server/batch/frame_range.h"
+#include "server/batch/tiles.h"
 #include "server/batch/turntable.h"
 #include "server/scene/digest.h"
 
@@ -69,11 +70,17 @@ class Planner {
                    .model = {},
                    .moments = nullptr,
                    .file = pattern_.file(number),
-                   .fingerprint = {}};
+                   .fingerprint = {},
+                   .tiles = {}};
     if (Status moves = move(frame); !moves.ok()) return moves;
     const Result<std::string> swing = moments_ ? moments_->identity_of_swing(number) : std::string();
     if (!swing) return swing.status();
     frame.fingerprint = fingerprint_of(frame, *swing);
+    if (job_.tiles) {
+      Result<std::vector<JobTile>> tiles = tiles_of(*job_.tiles, frame);
+      if (!tiles) return tiles.status();
+      frame.tiles = std::move(*tiles);
+    }
     return frame;
   }
 
@@ -178,6 +185,10 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
                    "/turntable/turns", "camera");
   if (job.time_lapse && job.motion)
     return failure(Code::invalid, "A time lapse shows a model at rest.", "/motion", "without time_lapse");
+  const int tile_count = job.tiles ? job.tiles->columns * job.tiles->rows : 0;
+  if (part.tile < 0 || part.tile > tile_count)
+    return failure(Code::invalid, "The job has no tile " + std::to_string(part.tile) + ".", "/tiles",
+                   tile_count > 0 ? "[1, " + std::to_string(tile_count) + "]" : "a job with tiles");
   const Result<std::vector<int>> all = parse_frames(job.frames);
   if (!all) return all.status();
   const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);

@@ -14,6 +14,14 @@
 
 namespace pelage {
 
+/// A part of a frame that is drawn by itself into a file beside the frame's.
+struct JobTile {
+  int number = 1;  // from 1, row by row from the top left
+  Crop crop;
+  std::string file;
+  std::string fingerprint;  // of the frame and of the part
+};
+
 struct JobFrame {
   int number = 0;
   FrameRequest request;
@@ -21,18 +29,20 @@ struct JobFrame {
   std::optional<ModelMoment> model;             // where the model moves
   std::shared_ptr<const ModelMoments> moments;  // of all frames; null where `model` is none
   std::string file;
-  std::string fingerprint;  // of all that the picture follows from, 32 hex digits
+  std::string fingerprint;     // of all that the picture follows from, 32 hex digits
+  std::vector<JobTile> tiles;  // that it is drawn in; none where it is drawn at once
 };
 
 /// Which part of a job one process draws.
 struct JobPart {
   std::string frames = {};  // "" for all of the job's
   std::string output = {};  // in place of the job's; "" for that
+  int tile = 0;             // of each frame; 0 for all
 };
 
 /// The frames of the part, in the order in which they are named, all of them checked. `folder` is where the job's file
 /// lies. Refused (invalid) with the pointer into the job or the parameter; a frame of the part that the job does not
-/// have, with "/frames".
+/// have, with "/frames"; a tile, with "/tiles". Each frame names all of its tiles, whatever the part.
 Result<std::vector<JobFrame>> plan_job(const RenderJob& job, const JobPart& part, const std::string& folder,
                                        const Scene& scene);
 

@@ -39,6 +39,9 @@ Result<std::shared_ptr<Scene>> open_scene(SceneStore& store, const RenderJob& jo
     request.name = "job", request.model = *job.builtin;
     return store.create(request);
   }
+  if (job.scene.find("://") != std::string::npos)
+    return with_next(failure(Code::invalid, "pelage-render reads files alone.", "/scene", "a file"),
+                     "submit the job with `pelage farm submit`, or get the scene with `pelage farm pack`");
   const std::filesystem::path asked(job.scene);
   const std::string path = (asked.is_absolute() ? asked : std::filesystem::path(folder) / asked).string();
   const Result<std::string> bytes = read_file(path);

@@ -11,6 +11,7 @@
 #include <new>
 #include <thread>
 
+#include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/batch/render_job.h"
 #include "server/scene/scene_memory.h"
@@ -38,6 +39,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--scene", options.scene, "File of the scene, in place of the job's");
   app.add_option("--frames", options.part.frames,
                  "Part of the job's frames to draw: 1-100, 1-100x5 or 1,4,9; a colon is a step too");
+  app.add_option("--tile", options.part.tile,
+                 "Number of the tile to draw of each frame, from 1; the job's `tiles` say how many there are")
+      ->check(CLI::Range(1, limits::job_tiles * limits::job_tiles));
   app.add_option("--output", options.part.output, "Files to write, in place of the job's, as out/fox.####.png");
   app.add_flag("--skip-existing", options.draw.skip_existing,
                "Leave frames whose file is whole and of the same scene, frame, settings and version");
@@ -56,6 +60,7 @@ void declare(CLI::App& app, Options& options) {
       "Examples:\n"
       "  pelage-render fox.json --frames 1-20\n"
       "  pelage-render fox.json --scene fox.pelage --skip-existing\n"
+      "  pelage-render fox.json --frames 12 --tile 3\n"
       "  pelage-render fox.json --check --measure 3\n"
       "Exit codes: 0 done, 1 failed, 2 wrong use, 3 the job or its scene was refused, 4 no GL, 33 out of memory, "
       "143 stopped.");
@@ -117,6 +122,24 @@ Result<double> measured_seconds(JobRenderer& renderer, const std::vector<JobFram
   return seconds;
 }
 
+/// A file that will be drawn.
+std::string text_of(const std::string& file, const std::string& fingerprint, int width, int height) {
+  return fmt::format("\"file\": {}, \"fingerprint\": \"{}\", \"width\": {}, \"height\": {}", json_text(file),
+                     fingerprint, width, height);
+}
+
+std::string text_of(const JobFrame& frame) {
+  const FrameRequest& request = frame.request;
+  const glm::ivec2 size =
+      request.crop ? glm::ivec2(request.crop->width, request.crop->height) : glm::ivec2(request.width, request.height);
+  std::string tiles;
+  for (const JobTile& tile : frame.tiles)
+    tiles +=
+        (tiles.empty() ? "{" : ", {") + text_of(tile.file, tile.fingerprint, tile.crop.width, tile.crop.height) + "}";
+  return fmt::format("{{\"frame\": {}, {}, \"tiles\": [{}]}}", frame.number,
+                     text_of(frame.file, frame.fingerprint, size.x, size.y), tiles);
+}
+
 int print_check(const RenderJob& job, const Options& options, const JobScene& scene,
                 const std::vector<JobFrame>& frames, FarmLog& log) {
   std::optional<double> seconds;
@@ -128,11 +151,7 @@ int print_check(const RenderJob& job, const Options& options, const JobScene& sc
     seconds = *measured;
   }
   std::string list;
-  for (const JobFrame& frame : frames) {
-    list += fmt::format("{}\n  {{\"frame\": {}, \"file\": {}, \"fingerprint\": \"{}\", \"width\": {}, \"height\": {}}}",
-                        list.empty() ? "" : ",", frame.number, json_text(frame.file), frame.fingerprint,
-                        frame.request.width, frame.request.height);
-  }
+  for (const JobFrame& frame : frames) list += (list.empty() ? "\n  " : ",\n  ") + text_of(frame);
   fmt::print("{{{}\"fps\": {}, \"frames\": [{}\n]}}\n",
              seconds ? fmt::format("\"seconds_per_frame\": {:.4f}, ", *seconds) : "", job.fps, list);
   return done;
@@ -150,7 +169,9 @@ int render(const Options& options, FarmLog& log) {
   const auto frames = plan_job(*job, options.part, folder, *scene->scene());
   if (!frames) return fail(log, frames.status());
   if (options.check) return print_check(*job, options, *scene, *frames, log);
-  const auto renderer = JobRenderer::start(*scene, job->fps, options.draw);
+  DrawOptions draw = options.draw;
+  draw.tile = options.part.tile;
+  const auto renderer = JobRenderer::start(*scene, job->fps, draw);
   if (!renderer) return fail(log, renderer.status(), no_gl);
   const Result<JobOutcome> outcome = (*renderer)->draw(*frames, log, stopped);
   return outcome ? done : fail(log, outcome.status());

@@ -24,8 +24,6 @@ namespace pelage {
 
 namespace {
 
-constexpr const char* fingerprint_key = "pelage/fingerprint";
-
 Status cannot_write(const std::string& path, int error) {
   return with_next(failure(Code::internal, path + " cannot be written: " + std::strerror(error) + "."),
                    "see that its folder can be written and has room");
@@ -83,19 +81,19 @@ bool is_drawn(const std::string& path, const std::string& fingerprint) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return false;
   constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
-  const auto picture = decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_key);
+  const auto picture = decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_text);
   return picture && picture->text == fingerprint;
 }
 
-std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer, const SceneSummary& scene, double fps,
-                                double seconds) {
+std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
+                                double fps, double seconds) {
   std::vector<ImageText> texts{{"Software", "pelage-render " PELAGE_VERSION},
                                {"pelage/frame", std::to_string(frame.number)},
                                {"pelage/revision", std::to_string(frame.request.revision.value_or(scene.revision))},
                                {"pelage/fieldsHash", to_hex(scene.fields_hash)},
-                               {"pelage/quality", encode(answer.knobs)},
+                               {quality_text, quality},
                                {"pelage/camera", text_of(frame.request.camera)},
-                               {fingerprint_key, frame.fingerprint}};
+                               {fingerprint_text, frame.fingerprint}};
   if (frame.request.format != FrameFormat::exr) {
     texts.push_back({"pelage/request", encode(frame.request)});  // ffmpeg 5.1 loses its way in so long a text of an EXR
     return texts;
@@ -104,7 +102,7 @@ std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer
   texts.push_back({"DateTime", fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(now))});
   texts.push_back({"HostComputer", host_name()});
   texts.push_back({frame_rate_text, ratio_of(fps)});
-  texts.push_back({"pelage/renderTime", fmt::format("{:.3f}", seconds)});
+  texts.push_back({render_time_text, fmt::format("{:.3f}", seconds)});
   return texts;
 }
 

@@ -18,9 +18,15 @@ Status write_whole(const std::string& path, std::string_view bytes);
 /// Whether the file is a whole picture with this fingerprint.
 bool is_drawn(const std::string& path, const std::string& fingerprint);
 
-/// What a frame's file says of it. `scene` is as it was before keyframes; `seconds` is what drawing took. An EXR has
+/// Keys of what a frame's file says of it.
+inline constexpr const char* fingerprint_text = "pelage/fingerprint";
+inline constexpr const char* quality_text = "pelage/quality";
+inline constexpr const char* render_time_text = "pelage/renderTime";  // seconds; of an EXR
+
+/// What a frame's file says of it. `quality`: the knobs that it was drawn with, JSON. `scene` is as it was before
+/// keyframes; `seconds` is what drawing took. An EXR has
 /// these, the time and the machine too; a PNG has the same bytes whenever it is drawn.
-std::vector<ImageText> texts_of(const JobFrame& frame, const FrameAnswer& answer, const SceneSummary& scene, double fps,
-                                double seconds);
+std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
+                                double fps, double seconds);
 
 }  // namespace pelage

@@ -1,7 +1,9 @@
 #include "server/batch/render_job.h"
 
 #include "protocol/base/stopwatch.h"
+#include "protocol/json/encode.h"
 #include "server/batch/output_file.h"
+#include "server/batch/tiles.h"
 #include "server/frames/scene_tracer.h"
 #include "server/import/import.h"
 
@@ -80,8 +82,28 @@ Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
   return history_->at(frame.number, frame.request.time.value_or(frame.number / fps_));
 }
 
-Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::function<bool()>& stopped) {
+JobRenderer::Piece JobRenderer::whole_of(const JobFrame& frame) {
+  return {frame, frame.file, frame.fingerprint, frame.request.crop};
+}
+
+JobRenderer::Piece JobRenderer::piece_of(const JobFrame& frame, const JobTile& tile) {
+  return {frame, tile.file, tile.fingerprint, tile.crop};
+}
+
+std::vector<JobRenderer::Piece> JobRenderer::pieces_of(const std::vector<JobFrame>& frames) const {
+  std::vector<Piece> pieces;
+  for (const JobFrame& frame : frames) {
+    if (frame.tiles.empty()) pieces.push_back(whole_of(frame));
+    for (const JobTile& tile : frame.tiles) {
+      if (options_.tile == 0 || options_.tile == tile.number) pieces.push_back(piece_of(frame, tile));
+    }
+  }
+  return pieces;
+}
+
+Result<FrameAnswer> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
   const Stopwatch passed;
+  const JobFrame& frame = piece.frame;
   if (!frame.settings.empty()) {
     const Result<CommandAnswer> set = scene_->execute(frame.settings);
     if (!set) return set.status();
@@ -89,33 +111,59 @@ Result<FrameAnswer> JobRenderer::picture(const JobFrame& frame, const std::funct
   if (frame.model) {
     if (Status stands = stand(frame); !stands.ok()) return stands;
   }
-  return pictures_.frame(scene_, frame.request, stopped, [&](const FrameAnswer& answer) {
-    return texts_of(frame, answer, summary_, fps_, passed.milliseconds() / 1e3);
+  FrameRequest request = frame.request;
+  request.crop = piece.crop;
+  return pictures_.frame(scene_, request, stopped, [&](const FrameAnswer& answer) {
+    std::vector<ImageText> texts = texts_of(frame, encode(answer.knobs), summary_, fps_, passed.milliseconds() / 1e3);
+    for (ImageText& text : texts) {
+      if (text.key == fingerprint_text) text.value = piece.fingerprint;
+    }
+    return texts;
   });
 }
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
   const Stopwatch passed;
-  const Result<FrameAnswer> answer = picture(frame, stopped);
+  const bool cut = !frame.tiles.empty();
+  const Result<FrameAnswer> answer =
+      picture(cut ? piece_of(frame, frame.tiles[frame.tiles.size() / 2]) : whole_of(frame), stopped);
   if (!answer) return stopped() ? stopped_status() : answer.status();
-  return passed.milliseconds() / 1e3;
+  return passed.milliseconds() / 1e3 * (cut ? static_cast<double>(frame.tiles.size()) : 1);
+}
+
+bool JobRenderer::is_there(const Piece& piece) const {
+  const JobFrame& frame = piece.frame;
+  if (frame.tiles.empty() || !is_drawn(frame.file, frame.fingerprint)) return is_drawn(piece.file, piece.fingerprint);
+  remove_tiles(frame);  // of a process that was killed before it could
+  return true;
+}
+
+Status JobRenderer::draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped) {
+  const Result<FrameAnswer> answer = picture(piece, stopped);
+  if (!answer) return stopped() ? stopped_status() : answer.status();
+  if (Status written = write_whole(piece.file, answer->bytes); !written.ok()) return written;
+  log.saved(piece.file);
+  return {};
 }
 
 Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLog& log,
                                      const std::function<bool()>& stopped) {
   JobOutcome outcome;
   const Stopwatch passed;
-  for (const JobFrame& frame : frames) {
+  const std::vector<Piece> pieces = pieces_of(frames);
+  for (const Piece& piece : pieces) {
     if (stopped()) return stopped_status();
-    if (options_.skip_existing && is_drawn(frame.file, frame.fingerprint)) {
-      log.skipped(frame.file), ++outcome.skipped;
-      continue;
+    if (options_.skip_existing && is_there(piece)) {
+      log.skipped(piece.file), ++outcome.skipped;
+    } else {
+      log.begin(piece.frame.number, outcome.drawn + outcome.skipped, pieces.size());
+      if (Status drawn = draw(piece, log, stopped); !drawn.ok()) return drawn;
+      ++outcome.drawn;
     }
-    log.begin(frame.number, outcome.drawn + outcome.skipped, frames.size());
-    const Result<FrameAnswer> answer = picture(frame, stopped);
-    if (!answer) return stopped() ? stopped_status() : answer.status();
-    if (Status written = write_whole(frame.file, answer->bytes); !written.ok()) return written;
-    log.saved(frame.file), ++outcome.drawn;
+    if (piece.frame.tiles.empty()) continue;
+    const Result<bool> merged = merge_tiles(piece.frame, summary_, fps_);
+    if (!merged) return merged.status();
+    if (*merged) log.saved(piece.frame.file);
   }
   log.done(outcome.drawn, outcome.skipped, passed.milliseconds() / 1e3);
   return outcome;

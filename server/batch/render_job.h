@@ -21,9 +21,11 @@ struct DrawOptions {
   GlChoice gl = GlChoice::automatic;
   std::optional<int> device = {};  // of several GPUs
   int threads = 0;                 // 0 for all cores
-  bool skip_existing = false;      // frames whose file has their fingerprint
+  bool skip_existing = false;      // frames and tiles whose file has their fingerprint
+  int tile = 0;                    // of each frame; 0 for all
 };
 
+/// Files: of frames, or of their tiles.
 struct JobOutcome {
   std::size_t drawn = 0, skipped = 0;
 };
@@ -34,17 +36,30 @@ class JobRenderer {
   /// Fails (unavailable) as FrameService::start. The scene outlives it.
   static Result<std::unique_ptr<JobRenderer>> start(const JobScene& scene, double fps, const DrawOptions& options);
 
-  /// Draws all frames and says so in the log. Ends at the first failure, and (unavailable) once `stopped` says so:
+  /// Draws all frames, or their tiles, and says so in the log. Whoever draws the last tile of a frame writes its file
+  /// (merge_tiles). Ends at the first failure, and (unavailable) once `stopped` says so:
   /// every file that was begun is whole or not there.
   Result<JobOutcome> draw(const std::vector<JobFrame>& frames, FarmLog& log, const std::function<bool()>& stopped);
 
-  /// The same of one frame, without a file: the seconds that it took.
+  /// The same of one frame, without a file: the seconds that it took. Of one with tiles by the one in the middle.
   Result<double> measure(const JobFrame& frame, const std::function<bool()>& stopped);
 
  private:
   JobRenderer(const JobScene& scene, double fps, const DrawOptions& options, std::unique_ptr<FrameService> frames,
               std::unique_ptr<YieldGate> gate);
-  Result<FrameAnswer> picture(const JobFrame& frame, const std::function<bool()>& stopped);
+  /// A piece of a frame that has a file of its own; all of it where there are no tiles.
+  struct Piece {
+    const JobFrame& frame;
+    const std::string& file;
+    std::string fingerprint;
+    std::optional<Crop> crop;
+  };
+  static Piece whole_of(const JobFrame& frame);
+  static Piece piece_of(const JobFrame& frame, const JobTile& tile);
+  std::vector<Piece> pieces_of(const std::vector<JobFrame>& frames) const;
+  bool is_there(const Piece& piece) const;
+  Status draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped);
+  Result<FrameAnswer> picture(const Piece& piece, const std::function<bool()>& stopped);
 
   Status stand(const JobFrame& frame);
   Result<RawModel> load(const ModelMoment& moment) const;

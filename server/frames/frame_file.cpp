@@ -4,6 +4,7 @@
 #include <cassert>
 #include <limits>
 
+#include "renderer/image/cropped.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/image/npy.h"
@@ -104,8 +105,9 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
     if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);
   }
   const FloatImage& first = images.front();
-  return request.format == FrameFormat::exr ? encode_exr(first.width, first.height, planes, texts)
-                                            : encode_array(first.width, first.height, planes);
+  if (request.format != FrameFormat::exr) return encode_array(first.width, first.height, planes);
+  const Crop crop = request.crop.value_or(Crop());
+  return encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height}, planes, texts);
 }
 
 }  // namespace
@@ -132,6 +134,14 @@ Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame
   }
   if (request.format == FrameFormat::png16) return drawn(renderer.finish_deep(frame, beauty));
   return drawn(renderer.finish(frame, beauty));
+}
+
+DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& request) {
+  if (!request.crop) return aovs;
+  const Crop& crop = *request.crop;
+  std::vector<FloatImage> parts;
+  for (const FloatImage& aov : aovs) parts.push_back(cropped(aov, crop.left, crop.top, crop.width, crop.height));
+  return parts;
 }
 
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,

@@ -25,6 +25,9 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 
+/// AOVs of a whole frame, as they were traced, for a request that may have a crop.
+DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& request);
+
 /// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and
 /// A of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
 /// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits. PNG and EXR carry the texts.

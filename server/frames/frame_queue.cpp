@@ -24,7 +24,7 @@ double expected_cost(const FrameRequest& request) {
   constexpr double usual_shells = 32;                               // that an error takes
   if (request.budget_ms) return any_frame + *request.budget_ms;
   const Knobs& knobs = request.knobs;
-  const double pixels = static_cast<double>(request.width) * request.height;
+  const double pixels = static_cast<double>(request.width) * request.height * request.drawn_share();
   if (request.max_error) return any_frame + pixels * usual_shells * shell_pixel;
   const double shells = knobs.scale * knobs.scale * knobs.shells;
   return any_frame + pixels * shells * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;

@@ -194,6 +194,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   mark_outdated(job);
   frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
   frame.cost = planner.cost_of(*shown->features, shown->fur);
+  frame.cost.seconds *= job.request.drawn_share();
   if (job.dry_run) return frame;
   if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
   {
@@ -213,7 +214,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   if (!picture) return picture.status();
   frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
   frame.timings.cpu = times.cpu;
-  if (frame.estimate && times.counters.redrawn == 1)
+  if (frame.estimate && times.counters.redrawn == 1 && !job.request.crop)
     planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost());
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
@@ -353,7 +354,7 @@ Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const Fra
                                          const FileTexts& texts) {
   FrameTimings timings = picture.timings;
   const Stopwatch asked;
-  Result<DrawnPicture> finished = DrawnPicture(picture.aovs);
+  Result<DrawnPicture> finished = crop_of(picture.aovs, request);
   if (!is_linear(request.format)) {  // which is light as it was traced
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Stopwatch passed;

@@ -213,7 +213,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
   frame.camera = {glm::vec3(camera.position), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),
                   static_cast<float>(camera.tan_half_fov)};
-  frame.width = request.width, frame.height = request.height;
+  frame.width = request.width, frame.height = request.height, frame.crop = request.crop;
   frame.knobs = request.knobs;
   frame.knobs.scale = rendered_scale(request.knobs, camera, request.height);
   frame.background = request.background, frame.background_colour = request.background_colour;

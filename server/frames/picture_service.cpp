@@ -13,6 +13,7 @@ FrameRequest probe_of(const FrameRequest& request) {
   FrameRequest probe = request;
   probe.width = std::max(1, request.width / probe_reduction),
   probe.height = std::max(1, request.height / probe_reduction);
+  probe.crop.reset();
   probe.knobs.trace.passes = probe_passes;
   probe.knobs.trace.noise = probe.knobs.trace.seconds = 0;
   probe.view.clear();
@@ -23,7 +24,9 @@ FrameRequest probe_of(const FrameRequest& request) {
 FrameCost cost_of(const FrameRequest& request, const FrameRequest& probe, const TraceReport& report) {
   constexpr double safety = 2;  // docs/notes/2026-11-25-models.md
   const Tracing& trace = request.knobs.trace;
-  const auto pixels = [](const FrameRequest& frame) { return static_cast<double>(frame.width) * frame.height; };
+  const auto pixels = [](const FrameRequest& frame) {
+    return static_cast<double>(frame.width) * frame.height * frame.drawn_share();
+  };
   const double pass_ms = report.trace_ms / probe_passes * pixels(request) / pixels(probe);
   const double seconds = (report.grow_ms + trace.passes * pass_ms) / 1e3;
   return {trace.seconds > 0 ? std::min(seconds, trace.seconds) : seconds, safety};

@@ -32,7 +32,7 @@ struct Options {
 
 void write_exr(const FloatImage& light, const std::string& path) {
   std::ofstream file(path, std::ios::binary);
-  file << encode_exr(light.width, light.height, rgba_planes(light.rgba, ExrSample::single));
+  file << encode_exr({light.width, light.height}, rgba_planes(light.rgba, ExrSample::single));
   if (!file.flush()) stop("cannot write " + path);
 }
 

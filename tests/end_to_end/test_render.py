@@ -6,12 +6,18 @@ import os
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
 from pathlib import Path
 
+from PIL import Image
+
 from support.server import BIN, REPOSITORY, ServedTest, flood, shared_folder
+
+sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
+from pelage.farm.exr import read_header  # noqa: E402
 
 JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
        "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
@@ -81,6 +87,88 @@ class RenderTest(unittest.TestCase):
         self.render(self.job(), "--frames", "4-6", "--threads", 1)
         self.render(self.job(), "--frames", "3,1,2", "--threads", 2)
         self.assertEqual(self.hashes(), whole)
+
+    def test_tiles_become_the_file_of_the_whole(self):
+        """Of all that is drawn: shells of a scale of their own, traced and filtered strands, 16 bits, transparent ones."""
+        ground = {"op": "set_ground", "ground": {"visible": True}}
+        frames = {
+            "detailed": {"quality": "detailed"}, "draft": {"quality": "draft", "background": "studio", "format": "png16"},
+            "traced": {"quality": {"method": "strands", "trace": {"passes": 3, "noise": 0.01}}, "background": "transparent"},
+        }
+        for name, frame in frames.items():
+            with self.subTest(name):
+                job = {"frames": "2", "commands": [ground], "frame": {"width": 70, "height": 50, **frame}}
+                self.render(self.job(output=f"{name}/#.png", **job))
+                self.render(self.job(output="out/#.png", tiles={"columns": 3, "rows": 2}, **job))
+                self.assertEqual([path.name for path in self.frames()], ["2.png"])
+                for path in self.frames():
+                    self.assertEqual(path.read_bytes(), (self.folder / name / path.name).read_bytes(), path)
+
+    def test_tiles_of_an_exr(self):
+        def pixels(path):
+            with open(path, "rb") as file:
+                return path.read_bytes()[min(read_header(file).offsets):]
+
+        frame = {"width": 70, "height": 50, "aovs": ["beauty", "depth", "normal"]}
+        self.render(self.job(output="whole/#.exr", frames="3", frame=frame))
+        self.render(self.job(output="out/#.exr", frames="3", frame=frame, tiles={"columns": 2, "rows": 2}), "--tile", 1)
+        self.assertEqual([path.name for path in self.frames()], ["3.tile1.exr"])
+        self.render(self.folder / "job.json")
+        self.assertEqual([path.name for path in self.frames()], ["3.exr"])
+        whole, merged = self.folder / "whole" / "3.exr", self.frames()[0]
+        self.assertEqual(pixels(merged), pixels(whole))
+
+    def test_tiles_are_drawn_by_any_number_of_processes_at_a_time(self):
+        job = self.job(frames="1-4", tiles={"columns": 2, "rows": 2}, frame={"width": 64, "height": 64, "quality": "draft"})
+        runs = [subprocess.Popen([BIN / "pelage-render", job, "--tile", str(tile), "--threads", "1"], stdout=subprocess.PIPE, text=True)
+                for tile in (1, 2, 3, 4)]
+        said = "".join(run.communicate(timeout=120)[0] for run in runs)
+        self.assertEqual([run.returncode for run in runs], [0] * 4, said)
+        names = [f"ball.{k:03}.png" for k in range(1, 5)]
+        self.assertEqual([path.name for path in self.frames()], names)
+        for name in names:
+            self.assertGreaterEqual(said.count(f"/{name}'"), 1)
+        whole = self.hashes()
+        self.render(self.job(frames="1-4", frame={"width": 64, "height": 64, "quality": "draft"}))
+        self.assertEqual(self.hashes(), whole)
+
+    def test_only_tiles_that_are_missing_are_drawn_again(self):
+        job = self.job(frames="1-2", tiles={"columns": 2, "rows": 1})
+        self.render(job, "--tile", 2)
+        run = self.render(job, "--skip-existing")
+        self.assertEqual((run.stdout.count("Skipped:"), run.stdout.count("Saved:")), (2, 4), run.stdout)  # 2 tiles, 2 frames
+        leftover = self.folder / "out" / "ball.001.tile2.png"
+        leftover.write_bytes(b"of a process that was killed")
+        run = self.render(job, "--skip-existing")
+        self.assertEqual((run.stdout.count("Skipped:"), run.stdout.count("Saved:")), (4, 0), run.stdout)
+        self.assertFalse(leftover.exists())
+        self.frames()[0].unlink()
+        self.render(job, "--tile", 1)
+        (self.folder / "out" / "ball.001.tile2.png").write_bytes(self.frames()[1].read_bytes())  # is no such tile
+        self.render(job, "--tile", 1, "--skip-existing")
+        self.assertIn("ball.001.tile1.png", [path.name for path in self.frames()])
+        self.render(job, "--skip-existing")
+        self.assertEqual([path.name for path in self.frames()], ["ball.001.png", "ball.002.png"])
+
+    def test_tiles_that_would_not_fit_together_are_refused(self):
+        tiles = {"columns": 2, "rows": 2}
+        for more, pointer in (({"frame": {"budget_ms": 50}}, "/frame/budget_ms"),
+                              ({"frame": {"crop": {"width": 8, "height": 8}}}, "/frame/crop"),
+                              ({"frame": {"quality": {"method": "strands", "trace": {"seconds": 1}}}}, "/frame/quality/trace/seconds"),
+                              ({"frame": {"width": 1}}, "/tiles"), ({"tiles": {"columns": 17}}, "/tiles/columns")):
+            self.assertIn(pointer, self.render(self.job(**{"tiles": tiles, **more}), code=3).stderr)
+        self.assertIn("[1, 4]", self.render(self.job(tiles=tiles), "--tile", 5, code=3).stderr)
+        self.assertIn("a job with tiles", self.render(self.job(), "--tile", 1, code=3).stderr)
+
+    def test_a_crop_is_the_part_of_the_whole(self):
+        frame = {"width": 70, "height": 50, "quality": "draft"}
+        self.render(self.job(output="whole/#.png", frames="3", frame=frame))
+        self.render(self.job(frames="3", frame={**frame, "crop": {"left": 20, "top": 10, "width": 31, "height": 25}}))
+        whole, part = (Image.open(path) for path in (self.folder / "whole" / "3.png", self.frames()[0]))
+        self.assertEqual(part.size, (31, 25))
+        self.assertEqual(part.tobytes(), whole.crop((20, 10, 51, 35)).tobytes())
+        plan = json.loads(self.render(self.folder / "job.json", "--check").stdout)
+        self.assertEqual((plan["frames"][0]["width"], plan["frames"][0]["height"]), (31, 25))
 
     def test_only_what_is_missing_or_stale_is_drawn_again(self):
         self.render(self.job())

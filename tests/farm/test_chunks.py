@@ -4,7 +4,7 @@ import random
 import unittest
 
 import support  # noqa: F401
-from pelage.farm.ranges import MAX_CHUNKS, chunks_of, frames_of, range_of
+from pelage.farm.ranges import MAX_CHUNKS, chunk_from, chunks_of, frames_of, range_of, tiled_chunks_of
 
 
 class Ranges(unittest.TestCase):
@@ -56,6 +56,19 @@ class Chunks(unittest.TestCase):
         self.assertEqual(self.sizes(range(24), 0.1, 120, 8), [3] * 8)
         self.assertEqual(self.sizes(range(3), 0.1, 120, 8), [1] * 3)
         self.assertEqual(self.sizes(range(24), 0.1, 120), [24])
+
+    def test_tiles_are_chunks_of_their_own(self):
+        chunks = tiled_chunks_of([1, 2, 3], 2, 100, 100, 1)
+        self.assertEqual([(chunk.frames, chunk.tile) for chunk in chunks], [([1], 1), ([1], 2), ([2, 3], 1), ([2, 3], 2)])
+        chance = random.Random(3)
+        for _ in range(300):
+            frames, tiles = list(range(1, chance.randint(2, 2000))), chance.randint(1, 256)
+            chunks = tiled_chunks_of(frames, tiles, chance.uniform(0.01, 3000), chance.uniform(1, 600), chance.randint(0, 50))
+            self.assertLessEqual(len(chunks), MAX_CHUNKS)
+            pieces = sorted((frame, chunk.tile) for chunk in chunks for frame in chunk.frames)
+            self.assertEqual(pieces, [(frame, tile) for frame in frames for tile in range(1, tiles + 1)])
+            self.assertEqual([chunk_from(chunk.to_text()) for chunk in chunks], chunks)
+        self.assertEqual({chunk.tile for chunk in tiled_chunks_of([1, 2], 0, 1, 1, 1)}, {0})
 
 
 if __name__ == "__main__":

@@ -76,6 +76,18 @@ class Engines(FarmTest):
         self.assertEqual(used, known)
         self.assertEqual(step["hostRequirements"], {"amounts": [{"name": "amount.worker.vcpu", "min": 2}]})
 
+    def test_tiles_are_told_to_open_job_description(self):
+        job = self.write_job(frames="1-2", tiles={"columns": 2, "rows": 1})
+        self.farm("submit", job, "--engine", "openjd", "--dry-run")
+        template = yaml.safe_load((self.folder / "ball.farm" / "template.yaml").read_text())
+        (step,) = template["steps"]
+        self.assertEqual(step["parameterSpace"], {
+            "taskParameterDefinitions": [{"name": "Frames", "type": "STRING", "range": ["1-2", "1-2"]}, {"name": "Tile", "type": "INT", "range": [1, 2]}],
+            "combination": "(Frames, Tile)"})
+        self.assertIn("--tile={{Task.Param.Tile}}", step["script"]["actions"]["onRun"]["args"])
+        if shutil.which("openjd"):
+            subprocess.run(["openjd", "check", self.folder / "ball.farm" / "template.yaml"], check=True)
+
     def test_open_job_description_by_its_own_tools(self):
         """Where openjd-cli is installed; Debian 12 has no package of it."""
         if shutil.which("openjd") is None:

@@ -42,6 +42,18 @@ class Local(FarmTest):
         self.assertEqual(changed, [7])
         self.farm("check", folder)
 
+    def test_tiles(self):
+        job = self.write_job(frames="1-3", tiles={"columns": 2, "rows": 2})
+        said = self.submit(job)
+        self.assertIn("3 frames in 4 tiles, about ", said)
+        self.assertIn("4 chunks of up to 3 tiles", said)
+        self.assertIn("12 of 12 tiles, 0 tasks running, 0 tiles failed", said)
+        self.assertEqual([file.name for file in self.files()], [f"ball.{k:04}.png" for k in range(1, 4)])
+        self.assertIn("3 frames, 0 with faults", self.farm("check", job.with_suffix(".farm")).stdout)
+        self.files()[1].unlink()
+        self.assertIn("4 of 4 chunks to draw, 4 of 12 tiles", self.submit(job))
+        self.assertEqual(len(self.files()), 3)
+
     def test_a_changed_job_is_drawn_anew(self):
         self.submit(self.write_job())
         self.assertIn("All 12", self.submit(self.write_job()))
@@ -129,6 +141,22 @@ class Local(FarmTest):
             self.assertIn("ball.pelage, ", self.farm("pack", "ball", "-o", "ball.pelage", "--server", server.address).stdout)
             self.assertIn("no scene", self.farm("pack", "bal", "-o", "x.pelage", "--server", server.address, code=3).stderr)
         self.assertIn("1 of 1 frames", self.submit(self.write_job(frames="1", builtin=None, scene="ball.pelage")))
+
+    def test_a_scene_of_a_server_is_fetched_as_it_is_then(self):
+        with pelage.local(BIN / "pelaged") as server:
+            scene = server.create("ball", model={"builtin": "sphere", "triangles": 500})
+            job = self.write_job(frames="1-2", builtin=None, scene=f"{server.address}/ball")
+            self.assertIn("2 of 2 frames", self.submit(job))
+            self.assertIn("All 2 frames are there", self.submit(job))
+            scene.length(flood=True, value=0.2)
+            self.assertIn("2 of 2 chunks to draw", self.submit(job))
+            said = self.farm("submit", self.write_job(builtin=None, scene=f"{server.address}/bal"), code=3).stderr
+            self.assertIn("no scene", said)
+        self.assertIn("names no scene", self.farm("submit", self.write_job(builtin=None, scene="http://localhost/"), code=3).stderr)
+        self.assertTrue((self.folder / "ball.farm" / "ball.pelage").exists())
+        renderer = subprocess.run([BIN / "pelage-render", self.write_job(builtin=None, scene="http://localhost/x")], capture_output=True, text=True)
+        self.assertEqual(renderer.returncode, 3)
+        self.assertIn("pelage farm submit", renderer.stderr)
 
     def test_exr(self):
         job = self.write_job(frames="1-2", output="out/ball.#.exr")

@@ -63,6 +63,7 @@ void add_progressive(CLI::App* command, Options& options) {
 
 void add_looks(CLI::App* command, Options& options) {
   Parameters& frame = options.frame;
+  hand_on(command, frame, "--crop", "crop", "LEFT,TOP,WIDTH,HEIGHT: pixels of the frame that are drawn alone");
   hand_on(command, frame, "--background", "background", "transparent, studio or #rrggbb");
   hand_on(command, frame, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   hand_on(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");

@@ -14,6 +14,7 @@ from .schemas import (
     Camera,
     Colour,
     CommandAnswer,
+    Crop,
     ExportAbout,
     Field,
     FrameCost,
@@ -46,6 +47,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -73,6 +75,8 @@ class Requests:
 
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -121,11 +125,11 @@ class Requests:
         """
         return self._frame(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
-                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
-                "overlay_from": overlay_from, "revision": revision,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             progress,
         )
@@ -136,6 +140,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -165,6 +170,8 @@ class Requests:
         path: Where to; what is there is replaced.
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -213,11 +220,11 @@ class Requests:
         """
         return self._save_frame(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
-                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
-                "overlay_from": overlay_from, "revision": revision,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             path,
             progress,
@@ -228,6 +235,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -254,6 +262,8 @@ class Requests:
 
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -301,11 +311,11 @@ class Requests:
         """
         return self._frame_cost(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
-                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
-                "overlay_from": overlay_from, "revision": revision,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
         )
 
@@ -314,6 +324,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -340,6 +351,8 @@ class Requests:
 
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -383,10 +396,10 @@ class Requests:
         """
         return self._frame_array(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "aovs": aovs,
-                "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "aovs": aovs, "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             linear,
             progress,
@@ -397,6 +410,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -423,6 +437,8 @@ class Requests:
 
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -468,11 +484,11 @@ class Requests:
         """
         return self._live_frames(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
-                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
-                "overlay_from": overlay_from,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "overlay": overlay, "overlay_from": overlay_from,
             },
         )
 
@@ -481,6 +497,7 @@ class Requests:
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        crop: Optional[Crop] = None,
         camera: Optional[Union[AutoView, Camera]] = None,
         quality: Optional[Union[Tier, Knobs]] = None,
         budget_ms: Optional[float] = None,
@@ -508,6 +525,8 @@ class Requests:
 
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole
+            frame has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
         camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
         quality: A tier, or single knobs. Default "interactive".
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
@@ -558,11 +577,11 @@ class Requests:
         """
         return self._better_frames(
             {
-                "width": width, "height": height, "camera": camera, "quality": quality, "budget_ms": budget_ms,
-                "max_error": max_error, "max_seconds": max_seconds, "time": time, "background": background,
-                "exposure": exposure, "tone_map": tone_map, "look": look, "view": view, "format": format,
-                "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs, "overlay": overlay,
-                "progressive": progressive, "overlay_from": overlay_from,
+                "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
+                "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
+                "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
+                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "overlay": overlay, "progressive": progressive, "overlay_from": overlay_from,
             },
         )
 

@@ -596,6 +596,8 @@ class FrameRequest(TypedDict, total=False):
 
     width: Width of the picture. 1 to 8192 (pixels). Default 512.
     height: Height of the picture. 1 to 8192 (pixels). Default 512.
+    crop: Part of the frame that is drawn alone. The picture has the part's size, and the pixels that the whole frame
+        has there; an EXR's display window is the whole frame. `budget_ms` is of the whole frame.
     camera: Where the scene is seen from. Default {"auto": "three_quarter"}.
     quality: A tier, or single knobs. Default "interactive".
     budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and whose
@@ -648,6 +650,7 @@ class FrameRequest(TypedDict, total=False):
 
     width: int
     height: int
+    crop: Crop
     camera: Camera
     quality: Union[Tier, Knobs]
     budget_ms: float
@@ -2083,6 +2086,24 @@ class Subdivide(TypedDict, total=False):
 
     levels: int
     masked: bool
+
+
+class _CropRequired(TypedDict):
+    width: int
+    height: int
+
+
+class Crop(_CropRequired, total=False):
+    """A part of a frame.
+
+    left: From the frame's left to the part's. 0 to 8191 (pixels). Default 0.
+    top: From the frame's top to the part's. 0 to 8191 (pixels). Default 0.
+    width: Width of the part, which ends inside the frame. 1 to 8192 (pixels).
+    height: Height of the part, which ends inside the frame. 1 to 8192 (pixels).
+    """
+
+    left: int
+    top: int
 
 
 class PickRay(TypedDict):

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "protocol/json/decode.h"
 #include "server/batch/job_scene.h"
@@ -55,6 +56,27 @@ TEST_F(JobFrames, AreRefusedWhereTheJobHasNone) {
   const auto refused = plan_job(job, {.frames = "6", .output = {}}, ".", *scene_->scene());
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().pointer, "/frames");
+}
+
+TEST_F(JobFrames, InTilesHoldEachPixelOnce) {
+  const auto frames = plan(job_of(R"(, "frame": {"width": 101, "height": 37}, "tiles": {"columns": 7, "rows": 3})"));
+  ASSERT_EQ(frames[1].tiles.size(), 21u);
+  std::vector<int> hits(101 * 37);
+  std::set<std::string> files, fingerprints;
+  for (const JobTile& tile : frames[1].tiles) {
+    for (int y = 0; y < tile.crop.height; ++y)
+      for (int x = 0; x < tile.crop.width; ++x)
+        ++hits.at(static_cast<std::size_t>((tile.crop.top + y) * 101 + tile.crop.left + x));
+    files.insert(tile.file), fingerprints.insert(tile.fingerprint);
+  }
+  EXPECT_EQ(hits, std::vector<int>(hits.size(), 1));
+  EXPECT_EQ(files.size(), 21u);
+  EXPECT_EQ(fingerprints.size(), 21u);
+  EXPECT_EQ(frames[1].tiles[8].number, 9);
+  EXPECT_EQ(frames[1].tiles[8].file, "/job/f.02.tile9.png");
+  const auto whole = plan(job_of(R"(, "frame": {"width": 101, "height": 37})"));
+  EXPECT_EQ(frames[1].fingerprint, whole[1].fingerprint);  // the same picture
+  EXPECT_TRUE(whole[1].tiles.empty());
 }
 
 TEST_F(JobFrames, OfOneTurnCloseTheCircle) {

@@ -89,7 +89,7 @@ TEST(Exr, SingleFloatsKeepEveryBit) {
   const std::vector<ExrPlane> planes = {{"R", extremes, 0, 1, ExrSample::single},
                                         {"G", extremes, 0, 1, ExrSample::single},
                                         {"B", extremes, 0, 1, ExrSample::single}};
-  const FloatImage back = decoded(encode_exr(4, 3, planes));
+  const FloatImage back = decoded(encode_exr({4, 3}, planes));
   ASSERT_EQ(back.width, 4);
   ASSERT_EQ(back.height, 3);
   EXPECT_FALSE(back.display_referred);
@@ -101,7 +101,7 @@ TEST(Exr, SingleFloatsKeepEveryBit) {
 
 TEST(Exr, HalfRoundsKeepsInfinityAndHoldsWhatIsTooLarge) {
   const std::vector<ExrPlane> planes = {{"Y", extremes}};
-  const FloatImage back = decoded(encode_exr(4, 3, planes));
+  const FloatImage back = decoded(encode_exr({4, 3}, planes));
   ASSERT_EQ(back.rgba.size(), 48u);
   const auto grey = [&](std::size_t i) { return back.rgba[i * 4 + 1]; };
   EXPECT_EQ(grey(3), -3.5f);
@@ -119,7 +119,7 @@ TEST(Exr, AovsAndMixedTypesInOneFile) {
   planes.push_back({"Z", depth, 0, 1, ExrSample::single});
   planes.push_back({"normal.X", normal});
   const std::vector<ImageText> texts = {{"pelage:revision", "12"}};
-  const std::string exr = encode_exr(2, 1, planes, texts);
+  const std::string exr = encode_exr({2, 1}, planes, texts);
   for (const char* name : {"beauty.R", "beauty.A", "normal.X", "pelage:revision"}) {
     EXPECT_NE(exr.find(name), std::string::npos) << name;
   }
@@ -131,14 +131,14 @@ TEST(Exr, PlainColourGoesBeforeAnAov) {
   const std::vector<float> plain = {1, 2, 3, 1}, aov = {4, 5, 6, 1};
   std::vector<ExrPlane> planes = rgba_planes(aov, ExrSample::single, "albedo");
   for (const ExrPlane& plane : rgba_planes(plain, ExrSample::single)) planes.push_back(plane);
-  EXPECT_EQ(decoded(encode_exr(1, 1, planes)).rgba, plain);
+  EXPECT_EQ(decoded(encode_exr({1, 1}, planes)).rgba, plain);
 }
 
 TEST(Exr, SameInputSameBytes) {
   const std::vector<float> rgba(16 * 9 * 4, 0.3f);
   const auto planes = rgba_planes(rgba, ExrSample::half);
-  const std::string exr = encode_exr(16, 9, planes);
-  EXPECT_EQ(exr, encode_exr(16, 9, planes));
+  const std::string exr = encode_exr({16, 9}, planes);
+  EXPECT_EQ(exr, encode_exr({16, 9}, planes));
   EXPECT_FALSE(std::regex_search(exr, std::regex("[0-9]{4}:[0-9]{2}:[0-9]{2} "))) << "a date would differ tomorrow";
 }
 
@@ -146,7 +146,7 @@ TEST(Exr, WithoutColourOrCutOffIsRefused) {
   std::vector<float> values(64 * 64);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<float>(i * i));
   const std::vector<ExrPlane> depth = {{"Z", values}}, grey = {{"Y", values}};
-  const std::string no_colour = encode_exr(64, 64, depth), whole = encode_exr(64, 64, grey);
+  const std::string no_colour = encode_exr({64, 64}, depth), whole = encode_exr({64, 64}, grey);
   EXPECT_FALSE(decode_float_image(bytes_of(no_colour), plenty).ok());
   for (std::size_t length = 0; length < whole.size(); length += 97) {
     const Result<FloatImage> result = decode_float_image(bytes_of(whole.substr(0, length)), plenty);

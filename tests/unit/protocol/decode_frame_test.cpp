@@ -4,6 +4,7 @@
 #include <string>
 
 #include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
 #include "tests/unit/protocol/refusals.h"
 
 namespace pelage {
@@ -195,6 +196,25 @@ TEST(DecodeFrameQuery, Refusals) {
   EXPECT_EQ(decode_frame_query({{"widht", "9"}}).status().nearest, "width");
   EXPECT_EQ(decode_frame_query({{"\xff", "9"}}).status().code, Code::invalid);
   EXPECT_EQ(pointer_of({{"view", "\xff"}}), "/view");
+}
+
+TEST(DecodeFrame, ACropLiesInsideTheFrame) {
+  const auto request =
+      decode_frame_request(R"({"width": 100, "height": 80, "crop": {"left": 60, "width": 40, "height": 80}})");
+  ASSERT_TRUE(request.ok()) << request.status().message;
+  EXPECT_EQ(request->crop, (Crop{60, 0, 40, 80}));
+  EXPECT_DOUBLE_EQ(request->drawn_share(), 0.4);
+  EXPECT_EQ(decode_frame_request(encode(*request))->crop, request->crop);
+  EXPECT_EQ(decode_frame_query({{"width", "100"}, {"height", "80"}, {"crop", "60,0, 40,80"}})->crop, request->crop);
+  for (const char* crop : {R"({"left": 61, "width": 40, "height": 80})", R"({"top": 1, "width": 40, "height": 80})"}) {
+    const auto refused = decode_frame_request(std::string(R"({"width": 100, "height": 80, "crop": )") + crop + "}");
+    EXPECT_EQ(refused.status().pointer, "/crop") << crop;
+    EXPECT_NE(refused.status().limit.find("at most 100"), std::string::npos) << refused.status().limit;
+  }
+  EXPECT_EQ(decode_frame_request(R"({"crop": {"width": 0, "height": 8}})").status().pointer, "/crop/width");
+  EXPECT_EQ(decode_frame_request(R"({"crop": {"width": 8}})").status().pointer, "/crop/height");
+  for (const char* text : {"1,2,3", "a", "1,2,3,4,5", ""})
+    EXPECT_EQ(decode_frame_query({{"crop", text}}).status().pointer, "/crop") << text;
 }
 
 }  // namespace

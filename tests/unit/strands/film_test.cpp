@@ -134,7 +134,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
 
 TEST(Film, NoiseOfWhatIsNotKnown) {
   Film film(20, 20, film_aovs, false);
-  ASSERT_EQ(film.tile_count(), 4);
+  ASSERT_EQ(film.tiles().size(), 4u);
   EXPECT_TRUE(std::isinf(film.noise(0, 0)));
   for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(std::isinf(film.noise(0)));

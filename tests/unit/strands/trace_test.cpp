@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "renderer/image/cropped.h"
 #include "tests/unit/strands/traced_ball.h"
 
 namespace pelage {
@@ -35,6 +36,27 @@ TEST(Trace, TheSameSeedGivesTheSameBitsAtAnyThreadCount) {
     EXPECT_EQ(one.beauty.rgba, four.beauty.rgba);
     frame.knobs.trace.seed = 2;
     EXPECT_NE(traced(ball, frame, 4).beauty.rgba, one.beauty.rgba);
+  }
+}
+
+TEST(Trace, ACropHasTheBitsOfTheWhole) {
+  const FurPatch ball = fur_ball(0.03f);
+  for (const bool filter : {false, true}) {
+    FurFrame frame = frame_at(90, coat_of({0.5f, 0.3f, 0.2f}, 300), Transport::transmittance, 24);
+    frame.lights = {light_from({1, -1, -1}, 1)};
+    frame.knobs.trace.filter = filter;
+    frame.knobs.trace.noise = 0.02;  // some tiles end early
+    const Traced whole = traced(ball, frame);
+    for (const Crop& crop : {Crop{0, 0, 40, 90}, Crop{33, 21, 30, 19}, Crop{45, 45, 1, 1}}) {
+      frame.crop = crop;
+      const Traced part = traced(ball, frame);
+      EXPECT_LE(part.report.passes, whole.report.passes);
+      EXPECT_TRUE(std::isfinite(part.report.noise) && part.report.samples > 0);
+      const auto pixels = [&](const FloatImage& image) {
+        return cropped(image, crop.left, crop.top, crop.width, crop.height).rgba;
+      };
+      EXPECT_TRUE(pixels(part.beauty) == pixels(whole.beauty)) << filter << " " << crop.left;
+    }
   }
 }
 

@@ -7,12 +7,14 @@ import shlex
 # The shell becomes pelage-render, so that a signal for the task's first process comes to it.
 CHUNK_SCRIPT = """\
 #!/bin/sh
-# Draws the frames in line N + 1 of chunks.txt that are not there yet. usage: sh chunk.sh N
+# Draws the frames in line N + 1 of chunks.txt that are not there yet, or a tile of them. usage: sh chunk.sh N
 cd "$(dirname "$0")" || exit 1
-frames=$(sed -n "$(($1 + 1))p" chunks.txt)
+read -r frames tile <<END
+$(sed -n "$(($1 + 1))p" chunks.txt)
+END
 [ -n "$frames" ] || {{ echo "openjd_fail: chunks.txt has no line for chunk $1"; exit 2; }}
 renderer={renderer}
-exec "${{PELAGE_RENDER:-$renderer}}" job.json "--frames=$frames" --skip-existing --threads {threads}
+exec "${{PELAGE_RENDER:-$renderer}}" job.json "--frames=$frames" ${{tile:+"--tile=$tile"}} --skip-existing --threads {threads}
 """
 
 

@@ -1,7 +1,7 @@
 """The folder of a job on a farm: a copy of the job and its scene, the chunks, logs, and what was sent when.
 
     job.json, fox.pelage   copies, so that whoever edits the originals changes no frame of a running job
-    chunks.txt             a frame range a line; task N draws line N + 1
+    chunks.txt             a frame range a line, and the number of a tile; task N draws line N + 1
     chunk.sh               what every engine runs: sh chunk.sh N
     plan.json              the frames, their files and fingerprints
     sent.json              engine, its job, the chunks that were sent
@@ -19,12 +19,14 @@ import os
 import pathlib
 import re
 import shutil
+import tempfile
 from typing import Any, Dict, Iterator, List, NamedTuple, Optional
 
 from ..files import write_whole
 from .errors import BAD_INPUT, FarmError
-from .plan import Plan, PlannedFrame, plan_from
-from .ranges import frames_of, range_of
+from .pack import fetch_scene, is_on_server
+from .plan import Piece, Plan, plan_from
+from .ranges import Chunk, chunk_from
 
 JOB = "job.json"
 MODELS = "models"  # files that the job moves by
@@ -73,13 +75,13 @@ class FarmFolder:
             raise FarmError(f"{self.path} is no folder of a farm job: {error}", step, BAD_INPUT) from error
         return plan_from(document, str(self.path))
 
-    def chunks(self) -> List[List[int]]:
+    def chunks(self) -> List[Chunk]:
         lines = (self.path / "chunks.txt").read_text(encoding="utf-8").splitlines()
-        return [frames_of(line) for line in lines if line]
+        return [chunk_from(line) for line in lines if line]
 
-    def planned_chunks(self) -> List[List[PlannedFrame]]:
+    def planned_chunks(self) -> List[List[Piece]]:
         frames = {frame.frame: frame for frame in self.plan().frames}
-        return [[frames[number] for number in chunk] for chunk in self.chunks()]
+        return [[Piece(frames[number], chunk.tile) for number in chunk.frames] for chunk in self.chunks()]
 
     def sent(self) -> Optional[Sent]:
         file = self.path / "sent.json"
@@ -110,8 +112,9 @@ class FarmFolder:
 
     def remove_leftovers(self) -> None:
         """Of tasks that were killed while they wrote a file. Only while no task runs."""
-        for frame in self.plan().frames:
-            folder, name = os.path.split(frame.file)
+        planned = self.plan().frames
+        for file in [frame.file for frame in planned] + [tile.file for frame in planned for tile in frame.tiles]:
+            folder, name = os.path.split(file)
             for left in glob.glob(os.path.join(glob.escape(folder), f".{glob.escape(name)}.*.tmp")):
                 os.unlink(left)
 
@@ -119,12 +122,13 @@ class FarmFolder:
         """Files below this folder are written as relative to it, so that the folder can be moved."""
         document = plan.to_json()
         for frame in document["frames"]:
-            if frame["file"].startswith(f"{self.path}{os.sep}"):
-                frame["file"] = os.path.relpath(frame["file"], self.path)
+            for planned in (frame, *frame["tiles"]):
+                if planned["file"].startswith(f"{self.path}{os.sep}"):
+                    planned["file"] = os.path.relpath(planned["file"], self.path)
         self.write("plan.json", json.dumps(document, indent=1))
 
-    def write_chunks(self, chunks: List[List[int]]) -> None:
-        self.write("chunks.txt", "".join(range_of(chunk) + "\n" for chunk in chunks))
+    def write_chunks(self, chunks: List[Chunk]) -> None:
+        self.write("chunks.txt", "".join(chunk.to_text() + "\n" for chunk in chunks))
 
     def write(self, name: str, text: str) -> None:
         write_whole(self.path / name, text.encode())
@@ -135,9 +139,11 @@ class FarmFolder:
         self.logs.mkdir(parents=True, exist_ok=True)
         changed = False
         if isinstance(document.get("scene"), str):
-            scene = source.parent / document["scene"]
-            document["scene"] = scene.name
-            changed = copy_changed(scene, self.path / scene.name, "scene")
+            with tempfile.TemporaryDirectory() as fetched:
+                on_server = is_on_server(document["scene"])
+                scene = fetch_scene(document["scene"], pathlib.Path(fetched)) if on_server else source.parent / document["scene"]
+                document["scene"] = scene.name
+                changed = copy_changed(scene, self.path / scene.name, "scene")
         motion = document.get("motion")
         if isinstance(motion, dict) and isinstance(motion.get("model"), str):
             models = source.parent / motion["model"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, List, Sequence
 
 from .folder import FarmFolder
-from .ranges import range_of
+from .ranges import Chunk, range_of
 
 GRACE_SECONDS = 30
 MAX_NAME = 128
@@ -13,15 +13,13 @@ MAX_NAME = 128
 
 def template(folder: FarmFolder, chunks: Sequence[int], threads: int) -> Dict[str, Any]:
     """A step with a task for each chunk. It stands in the folder of the job, where its paths begin."""
-    lines = folder.chunks()
+    all_chunks = folder.chunks()
+    wanted = [all_chunks[chunk] for chunk in chunks]
+    tiled = any(chunk.tile for chunk in wanted)
     step: Dict[str, Any] = {
         "name": "Draw",
-        "parameterSpace": {
-            "taskParameterDefinitions": [
-                {"name": "Frames", "type": "STRING", "range": [range_of(lines[chunk]) for chunk in chunks]}
-            ]
-        },
-        "script": {"actions": {"onRun": action(threads)}},
+        "parameterSpace": task_parameters(wanted, tiled),
+        "script": {"actions": {"onRun": action(threads, tiled)}},
     }
     if threads:
         step["hostRequirements"] = {"amounts": [{"name": "amount.worker.vcpu", "min": threads}]}
@@ -33,12 +31,21 @@ def template(folder: FarmFolder, chunks: Sequence[int], threads: int) -> Dict[st
     }
 
 
-def action(threads: int) -> Dict[str, Any]:
+def task_parameters(chunks: Sequence[Chunk], tiled: bool) -> Dict[str, Any]:
+    frames = {"name": "Frames", "type": "STRING", "range": [range_of(chunk.frames) for chunk in chunks]}
+    if not tiled:
+        return {"taskParameterDefinitions": [frames]}
+    tiles = {"name": "Tile", "type": "INT", "range": [chunk.tile for chunk in chunks]}
+    return {"taskParameterDefinitions": [frames, tiles], "combination": "(Frames, Tile)"}  # the first with the first
+
+
+def action(threads: int, tiled: bool) -> Dict[str, Any]:
     return {
         "command": "{{Param.Renderer}}",
         "args": [
             "{{Param.Folder}}/job.json",
             "--frames={{Task.Param.Frames}}",
+            *(["--tile={{Task.Param.Tile}}"] if tiled else []),
             "--skip-existing",
             "--threads",
             str(threads),

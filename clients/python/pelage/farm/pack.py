@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import os
+import pathlib
 import shutil
 import subprocess
 from typing import List, Optional, Sequence
+from urllib.parse import unquote, urlsplit
 
 from ..local import local
 from ..server import Server
-from .errors import FarmError
+from .errors import BAD_INPUT, FarmError
 
 CLIENT = "pelage"
 SCENE = "packed"
@@ -19,6 +21,23 @@ def pack_scene(server: Server, scene: str, output: str) -> int:
     """Of a scene on a server, by id or name. Gives the file's bytes."""
     server.open(scene).export(output, format="pelage")
     return os.path.getsize(output)
+
+
+def is_on_server(scene: str) -> bool:
+    """Whether a job's scene is one of a server, as http://localhost:8080/fox."""
+    return urlsplit(scene).scheme in ("http", "https")
+
+
+def fetch_scene(scene: str, folder: pathlib.Path) -> pathlib.Path:
+    """The file of a job's scene on a server, in a folder. Raises FarmError, and what the server says."""
+    address = urlsplit(scene)
+    name = unquote(address.path.strip("/"))
+    if not name or "/" in name:
+        raise FarmError(f"{scene} names no scene", "write it as http://localhost:8080/fox", BAD_INPUT)
+    file = folder / f"{name}.pelage"
+    with Server(f"{address.scheme}://{address.netloc}") as server:
+        pack_scene(server, name, str(file))
+    return file
 
 
 def pack_model(model: Sequence[str], recipe: Optional[str], variables: Sequence[str], output: str) -> int:

@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import subprocess
-from typing import Any, Dict, List, NamedTuple, Optional
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 from .errors import BAD_INPUT, FAILED, FarmError
 from .frame_files import ShortFile, inspect
@@ -17,21 +17,48 @@ MEASURED_FRAMES = 3
 REFUSED_CODES = (2, 3)  # of pelage-render: wrong use, bad job or scene
 
 
+class PlannedTile(NamedTuple):
+    """A part of a frame. As PlannedFrame."""
+
+    file: str
+    fingerprint: str
+    width: int
+    height: int
+
+
 class PlannedFrame(NamedTuple):
-    """file: Its path. fingerprint: What a file that was drawn of this job has. width, height: Pixels."""
+    """file: Its path. fingerprint: What a file that was drawn of this job has. width, height: Pixels. tiles: That it is
+    drawn in; whoever draws the last one puts them together and removes them. None where it is drawn at once."""
 
     frame: int
     file: str
     fingerprint: str
     width: int
     height: int
+    tiles: Tuple[PlannedTile, ...] = ()
+
+
+class Piece(NamedTuple):
+    """What a chunk draws of a frame. tile: From 1; 0 for all of it."""
+
+    frame: PlannedFrame
+    tile: int
 
     def is_done(self) -> bool:
-        """Whether its file is whole and of this job."""
-        try:
-            return inspect(self.file) == (self.width, self.height, self.fingerprint)
-        except (OSError, ShortFile):
-            return False
+        """Whether its file is whole and of this job, or its frame's is."""
+        return is_whole(self.frame) or (self.tile > 0 and is_whole(self.frame.tiles[self.tile - 1]))
+
+    @property
+    def files(self) -> List[str]:
+        """It is done once one of them is there."""
+        return [self.frame.file] + ([self.frame.tiles[self.tile - 1].file] if self.tile else [])
+
+
+def is_whole(planned: Union[PlannedFrame, PlannedTile]) -> bool:
+    try:
+        return inspect(planned.file) == (planned.width, planned.height, planned.fingerprint)
+    except (OSError, ShortFile):
+        return False
 
 
 class Plan(NamedTuple):
@@ -41,16 +68,29 @@ class Plan(NamedTuple):
     fps: float
     frame_seconds: Optional[float]
 
+    @property
+    def tile_count(self) -> int:
+        """Of each frame; 0 where frames are drawn at once."""
+        return len(self.frames[0].tiles) if self.frames else 0
+
+    @property
+    def unit(self) -> str:
+        """What is counted."""
+        return "tiles" if self.tile_count else "frames"
+
     def to_json(self) -> Dict[str, Any]:
-        frames = [frame._asdict() for frame in self.frames]
+        frames = [{**frame._asdict(), "tiles": [tile._asdict() for tile in frame.tiles]} for frame in self.frames]
         return {"frames": frames, "fps": self.fps, "seconds_per_frame": self.frame_seconds}
 
 
 def plan_from(document: Dict[str, Any], folder: str) -> Plan:
     """folder: Where relative paths of files begin."""
+    def tile(one: Dict[str, Any]) -> PlannedTile:
+        return PlannedTile(**{**one, "file": os.path.join(folder, one["file"])})
+
     def planned(one: Dict[str, Any]) -> PlannedFrame:
-        file = os.path.join(folder, one["file"])
-        return PlannedFrame(one["frame"], file, one["fingerprint"], one["width"], one["height"])
+        tiles = tuple(map(tile, one.get("tiles", ())))
+        return PlannedFrame(**{**one, "file": os.path.join(folder, one["file"]), "tiles": tiles})
 
     frames = sorted(planned(one) for one in document["frames"])
     return Plan(frames, document["fps"], document.get("seconds_per_frame"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import List, Sequence
+from typing import List, NamedTuple, Sequence
 
 PART = re.compile(r"(-?\d+)(?:-(-?\d+)(?:[x:](\d+))?)?")
 # Slurm takes 1,000 tasks in an array unless MaxArraySize says more; Open Job Description takes a list of 1,024.
@@ -51,14 +51,44 @@ def end_of_run(frames: Sequence[int], start: int) -> int:
     return end
 
 
-def chunks_of(frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1) -> List[List[int]]:
+class Chunk(NamedTuple):
+    """What one task draws. tile: Of each of the frames, from 1; 0 for whole frames."""
+
+    frames: List[int]
+    tile: int
+
+    def to_text(self) -> str:
+        """A line of chunks.txt."""
+        return range_of(self.frames) + (f" {self.tile}" if self.tile else "")
+
+
+def chunk_from(line: str) -> Chunk:
+    """Of Chunk.to_text."""
+    frames, _, tile = line.partition(" ")
+    return Chunk(frames_of(frames), int(tile or 0))
+
+
+def tiled_chunks_of(
+    frames: Sequence[int], tile_count: int, frame_seconds: float, chunk_seconds: float, at_once: int
+) -> List[Chunk]:
+    """As chunks_of, of frames in tiles: for each chunk of frames as many chunks as there are tiles. tile_count: 0 for
+    whole frames; at most MAX_CHUNKS."""
+    tiles = list(range(1, tile_count + 1)) or [0]
+    at_least = math.ceil(at_once / len(tiles))
+    parts = chunks_of(frames, frame_seconds / len(tiles), chunk_seconds, at_least, MAX_CHUNKS // len(tiles))
+    return [Chunk(part, tile) for part in parts for tile in tiles]
+
+
+def chunks_of(
+    frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1, most: int = MAX_CHUNKS
+) -> List[List[int]]:
     """Frames in neighbouring chunks whose sizes differ by at most one.
 
     A chunk takes about chunk_seconds; there are at least as many chunks as run at once, so that no node waits, and at
-    most MAX_CHUNKS.
+    most `most`.
     """
     in_one = max(1, int(chunk_seconds / max(frame_seconds, 1e-6)))
     count = max(math.ceil(len(frames) / in_one), at_once)
-    count = max(1, min(count, len(frames), MAX_CHUNKS))
+    count = max(1, min(count, len(frames), most))
     bounds = [len(frames) * index // count for index in range(count + 1)]
     return [list(frames[first:last]) for first, last in zip(bounds, bounds[1:])]

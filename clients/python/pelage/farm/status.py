@@ -9,7 +9,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence
 
 from . import slurm
 from .folder import FarmFolder, Sent
-from .plan import PlannedFrame
+from .plan import Piece
 from .ranges import range_of
 
 BAR_CELLS = 20
@@ -21,7 +21,7 @@ PROGRESS = re.compile(r"^openjd_progress: ([\d.]+)$", re.M)
 class ChunkState(NamedTuple):
     """state: done, running, waiting, failed; sent where the engine tells us nothing, unsent where none has it.
 
-    missing: Frames that are not there. reason: The last complaint in the log of a failed chunk.
+    missing: Frames that are not there, or whose tile is not. reason: The last complaint in the log of a failed chunk.
     """
 
     chunk: int
@@ -35,9 +35,10 @@ class ChunkState(NamedTuple):
 
 
 class Status(NamedTuple):
-    """seconds_left: None while nothing runs."""
+    """total, done, failed: Of the unit, which is frames or tiles. seconds_left: None while nothing runs."""
 
-    frames: int
+    unit: str
+    total: int
     done: int
     failed: int
     running_tasks: int
@@ -68,14 +69,14 @@ def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
     if tasks is None:
         tasks = tasks_of(folder, sent) if sent else NO_TASKS
     planned = folder.planned_chunks()
-    chunks = [chunk_state(folder, sent, tasks, number, frames) for number, frames in enumerate(planned)]
+    chunks = [chunk_state(folder, sent, tasks, number, pieces) for number, pieces in enumerate(planned)]
     missing = sum(len(chunk.missing) for chunk in chunks)
-    total = sum(len(frames) for frames in planned)
+    total = sum(len(pieces) for pieces in planned)
     running = sum(chunk.state == "running" for chunk in chunks)
     failed = sum(len(chunk.missing) for chunk in chunks if chunk.state == "failed")
     waited_for = missing - failed - sum(len(chunk.missing) for chunk in chunks if chunk.state == "unsent")
     left = seconds_left(folder, sent, planned, waited_for, running)
-    return Status(total, total - missing, failed, running, left, chunks)
+    return Status(folder.plan().unit, total, total - missing, failed, running, left, chunks)
 
 
 def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
@@ -93,18 +94,18 @@ def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
 
 
 def chunk_state(
-    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, frames: Sequence[PlannedFrame]
+    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, pieces: Sequence[Piece]
 ) -> ChunkState:
-    """The frames count, not the engine's word: a chunk is done when its frames are there, and failed when it was sent,
-    its task is over, and one is not there."""
-    missing = [frame.frame for frame in frames if not frame.is_done()]
+    """The files count, not the engine's word: a chunk is done when they are there, and failed when it was sent, its
+    task is over, and one is not there."""
+    missing = [piece.frame.frame for piece in pieces if not piece.is_done()]
     state = tasks.live.get(chunk, "done")
     if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
         state = "done"
     if missing and chunk not in tasks.live:
         state = "failed" if sent and chunk in sent.chunks else "unsent"
     reason = reason_of(folder, chunk, tasks.ended.get(chunk, "")) if state == "failed" else ""
-    return ChunkState(chunk, state, [frame.frame for frame in frames], missing, reason)
+    return ChunkState(chunk, state, [piece.frame.frame for piece in pieces], missing, reason)
 
 
 def log_end(folder: FarmFolder, chunk: int) -> str:
@@ -125,16 +126,17 @@ def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
 
 
 def seconds_left(
-    folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[PlannedFrame]], waited_for: int, running: int
+    folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[Piece]], waited_for: int, running: int
 ) -> Optional[float]:
-    """From the frames that came since the job was sent; before there are enough, from the measured cost."""
+    """From the files that came since the job was sent; before there are enough, from the measured cost."""
     if not sent or not running or not waited_for:
         return None
-    times = sorted(time_of(frame.file) for chunk in planned for frame in chunk)
+    times = sorted(max(map(time_of, piece.files)) for pieces in planned for piece in pieces)
     times = [moment for moment in times if moment > sent.at]
     if len(times) > 2 * running:
         return waited_for * (time.time() - sent.at) / len(times)
-    measured = folder.plan().frame_seconds
+    plan = folder.plan()
+    measured = (plan.frame_seconds or 0) / max(1, plan.tile_count)
     return waited_for * measured / running if measured else None
 
 
@@ -147,13 +149,14 @@ def time_of(file: str) -> float:
 
 def bar(status: Status) -> str:
     """One line for a terminal."""
-    share = status.done / max(1, status.frames)
+    share = status.done / max(1, status.total)
     full = int(share * BAR_CELLS)
     return f"[{'#' * full}{'.' * (BAR_CELLS - full)}] {share:4.0%}, {summary(status)}"
 
 
 def summary(status: Status) -> str:
-    words = f"{status.done} of {status.frames} frames, {status.running_tasks} tasks running, {status.failed} frames failed"
+    unit = status.unit
+    words = f"{status.done} of {status.total} {unit}, {status.running_tasks} tasks running, {status.failed} {unit} failed"
     return words + (f", about {status.seconds_left:.0f} s left" if status.seconds_left is not None else "")
 
 

@@ -16,7 +16,7 @@ from .errors import FarmError
 from .folder import FarmFolder, Sent, default_folder, read_job
 from .local_tasks import LocalTasks
 from .plan import MEASURED_FRAMES, RENDERER, Plan, plan_of, renderer_program
-from .ranges import chunks_of
+from .ranges import tiled_chunks_of
 from .status import NO_TASKS, Tasks, bar, status_of, table, tasks_of
 from .yaml import to_yaml
 
@@ -60,9 +60,10 @@ def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool
     status = status_of(folder, NO_TASKS)
     chunks = [chunk.chunk for chunk in status.chunks if chunk.missing]
     if not chunks:
-        print(f"All {status.frames} frames are there: {folder.path}")
+        print(f"All {status.total} {status.unit} are there: {folder.path}")
         return True
-    print(f"{len(chunks)} of {len(status.chunks)} chunks to draw, {status.frames - status.done} of {status.frames} frames")
+    left = f"{status.total - status.done} of {status.total} {status.unit}"
+    print(f"{len(chunks)} of {len(status.chunks)} chunks to draw, {left}")
     write_engine_files(folder, chunks, options)
     return options.dry_run or send(folder, chunks, options)
 
@@ -80,13 +81,15 @@ def prepare(folder: FarmFolder, given: pathlib.Path, options: Options) -> None:
     known = folder.sent() is not None and not changed
     plan = checked_plan(folder, 0 if known else MEASURED_FRAMES)
     frames = [frame.frame for frame in plan.frames]
-    if known and [frame for chunk in folder.chunks() for frame in chunk] == frames:
+    if known and sorted({frame for chunk in folder.chunks() for frame in chunk.frames}) == frames:
         folder.write_plan(plan._replace(frame_seconds=folder.plan().frame_seconds))
         return
     folder.write_plan(plan)
     cost = plan.frame_seconds or options.chunk_seconds
-    chunks = chunks_of(frames, cost, options.chunk_seconds, at_once_of(options))
-    print(f"{len(frames)} frames, about {cost:.2g} s each: {len(chunks)} chunks of up to {max(map(len, chunks))} frames")
+    chunks = tiled_chunks_of(frames, plan.tile_count, cost, options.chunk_seconds, at_once_of(options))
+    largest = max(len(chunk.frames) for chunk in chunks)
+    tiles = f" in {plan.tile_count} tiles" if plan.tile_count else ""
+    print(f"{len(frames)} frames{tiles}, about {cost:.2g} s each: {len(chunks)} chunks of up to {largest} {plan.unit}")
     folder.write_chunks(chunks)
     (folder.path / "sent.json").unlink(missing_ok=True)
     shutil.rmtree(folder.logs, ignore_errors=True)
@@ -147,7 +150,7 @@ def run_here(folder: FarmFolder, chunks: List[int], at_once: int) -> bool:
     folder.remove_leftovers()
     status = status_of(folder, NO_TASKS)
     print(table(folder, status))
-    return status.done == status.frames
+    return status.done == status.total
 
 
 def show_bar(folder: FarmFolder, live: Dict[int, str]) -> None:

@@ -1,0 +1,25 @@
+// Which pixels of a frame's light, which has a size of its own, belong to which of its picture.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "renderer/input/fur_scene.h"
+#include "renderer/passes/sorted/sorted_pass.h"
+#include "renderer/visibility/picture_cells.h"
+
+namespace pelage {
+
+/// The pixels that the box touches; no pixels for no box.
+Area area_of(const std::optional<ClipBox>& box, int width, int height);
+
+/// The pixels of a finished picture that an area of its light touches.
+Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture);
+
+/// The pixels of a frame's light that its picture is made of: all, or those that its crop reads.
+Area drawn_area(const FurFrame& frame, glm::ivec2 light);
+
+/// What lies in both; no pixels for nothing.
+Area common_area(const Area& a, const Area& b);
+
+}  // namespace pelage

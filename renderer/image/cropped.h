@@ -1,0 +1,26 @@
+// Parts of pictures.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+
+namespace pelage {
+
+/// The pixels of a picture in memory (Image, Image16, FloatImage) from the left and the top; all of them are inside.
+template <class Picture>
+Picture cropped(const Picture& whole, int left, int top, int width, int height) {
+  assert(left >= 0 && top >= 0 && left + width <= whole.width && top + height <= whole.height);
+  Picture part;
+  part.width = width, part.height = height;
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  part.rgba.resize(row * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const std::size_t from = static_cast<std::size_t>(top + y) * static_cast<std::size_t>(whole.width);
+    std::copy_n(&whole.rgba[4 * (from + static_cast<std::size_t>(left))], row,
+                &part.rgba[static_cast<std::size_t>(y) * row]);
+  }
+  return part;
+}
+
+}  // namespace pelage

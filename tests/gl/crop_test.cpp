@@ -1,0 +1,131 @@
+// A crop is drawn alone, with the bits that the whole frame has there.
+#include <algorithm>
+
+#include "renderer/image/cropped.h"
+#include "server/frames/fur_view.h"
+#include "tests/gl/marched_frames.h"
+#include "tests/gl/with_renderer.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing::crop_test {
+namespace {
+
+constexpr int width = 150, height = 110;
+
+FrameRequest frame_at(double scale) {
+  FrameRequest request = small_frame(AutoView::three_quarter, width);
+  request.height = height;
+  request.knobs.scale = scale;
+  return request;
+}
+
+/// In the middle, at the edge, and a single pixel.
+std::vector<Crop> crops() { return {{40, 30, 37, 41}, {0, height - 9, width, 9}, {75, 55, 1, 1}}; }
+
+FurredModel animal() {
+  FurredModel model = furred({Builtin::creature, 2000});
+  model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 1};
+  model.settings.lights = {{.self_shadow_maps = true, .cast_shadow = CastShadow::soft}};
+  return model;
+}
+
+template <class Picture>
+Picture crop_of(const Picture& whole, const Crop& crop) {
+  return cropped(whole, crop.left, crop.top, crop.width, crop.height);
+}
+
+/// Draws the frame whole and its crops, each with pauses and without.
+template <class Drawer>
+void expect_crops_of_the_whole(Drawer& drawer, const FurFrame& frame) {
+  constexpr std::array aovs{Aov::beauty, Aov::normal, Aov::depth};
+  const Image picture = drawer.draw(frame).value();
+  const Image16 deep = drawer.draw_deep(frame).value();
+  const std::vector<FloatImage> layers = drawer.draw_aovs(frame, aovs).value();
+  const Pause pause = [] { return true; };
+  for (const Crop& crop : crops()) {
+    FurFrame part = frame;
+    part.crop = crop;
+    SCOPED_TRACE(::testing::Message() << crop.left << " " << crop.top);
+    const Image alone = drawer.draw(part).value();
+    ASSERT_EQ(glm::ivec2(alone.width, alone.height), glm::ivec2(crop.width, crop.height));
+    EXPECT_TRUE(alone.rgba == crop_of(picture, crop).rgba);
+    EXPECT_TRUE(drawer.draw(part, nullptr, pause)->rgba == crop_of(picture, crop).rgba);
+    EXPECT_TRUE(drawer.draw_deep(part)->rgba == crop_of(deep, crop).rgba);
+    const std::vector<FloatImage> parts = drawer.draw_aovs(part, aovs).value();
+    for (std::size_t i = 0; i < aovs.size(); ++i) EXPECT_TRUE(parts[i].rgba == crop_of(layers[i], crop).rgba) << i;
+  }
+}
+
+class Crops : public WithRenderer {
+ protected:
+  FurFrame frame_of(const FurredModel& model, const FrameRequest& request) {
+    sync_scene(*renderer, model.view(), {});
+    return make_frame(model.view(), request);
+  }
+};
+
+TEST_P(Crops, HaveTheBitsOfTheWhole) {
+  const FurredModel model = animal();
+  for (const double scale : {0.5, 1.0, 1.7}) {
+    FrameRequest request = frame_at(scale);
+    request.knobs.shadow_maps = scale == 1, request.knobs.guard_hairs = scale == 1 ? 200 : 0;
+    SCOPED_TRACE(scale);
+    expect_crops_of_the_whole(*renderer, frame_of(model, request));
+  }
+}
+
+TEST_P(Crops, OfSortedShellsToo) {
+  FrameRequest request = frame_at(1);
+  request.knobs.order = FragmentOrder::sorted, request.knobs.shells = 8;
+  expect_crops_of_the_whole(*renderer, frame_of(animal(), request));
+}
+
+TEST_P(Crops, OverlaysLieWhereTheyLieOnTheWhole) {
+  const FurredModel model = animal();
+  for (const Overlay overlay : {Overlay::direction, Overlay::shell_count, Overlay::wire}) {
+    FrameRequest request = frame_at(1);
+    request.overlay = overlay, request.background = Background::studio;
+    FurFrame frame = frame_of(model, request);
+    const Image whole = renderer->draw(frame).value();
+    frame.crop = {40, 30, 37, 41};
+    EXPECT_TRUE(renderer->draw(frame)->rgba == crop_of(whole, *frame.crop).rgba) << static_cast<int>(overlay);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Gl, Crops, both_backends(), name_of);
+
+TEST(MarchedCrops, HaveTheBitsOfTheWhole) {
+  const FurredModel model = animal();
+  for (const double scale : {0.5, 1.0, 1.7}) {
+    SCOPED_TRACE(scale);
+    Renderer renderer(RendererOptions{.threads = 2});
+    FrameRequest request = frame_at(scale);
+    request.knobs.shadow_maps = scale == 1;
+    sync_scene(renderer, model.view(), {});
+    expect_crops_of_the_whole(renderer, make_frame(model.view(), request));
+  }
+}
+
+class MarchedCropsAfterStrokes : public MarchedFrames {};
+
+TEST_F(MarchedCropsAfterStrokes, HaveTheBitsOfTheWhole) {
+  FurredModel model = furred({Builtin::creature, 2000});
+  Renderer renderer(RendererOptions{.threads = 2}), fresh(RendererOptions{.threads = 2});
+  FrameRequest request = frame_at(1);
+  request.crop = {40, 30, 37, 41};
+  sync_scene(renderer, model.view(), {});
+  ASSERT_TRUE(renderer.draw(make_frame(model.view(), request)).ok());
+  for (int k = 0; k < 4; ++k) {
+    std::vector<VertexRange> ranges;
+    for (const DirtyRange& range : stroke(model)) ranges.push_back({range.begin, range.end});
+    sync_scene(renderer, model.view(), ranges);
+    FurFrame frame = make_frame(model.view(), request);
+    const Image again = renderer.draw(frame).value();
+    sync_scene(fresh, model.view(), ranges);
+    frame.crop.reset();
+    EXPECT_TRUE(again.rgba == crop_of(fresh.draw(frame).value(), *request.crop).rgba) << k;
+  }
+}
+
+}  // namespace
+}  // namespace pelage::testing::crop_test

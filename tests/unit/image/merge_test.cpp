@@ -1,0 +1,131 @@
+// A picture that was drawn in parts is, put together, the file of the whole.
+#include "renderer/image/merge.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "renderer/image/cropped.h"
+#include "renderer/image/float_image.h"
+
+namespace pelage {
+namespace {
+
+constexpr int width = 50, height = 37;
+
+struct Place {
+  int left, top, width, height;
+};
+const std::vector<Place> places = {{0, 0, 20, 16}, {20, 0, 30, 16}, {0, 16, 20, 21}, {20, 16, 30, 21}};
+const std::vector<ImageText> texts = {{"Software", "a test"}, {"pelage/frame", "7"}};
+
+/// Transparent on the right half.
+template <class Picture>
+Picture noise() {
+  using Number = typename decltype(Picture::rgba)::value_type;
+  Picture picture;
+  picture.width = width, picture.height = height;
+  std::mt19937 random(3);
+  for (int i = 0; i < width * height; ++i) {
+    for (int c = 0; c < 3; ++c) picture.rgba.push_back(static_cast<Number>(random()));
+    picture.rgba.push_back(i % width < 20 ? std::numeric_limits<Number>::max() : static_cast<Number>(random()));
+  }
+  return picture;
+}
+
+template <class Picture>
+std::vector<PicturePart> parts_of(const Picture& picture, bool keep_alpha) {
+  std::vector<PicturePart> parts;
+  for (const Place& at : places) {
+    const Picture part = cropped(picture, at.left, at.top, at.width, at.height);
+    parts.push_back({encode_png(part, keep_alpha), at.left, at.top});
+  }
+  return parts;
+}
+
+template <class Picture>
+void expect_whole_png() {
+  const Picture picture = noise<Picture>();
+  for (const bool keep_alpha : {false, true}) {
+    const auto merged = merge_pictures(parts_of(picture, keep_alpha), width, height, keep_alpha, texts);
+    ASSERT_TRUE(merged.ok()) << merged.status().message;
+    EXPECT_TRUE(*merged == encode_png(picture, keep_alpha, texts)) << keep_alpha;
+  }
+}
+
+TEST(Merge, PngOf8And16Bits) {
+  expect_whole_png<Image>();
+  expect_whole_png<Image16>();
+}
+
+/// Colours in halves and a depth in single floats, with what halves hold at their ends.
+struct ExrNoise {
+  FloatImage colour, depth;
+};
+
+ExrNoise exr_noise() {
+  ExrNoise noise{{width, height, {}}, {width, height, {}}};
+  std::mt19937 random(3);
+  std::normal_distribution<float> any(0, 1000);
+  for (int i = 0; i < 4 * width * height; ++i) {
+    noise.colour.rgba.push_back(any(random) * any(random));  // beyond 65504 too
+    noise.depth.rgba.push_back(i % 11 == 0 ? std::numeric_limits<float>::infinity() : any(random));
+  }
+  return noise;
+}
+
+std::string exr_of(const ExrNoise& noise, const ExrWindow& window, std::span<const ImageText> says = {}) {
+  std::vector<ExrPlane> planes = rgba_planes(noise.colour.rgba, ExrSample::half);
+  planes.push_back({"Z", noise.depth.rgba, 0, 4, ExrSample::single});
+  return encode_exr(window, planes, says);
+}
+
+TEST(Merge, ExrWithItsChannelsInTheirTypes) {
+  const ExrNoise noise = exr_noise();
+  std::vector<PicturePart> parts;
+  for (const Place& at : places) {
+    const ExrNoise part{cropped(noise.colour, at.left, at.top, at.width, at.height),
+                        cropped(noise.depth, at.left, at.top, at.width, at.height)};
+    parts.push_back({exr_of(part, {at.width, at.height, at.left, at.top, width, height}), at.left, at.top});
+  }
+  const auto merged = merge_pictures(parts, width, height, false, texts);
+  ASSERT_TRUE(merged.ok()) << merged.status().message;
+  EXPECT_TRUE(*merged == exr_of(noise, {width, height}, texts));
+}
+
+TEST(Merge, RefusesPartsThatDoNotFit) {
+  const std::vector<PicturePart> png = parts_of(noise<Image>(), false), deep = parts_of(noise<Image16>(), false);
+  const auto refused = [](const std::vector<PicturePart>& parts) {
+    const auto merged = merge_pictures(parts, width, height, false, texts);
+    return !merged.ok() && merged.status().code == Code::invalid;
+  };
+  EXPECT_TRUE(refused({png[0], deep[1]}));
+  EXPECT_TRUE(refused({png[0], {exr_of(exr_noise(), {width, height}), 0, 0}}));
+  EXPECT_TRUE(refused({{png[0].bytes, 31, 0}}));
+  EXPECT_TRUE(refused({{png[0].bytes, -1, 0}}));
+  EXPECT_TRUE(refused({{png[0].bytes.substr(0, png[0].bytes.size() / 2), 0, 0}}));
+  EXPECT_TRUE(refused({{"no picture", 0, 0}}));
+}
+
+TEST(Merge, ReadsWhatAFileSaysOfItself) {
+  const std::string png = encode_png(noise<Image>(), false, texts);
+  EXPECT_EQ(text_in_picture(std::as_bytes(std::span(png)), "pelage/frame"), "7");
+  EXPECT_EQ(text_in_picture(std::as_bytes(std::span(png)), "pelage/other"), "");
+  EXPECT_EQ(text_in_picture(std::as_bytes(std::span(std::string_view("no picture"))), "pelage/frame"), "");
+}
+
+TEST(Merge, AnExrOfAPartSaysWhereItLies) {
+  const ExrNoise noise = exr_noise();
+  const std::string exr = exr_of(noise, {width, height, 12, 34, 200, 100});
+  constexpr std::array wanted{PictureFormat::exr};
+  const auto file = open_picture(std::as_bytes(std::span(exr)), wanted, 1 << 20);
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->spec.x, 12);
+  EXPECT_EQ(file->spec.y, 34);
+  EXPECT_EQ(file->spec.full_width, 200);
+  EXPECT_EQ(file->spec.full_height, 100);
+}
+
+}  // namespace
+}  // namespace pelage
