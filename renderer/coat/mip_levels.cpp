@@ -35,27 +35,17 @@ float seen_from_outside(const Coat& coat) {
   return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, water_gathers * coat.wetness));
 }
 
-Stack halve(const Stack& stack, int texels, float outside) {
-  const int half = texels / 2;
-  Stack result(stack.size(), std::vector<SliceTexel>(static_cast<std::size_t>(half * half)));
-  for (std::size_t i = 0; i < stack.size(); ++i) {
-    for (int y = 0; y < half; ++y) {
-      for (int x = 0; x < half; ++x) {
-        SliceTexel sum;
-        float light = 0, on_strands = 0, strands = 0;
-        for (int k = 0; k < 4; ++k) {
-          const SliceTexel& part = stack[i][at(2 * x + k % 2, 2 * y + k / 2, texels)];
-          sum.add(part);
-          const float share = 1e-6f + opacity(part.depth);
-          light += part.light / 4, on_strands += part.light * share, strands += share;
-        }
-        sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f,
-            sum.light = glm::mix(on_strands / strands, light, outside);
-        result[i][at(x, y, half)] = sum;
-      }
-    }
+/// Of four texels: their mean as their strands weigh it, and as what is seen of clumps from outside does.
+float light_of(const std::array<const SliceTexel*, 4>& parts, float outside) {
+  const float first = parts[0]->light;
+  if (std::all_of(parts.begin(), parts.end(), [&](const SliceTexel* part) { return part->light == first; }))
+    return first;
+  float light = 0, on_strands = 0, strands = 0;
+  for (const SliceTexel* part : parts) {
+    const float share = 1e-6f + opacity(part->depth);
+    light += part->light / 4, on_strands += part->light * share, strands += share;
   }
-  return result;
+  return glm::mix(on_strands / strands, light, outside);
 }
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
@@ -270,39 +260,13 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   return level;
 }
 
-/// Strands between each texel and light from above. Light comes from all sides, so a place between clumps lies half
-/// under what is straight above it and half under the mean.
-void light_from_above(const CrossingGrid& crossings, Stack& stack) {
-  constexpr int texels_of_cell = slice_texels / crossing_cells;
-  std::vector<double> above(crossing_cells * crossing_cells, 0.0);
-  std::vector<float> light(above.size());
-  for (std::size_t i = stack.size(); i-- > 0;) {
-    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
-    const double mean = mean_of(above);
-    for (std::size_t k = 0; k < above.size(); ++k) {
-      light[k] = static_cast<float>(std::exp(-(0.5 * mean + 0.5 * above[k]) / stored_light));
-    }
-    for (int y = 0; y < slice_texels; ++y) {
-      for (int x = 0; x < slice_texels; ++x) {
-        stack[i][at(x, y, slice_texels)].light = light[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
-      }
-    }
-    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
-  }
-}
+using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 
-std::array<float, slice_count> depth_above(const CrossingGrid& crossings) {
-  std::array<float, slice_count> result{};
-  double above = 0;
-  for (std::size_t i = slice_count; i-- > 0;) {
-    const double here = mean_of(crossings[i]);
-    result[i] = static_cast<float>(above + 0.5 * here);
-    above += here;
-  }
+Stack halved_stack(const Coat& coat, const Stack& stack, int texels) {
+  Stack result;
+  for (const std::vector<SliceTexel>& slice : stack) result.push_back(halved(coat, slice, texels));
   return result;
 }
-
-using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 
 SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
   const double across =
@@ -320,29 +284,65 @@ SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const Le
 
 }  // namespace
 
-Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack stack) {
-  assert(stack.size() == slice_count);
+StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands) {
+  const CrossingGrid crossings = crossings_of(coat, strands);
+  StackLight result;
+  std::vector<double> above(crossing_cells * crossing_cells, 0.0);
+  for (std::size_t i = slice_count; i-- > 0;) {
+    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
+    const double mean = mean_of(above);
+    // Light comes from all sides, so a place between clumps lies half under what is straight above it and half under
+    // the mean.
+    for (const double here : above)
+      result.cells[i].push_back(static_cast<float>(std::exp(-(0.5 * mean + 0.5 * here) / stored_light)));
+    result.depth_above[i] = static_cast<float>(mean);
+    for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
+  }
+  return result;
+}
+
+void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice) {
+  constexpr int texels_of_cell = slice_texels / crossing_cells;
+  for (int y = 0; y < slice_texels; ++y) {
+    for (int x = 0; x < slice_texels; ++x)
+      slice[at(x, y, slice_texels)].light = cells[at(x / texels_of_cell, y / texels_of_cell, crossing_cells)];
+  }
+}
+
+std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
+  const float outside = seen_from_outside(coat);
+  const int half = texels / 2;
+  std::vector<SliceTexel> result(static_cast<std::size_t>(half * half));
+  for (int y = 0; y < half; ++y) {
+    for (int x = 0; x < half; ++x) {
+      SliceTexel& sum = result[at(x, y, half)];
+      std::array<const SliceTexel*, 4> parts{};
+      for (int k = 0; k < 4; ++k) {
+        const SliceTexel& part = slice[at(2 * x + k % 2, 2 * y + k / 2, texels)];
+        sum.add(part), parts[static_cast<std::size_t>(k)] = &part;
+      }
+      sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = light_of(parts, outside);
+    }
+  }
+  return result;
+}
+
+std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, int finest, Stack stack) {
+  assert(stack.size() == slice_count && finest >= 0 && finest < slice_levels);
   LetThrough open;
   const auto let_through = [&](std::size_t k) { open[k] = rays_let_through(coat, strands, slants[k]); };
-  Slices slices;
-  run_both([&] { let_through(1), let_through(3); },
+  run_both([&] { let_through(1), let_through(3); }, [&] { let_through(0), let_through(2); });
+  std::vector<SliceLevel> levels(slice_levels);
+  run_both([&] { levels[static_cast<std::size_t>(finest)] = make_level(coat, stack, slice_texels >> finest, open); },
            [&] {
-             let_through(0), let_through(2);
-             const CrossingGrid crossings = crossings_of(coat, strands);
-             light_from_above(crossings, stack);
-             slices.depth_above = depth_above(crossings);
-           });
-  slices.levels.resize(slice_levels);
-  run_both([&] { slices.levels[0] = make_level(coat, stack, slice_texels, open); },
-           [&] {
-             const float outside = seen_from_outside(coat);
-             Stack coarse = halve(stack, slice_texels, outside);
-             for (int level = 1, texels = slice_texels / 2; level < slice_levels; ++level, texels /= 2) {
-               slices.levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, texels, open);
-               coarse = halve(coarse, texels, outside);
+             const Stack* finer = &stack;
+             Stack coarse;
+             for (int level = finest + 1; level < slice_levels; ++level) {
+               coarse = halved_stack(coat, *finer, slice_texels >> (level - 1)), finer = &coarse;
+               levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, slice_texels >> level, open);
              }
            });
-  return slices;
+  return levels;
 }
 
 }  // namespace pelage

@@ -1,6 +1,7 @@
 // From a stack of full-size slices to all levels, ready for the GPU.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -26,7 +27,22 @@ struct SliceTexel {
   }
 };
 
-/// `stack` has slice_count slices of slice_texels^2 texels of these strands, `light` unset.
-Slices build_levels(const Coat& coat, const std::vector<Strand>& strands, std::vector<std::vector<SliceTexel>> stack);
+/// Light from above on the cells of each slice, and the strands above it (Slices::depth_above).
+struct StackLight {
+  std::array<std::vector<float>, slice_count> cells;  // crossing_cells^2, x fastest
+  std::array<float, slice_count> depth_above{};
+};
+StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands);
+
+/// Puts it into the texels of a full-size slice.
+void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice);
+
+/// A slice of `texels` a side at half of it.
+std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels);
+
+/// The levels from `finest` on; those before it stay empty. `stack` has slice_count slices of these strands, of the
+/// texels of that level.
+std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, int finest,
+                                     std::vector<std::vector<SliceTexel>> stack);
 
 }  // namespace pelage

@@ -86,18 +86,22 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
 
 }  // namespace
 
-Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on) {
+Slices bake_slices(const Coat& coat, int finest, const std::function<bool()>& go_on) {
   const std::vector<Strand> strands = make_strands(coat);
+  const StackLight light = light_from_above(coat, strands);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
   // Slices do not depend on each other, so the split changes no bit. Two threads: others draw meanwhile.
   for_each_in_parallel(
       slice_count,
       [&](std::uint32_t i) {
-        if (!go_on || go_on()) stack[i] = bake_slice(coat, strands, static_cast<int>(i));
+        if (go_on && !go_on()) return;
+        stack[i] = bake_slice(coat, strands, static_cast<int>(i));
+        set_light(light.cells[i], stack[i]);
+        for (int level = 0; level < finest; ++level) stack[i] = halved(coat, stack[i], slice_texels >> level);
       },
       2);
   if (go_on && !go_on()) return {};
-  return build_levels(coat, strands, std::move(stack));
+  return {build_levels(coat, strands, finest, std::move(stack)), finest, light.depth_above};
 }
 
 std::array<glm::vec3, slice_count> colour_above(const Coat& coat) {

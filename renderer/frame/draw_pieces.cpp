@@ -94,7 +94,7 @@ GlRenderer::Prepared GlRenderer::prepare_whole(const FurFrame& frame, DrawTimes&
 bool GlRenderer::bake(const Coat& coat, const Pause& pause) {
   if (has(coat)) return true;
   const auto next = [&] { return let_in(pause); };
-  std::optional<Slices> slices = run_beside(next, [&](const auto& go_on) { return bake_slices(coat, go_on); });
+  std::optional<Slices> slices = run_beside(next, [&](const auto& go_on) { return bake_slices(coat, 0, go_on); });
   if (slices && !has(coat)) add(coat, std::move(*slices));
   return slices.has_value();
 }

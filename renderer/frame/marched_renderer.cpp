@@ -67,17 +67,19 @@ Area MarchedRenderer::changed_area(const FurFrame& frame, const ShownFrame& show
   return area_of(changed, view.light.width, view.light.height);
 }
 
-bool MarchedRenderer::bake(const Coat& coat, const Pause& pause) {
-  if (marcher_.has(coat)) return true;
-  if (!pause) return marcher_.add(coat, bake_slices(coat)), true;
-  std::optional<Slices> slices = run_beside(pause, [&](const auto& go_on) { return bake_slices(coat, go_on); });
-  if (slices && !marcher_.has(coat)) marcher_.add(coat, std::move(*slices));
+bool MarchedRenderer::bake(const FurFrame& frame, const Pause& pause) {
+  const Coat& coat = frame.coat;
+  const int finest = marcher_.finest_level(frame);
+  if (marcher_.has(coat, finest)) return true;
+  if (!pause) return marcher_.add(coat, bake_slices(coat, finest)), true;
+  std::optional<Slices> slices = run_beside(pause, [&](const auto& go_on) { return bake_slices(coat, finest, go_on); });
+  if (slices && !marcher_.has(coat, finest)) marcher_.add(coat, std::move(*slices));
   return slices.has_value();
 }
 
 std::optional<Area> MarchedRenderer::draw_changed(const FurFrame& frame, const std::optional<ShownFrame>& shown,
                                                   const Pause& pause, DrawTimes& times, View& view) {
-  if (!bake(frame.coat, pause)) return {};
+  if (!bake(frame, pause)) return {};
   const float reach = marcher_.reach_of(frame.model);
   const bool same_reach = std::exchange(view.reach, reach) == reach;
   const Area whole = drawn_area(frame, {view.light.width, view.light.height});
@@ -101,7 +103,7 @@ bool MarchedRenderer::draw_area(const FurFrame& frame, const Area& area, const P
     }
     if (pieces.done()) return true;
     pieces.took(passed.milliseconds());
-    if (!pause() || !bake(frame.coat, pause)) return false;  // many coats may have passed
+    if (!pause() || !bake(frame, pause)) return false;  // many coats may have passed
   }
 }
 
@@ -114,7 +116,7 @@ Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes&
     return no_memory_for_light();
   }
   const Area whole = drawn_area(frame, {drawn.light.width, drawn.light.height});
-  if (!bake(frame.coat, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels)) return given_up();
+  if (!bake(frame, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels)) return given_up();
   return drawn;
 }
 

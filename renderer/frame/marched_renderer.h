@@ -66,7 +66,8 @@ class MarchedRenderer {
   /// What lies over the frame's picture; empty for nothing.
   Result<FloatImage> draw_overlay(const FurFrame& frame, const Pause& pause, DrawTimes& times);
   Area changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const;
-  bool bake(const Coat& coat, const Pause& pause);
+  /// What the frame reads of its coat; false where the pause gave it up.
+  bool bake(const FurFrame& frame, const Pause& pause);
   /// Draws the light and makes a picture of it: `finish` takes the view, the overlay (null for none) and the area that
   /// was drawn.
   template <class Picture, class Finish>

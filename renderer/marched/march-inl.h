@@ -126,11 +126,12 @@ struct Ray {
   Real offset;    // of the samples of this pixel, [0, 1)
 };
 
-HWY_INLINE Real level_of(const FrameBlock& frame, const Ray& ray, Real distance, Vec3 normal) {
+HWY_INLINE Real level_of(const MarchScene& scene, const Ray& ray, Real distance, Vec3 normal) {
+  const FrameBlock& frame = scene.optics.frame;
   const Real facing = abs(dot(ray.unit_way, normal));
   const Real pixel = frame.viewpoint.w * distance * ray.size;
   const Real level = log2(pixel * (1 / frame.tile.y)) - 0.25f * log2(max(facing, 0.2f));
-  return clamp(level, 0.0f, slice_levels - 1.0f);
+  return clamp(level, static_cast<float>(scene.atlas->finest), slice_levels - 1.0f);
 }
 
 /// The tile's u axis, unit.
@@ -198,7 +199,7 @@ HWY_INLINE Path path_of(const MarchScene& scene, const Ray& ray, const Segments&
   path.height = load(segments.near_height), path.rise = load(segments.far_height) - path.height;
   path.length = 0.5f * (near.length + far.length);
   path.bend = bend_of(scene, lie, (far.distance - near.distance) * ray.size, path.length);
-  path.level = level_of(frame, ray, 0.5f * (near.distance + far.distance), lie.normal);
+  path.level = level_of(scene, ray, 0.5f * (near.distance + far.distance), lie.normal);
   const Int level = to_int(path.level + 0.5f);
   path.first = gather(scene.atlas->first.data(), level), path.side = hn::Shr(whole(slice_texels), level);
   const Real climbed = climbed_by(path), way = way_through(ray, lie, path, climbed);

@@ -168,7 +168,7 @@ void Marcher::add_optics(const FurFrame& frame, const FurMesh& mesh, const Coate
 
 MarchScene Marcher::scene_of(const FurFrame& frame, const ShellSet& shells, int samples) {
   const FurMesh& mesh = meshes_.at(frame.model);
-  const Coated& coated = coat_of(frame.coat);
+  const Coated& coated = coat_of(frame.coat, finest_level(frame));
   MarchScene scene;
   scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
   scene.width = size_of(frame).x, scene.height = size_of(frame).y;

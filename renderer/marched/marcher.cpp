@@ -106,22 +106,47 @@ std::size_t Marcher::add(const FurModel& model, const FurFields& fields) {
 
 std::size_t Marcher::update(std::uint64_t model, const FurFields& fields) { return meshes_.at(model).update(fields); }
 
-const Marcher::Coated& Marcher::coat_of(const Coat& coat) {
-  const auto found =
-      std::find_if(coats_.begin(), coats_.end(), [&](const Coated& c) { return same_strands(c.coat, coat); });
+const Marcher::Coated& Marcher::coat_of(const Coat& coat, int finest) {
+  const auto found = std::find_if(coats_.begin(), coats_.end(), [&](const Coated& c) {
+    return c.slices.finest <= finest && same_strands(c.coat, coat);
+  });
   if (found != coats_.end()) {
     coats_.splice(coats_.begin(), coats_, found);
     return coats_.front();
   }
-  add(coat, bake_slices(coat));
+  add(coat, bake_slices(coat, finest));
   return coats_.front();
 }
 
-bool Marcher::has(const Coat& coat) const {
-  return std::any_of(coats_.begin(), coats_.end(), [&](const Coated& c) { return same_strands(c.coat, coat); });
+/// A level is chosen by the size of a pixel, and coarser at a slant (level_of in march-inl.h): none is finer than that
+/// of the nearest fur seen from above. Either all levels or those from `usual` on, which frames of a whole animal read,
+/// so that a camera that comes nearer bakes once.
+int Marcher::finest_level(const FurFrame& frame) const {
+  constexpr int usual = 2;
+  constexpr double rounding = 0.1;  // of the kernel's levels
+  const float radius = radius_of_fur(meshes_.at(frame.model).view());
+  const double fur = double{radius} * (1 + frame.coat.variation.length);
+  const auto level = [&](const FurFrame& seen) {
+    const double nearest = -glm::dot(glm::dvec3(seen.camera.position), glm::dvec3(seen.camera.forward)) - fur;
+    const int pixels = size_of(seen).y;
+    const double pixel = 2 * double{seen.camera.tan_half_fov} / pixels * std::max(nearest, 0.0);
+    return std::log2(pixel / finest_texel(seen, pixels));
+  };
+  double finest = level(frame);
+  if (ShadowCache::wanted(frame)) {
+    for (const FurLight& light : frame.lights)
+      if (light.self_shadow_maps) finest = std::min(finest, level(frame_of_light(frame, light, radius)));
+  }
+  return finest >= usual + rounding ? usual : 0;
+}
+
+bool Marcher::has(const Coat& coat, int finest) const {
+  return std::any_of(coats_.begin(), coats_.end(),
+                     [&](const Coated& c) { return c.slices.finest <= finest && same_strands(c.coat, coat); });
 }
 
 void Marcher::add(const Coat& coat, Slices slices) {
+  std::erase_if(coats_, [&](const Coated& c) { return same_strands(c.coat, coat); });
   if (coats_.size() == max_cached_coats) coats_.pop_back();
   coats_.emplace_front(coat, std::move(slices));
 }

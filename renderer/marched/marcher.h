@@ -44,8 +44,12 @@ class Marcher {
   void forget(std::uint64_t original);
   void forget_all();
 
-  bool has(const Coat& coat) const;
-  /// Takes the slices of a coat; one that it does not have is baked when it is first drawn.
+  /// The finest level of the coat's slices (Slices) that a frame of a model that it has may read, or one before it.
+  int finest_level(const FurFrame& frame) const;
+  /// Whether it has the coat's slices from that level on.
+  bool has(const Coat& coat, int finest) const;
+  /// Takes the slices of a coat, in place of coarser ones; what a frame reads and it does not have is baked when it is
+  /// drawn.
   void add(const Coat& coat, Slices slices);
 
   /// How many changes of the model's fur there were so far, and where on a picture it has changed since there were so
@@ -75,7 +79,7 @@ class Marcher {
 
  private:
   struct Coated;
-  const Coated& coat_of(const Coat& coat);
+  const Coated& coat_of(const Coat& coat, int finest);
   MarchScene scene_of(const FurFrame& frame, const ShellSet& shells, int samples);
   /// Places and sorts the scene's box, and calls draw(tile, scratch) for its tiles.
   template <class Draw>

@@ -18,7 +18,7 @@ void append(const SliceLevel& level, const std::vector<std::uint8_t>& bytes, std
 
 }  // namespace
 
-SliceAtlas::SliceAtlas(const Slices& slices) {
+SliceAtlas::SliceAtlas(const Slices& slices) : finest(slices.finest) {
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
     first[i] = static_cast<std::int32_t>(shapes.size());
     append(slices.levels[i], slices.levels[i].shape, shapes);

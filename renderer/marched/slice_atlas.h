@@ -13,6 +13,7 @@ namespace pelage {
 struct SliceAtlas {
   std::vector<std::int32_t> shapes, colours;       // four bytes each, as in SliceLevel; x 0 lowest
   std::array<std::int32_t, slice_levels> first{};  // texel of each level: ((y side + x) slice_count + slice) follows
+  int finest = 0;                                  // levels before it have no texels
 
   explicit SliceAtlas(const Slices& slices);
   std::size_t bytes() const { return 4 * (shapes.capacity() + colours.capacity()); }

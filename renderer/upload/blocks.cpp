@@ -56,14 +56,12 @@ double crowding_of(const Coat& coat) {
   return std::min(coat.count * width * width / (coat.tile * coat.tile), 1.0);
 }
 
-/// Size of the finest texels, larger the more a picture of part size is enlarged: texels for the pixels that are drawn
-/// are blurred once more by enlarging, texels for those that are shown flicker. So halfway, in the logarithm.
+}  // namespace
+
 double finest_texel(const FurFrame& frame, int pixels) {
   const double enlarged = std::max(1.0, static_cast<double>(frame.height) / pixels);
   return frame.coat.tile / slice_texels * std::sqrt(enlarged);
 }
-
-}  // namespace
 
 glm::mat4 world_to_clip(const FurFrame& frame) { return projection(frame) * view(frame.camera); }
 

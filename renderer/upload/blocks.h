@@ -35,6 +35,11 @@ static_assert(sizeof(FrameBlock) == 64 + 16 * (7 + 8 + 8 + 32 + 1 + 24 + 9));
 /// From the world to the picture (FrameBlock::world_to_clip).
 glm::mat4 world_to_clip(const FurFrame& frame);
 
+/// Size of the finest texels of the coat's slices, sizes: larger the more a picture of part size is enlarged. Texels
+/// for the pixels that are drawn are blurred once more by enlarging, texels for those that are shown flicker. So
+/// halfway, in the logarithm. `pixels` is the height that is drawn.
+double finest_texel(const FurFrame& frame, int pixels);
+
 /// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that
 /// shells stay apart at any distance (science.md 1).
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);
