@@ -43,6 +43,8 @@ struct FurModel {
   std::span<const ImageView> images;
   bool has_colours = false;  // whether corners carry colours or a picture
   std::uint64_t original = 0;
+  // Of each vertex, where the coat was made for the model: patterns, variation and tufts go by it. Empty: where it is.
+  std::span<const glm::vec3> rest_positions = {}, rest_normals = {};
 };
 
 /// Half-open range of vertices whose fields changed since the last call for this model.

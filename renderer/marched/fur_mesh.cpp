@@ -42,6 +42,7 @@ FurMesh::FurMesh(const FurModel& model, const FurFields& fields)
     weights_.push_back(vertex.weight), shading_normals_.push_back(vertex.shading_normal);
   }
   triangles_ = std::move(split.triangles), first_ = std::move(split.first), welded_ = std::move(split.welded);
+  rest_positions_ = by_vertex(model.rest_positions, welded_), rest_normals_ = by_vertex(model.rest_normals, welded_);
   for (const glm::uvec3& t : triangles_) {
     const glm::vec3 across = glm::cross(positions_[t.y] - positions_[t.x], positions_[t.z] - positions_[t.x]);
     const float area = std::max(glm::length(across), 1e-20f),
@@ -143,8 +144,8 @@ MarchMesh FurMesh::view() const {
 std::size_t FurMesh::bytes() const {
   std::size_t bytes = sizeof(FurMesh);
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
-  add(positions_, normals_, shading_normals_, tangents_, image_uvs_, colours_, groom_, tiles_, weights_, fur_share_,
-      mask_, paint_, painted_, triangles_, patches_, welded_, first_, axes_, skin_);
+  add(rest_positions_, rest_normals_, positions_, normals_, shading_normals_, tangents_, image_uvs_, colours_, groom_,
+      tiles_, weights_, fur_share_, mask_, paint_, painted_, triangles_, patches_, welded_, first_, axes_, skin_);
   return bytes + changed_.bytes();
 }
 

@@ -8,6 +8,7 @@
 
 #include "renderer/input/fur_scene.h"
 #include "renderer/marched/march_scene.h"
+#include "renderer/pattern/surface_volume.h"
 #include "renderer/visibility/changed_fur.h"
 
 namespace pelage {
@@ -24,6 +25,9 @@ class FurMesh {
   std::uint64_t original() const { return original_; }
   bool has_colours() const { return has_colours_; }
   const BaseImages& images() const { return images_; }
+  VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
+  /// Of render vertices, where patterns and tufts see them.
+  std::span<const glm::vec3> places_at_rest() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
   bool paints_fur() const { return !paint_.empty(); }
   std::size_t bytes() const;
   std::uint64_t changes() const { return changed_.count(); }
@@ -40,6 +44,7 @@ class FurMesh {
   bool has_colours_ = false;
   BaseImages images_;
   std::vector<glm::vec3> positions_, normals_, shading_normals_, tangents_, image_uvs_, colours_, groom_;
+  std::vector<glm::vec3> rest_positions_, rest_normals_;  // empty where the model stands at rest
   std::vector<glm::vec2> tiles_;
   std::vector<float> weights_, fur_share_, mask_;
   std::vector<std::array<float, 6>> paint_;

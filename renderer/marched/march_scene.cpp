@@ -47,11 +47,12 @@ void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
   Kept& kept = *kept_;
   if (kept.model != frame.model || kept.pattern != block) {
     kept.model = frame.model, kept.pattern = block;
-    kept.volume = make_surface_volume(
-        {scene.mesh.positions, scene.mesh.normals, scene.mesh.triangles},
-        [&](glm::vec3 middle, glm::vec3 normal) { return glm::vec4(pattern_weights(block, middle, normal), 1); });
+    const FurMesh& mesh = meshes_.at(frame.model);
+    kept.volume = make_surface_volume(mesh.surface(), [&](const SurfacePlace& middle) {
+      return glm::vec4(pattern_weights(block, middle.place, middle.normal), 1);
+    });
     kept.variation.clear();
-    for (const glm::vec3& place : scene.mesh.positions) kept.variation.push_back(pattern_variation(block, place));
+    for (const glm::vec3& place : mesh.places_at_rest()) kept.variation.push_back(pattern_variation(block, place));
   }
   scene.mesh.variation = kept.variation;
   scene.optics.pattern = {block.colour, block.inner_colour, block.belly_colour,
@@ -66,11 +67,10 @@ void Marcher::add_tufts(const FurFrame& frame, MarchScene& scene) {
   const float longest = longest_pull(tufts);
   if (kept.tufted != frame.model || kept.tufts != tufts) {
     kept.tufted = frame.model, kept.tufts = tufts;
-    kept.tuft_volume = make_surface_volume({scene.mesh.positions, scene.mesh.normals, scene.mesh.triangles},
-                                           [&](glm::vec3 middle, glm::vec3 normal) {
-                                             const TuftPlace tuft = tuft_at(tufts, middle, normal);
-                                             return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
-                                           });
+    kept.tuft_volume = make_surface_volume(meshes_.at(frame.model).surface(), [&](const SurfacePlace& middle) {
+      const TuftPlace tuft = tuft_at(tufts, middle);
+      return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
+    });
   }
   const SurfaceVolume& volume = kept.tuft_volume;
   scene.optics.tufts = {gathered(tufts, 1), longest, volume.origin, 1.0f / (glm::vec3(volume.size) * volume.cell),

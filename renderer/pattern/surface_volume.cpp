@@ -21,13 +21,16 @@ class Filler {
     filled_.assign(cells, false);
   }
 
-  void fill_about(glm::vec3 place, glm::vec3 normal) {
+  /// `at_rest(middle)`: where the middle of a cell about the place lies at rest.
+  template <class AtRest>
+  void fill_about(glm::vec3 place, const AtRest& at_rest) {
     const glm::ivec3 first(glm::floor((place - volume_.origin) / volume_.cell - 0.5f));
-    for (int k = 0; k < 8; ++k) fill(first + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), normal);
+    for (int k = 0; k < 8; ++k) fill(first + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), at_rest);
   }
 
  private:
-  void fill(glm::ivec3 at, glm::vec3 normal) {
+  template <class AtRest>
+  void fill(glm::ivec3 at, const AtRest& at_rest) {
     at = glm::clamp(at, glm::ivec3(0), volume_.size - 1);
     const auto cell =
         (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) + static_cast<std::size_t>(at.y)) *
@@ -36,7 +39,7 @@ class Filler {
     if (filled_[cell]) return;
     filled_[cell] = true;
     const glm::vec3 middle = volume_.origin + (glm::vec3(at) + 0.5f) * volume_.cell;
-    const glm::vec4 value = glm::clamp(value_(middle, normal), 0.0f, 1.0f);
+    const glm::vec4 value = glm::clamp(value_(at_rest(middle)), 0.0f, 1.0f);
     for (int k = 0; k < 4; ++k)
       volume_.rgba[4 * cell + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * value[k]));
   }
@@ -48,7 +51,8 @@ class Filler {
 
 /// Calls `visit` with barycentrics at most half a cell apart over a triangle.
 template <class Visit>
-void for_each_point(glm::vec3 a, glm::vec3 b, glm::vec3 c, float spacing, Visit visit) {
+void for_each_point(const std::array<glm::vec3, 3>& corners, float spacing, Visit visit) {
+  const auto& [a, b, c] = corners;
   const float longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
   const int steps = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
   for (int i = 0; i <= steps; ++i) {
@@ -59,6 +63,33 @@ void for_each_point(glm::vec3 a, glm::vec3 b, glm::vec3 c, float spacing, Visit 
     }
   }
 }
+
+glm::vec3 mixed(const std::array<glm::vec3, 3>& values, glm::vec3 share) {
+  return share.x * values[0] + share.y * values[1] + share.z * values[2];
+}
+
+/// A triangle where it is, and where it lay at rest.
+struct Corners {
+  std::array<glm::vec3, 3> places, rest_places, rest_normals;
+  bool moved = false;
+  glm::mat3 turn{1};
+
+  Corners(const VolumeSurface& surface, const glm::uvec3& t) : moved(!surface.rest_positions.empty()) {
+    const auto of = [&](std::span<const glm::vec3> values) {
+      return std::array{values[t.x], values[t.y], values[t.z]};
+    };
+    places = of(surface.positions);
+    rest_places = of(moved ? surface.rest_positions : surface.positions);
+    rest_normals = of(moved ? surface.rest_normals : surface.normals);
+    if (moved) turn = turn_of_triangle(rest_places, places);
+  }
+
+  SurfacePlace at_rest(glm::vec3 share) const {
+    const glm::vec3 normal = mixed(rest_normals, share);
+    const float length = glm::length(normal);
+    return {mixed(rest_places, share), length > 0 ? normal / length : rest_normals[0], turn};
+  }
+};
 
 }  // namespace
 
@@ -73,11 +104,14 @@ SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValu
   volume.size = glm::min(glm::ivec3(glm::ceil(extent / volume.cell)) + 2, glm::ivec3(max_cells));
   Filler filler(value, volume);
   for (const glm::uvec3& t : surface.triangles) {
-    const glm::vec3 a = surface.positions[t.x], b = surface.positions[t.y], c = surface.positions[t.z];
-    for_each_point(a, b, c, 0.5f * volume.cell, [&](glm::vec3 w) {
-      const glm::vec3 sum = w.x * surface.normals[t.x] + w.y * surface.normals[t.y] + w.z * surface.normals[t.z];
-      const float length = glm::length(sum);
-      filler.fill_about(w.x * a + w.y * b + w.z * c, length > 0 ? sum / length : surface.normals[t.x]);
+    const Corners corners(surface, t);
+    for_each_point(corners.places, 0.5f * volume.cell, [&](glm::vec3 share) {
+      const SurfacePlace rest = corners.at_rest(share);
+      const glm::vec3 place = mixed(corners.places, share);
+      filler.fill_about(place, [&](glm::vec3 middle) {
+        if (!corners.moved) return SurfacePlace{middle, rest.normal};
+        return SurfacePlace{rest.place + glm::transpose(rest.turn) * (middle - place), rest.normal, rest.turn};
+      });
     });
   }
   return volume;

@@ -8,11 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "renderer/pattern/surface_place.h"
+
 namespace pelage {
 
 struct VolumeSurface {
   std::span<const glm::vec3> positions, normals;  // of vertices; internal coordinates, unit
   std::span<const glm::uvec3> triangles;
+  std::span<const glm::vec3> rest_positions = {}, rest_normals = {};  // as FurModel has them
 };
 
 struct SurfaceVolume {
@@ -22,8 +25,8 @@ struct SurfaceVolume {
   std::vector<std::uint8_t> rgba;  // 0 where nothing was evaluated
 };
 
-/// What a cell holds: four values in [0, 1], from its middle and the normal of the surface there.
-using VolumeValue = std::function<glm::vec4(glm::vec3 middle, glm::vec3 normal)>;
+/// What a cell holds: four values in [0, 1], from where its middle lies at rest.
+using VolumeValue = std::function<glm::vec4(const SurfacePlace& middle)>;
 
 /// Evaluates the cells around the surface. A cell is .005 sizes, or more where 256 of them would not do. Deterministic.
 SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValue& value);

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "protocol/commands/coat.h"
+#include "renderer/pattern/surface_place.h"
 
 namespace pelage {
 
@@ -15,6 +16,13 @@ struct TuftPlace {
 /// The tuft of a root. Middles are scattered one to a cell of each scale, of which those near the surface count; a
 /// finer scale gathers inside the coarser ones, half as far. `normal` is unit. Deterministic in all arguments.
 TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
+
+/// The same of a place of a surface that has moved: `to_middle` lies along it as it is now.
+inline TuftPlace tuft_at(const Tufts& tufts, const SurfacePlace& root) {
+  TuftPlace tuft = tuft_at(tufts, root.place, root.normal);
+  tuft.to_middle = root.turn * tuft.to_middle;
+  return tuft;
+}
 
 /// No pull is longer, sizes.
 float longest_pull(const Tufts& tufts);

@@ -76,23 +76,29 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 
 FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
                    const LeanTable& leans, const PatternBlock* pattern) {
+  const bool moved = !model.rest_positions.empty();
   for (int i = 0; i < 3; ++i) {
     const std::uint32_t v = model.triangles[index][i];
     Corner& corner = corners_[static_cast<std::size_t>(i)];
-    corner.place = model.positions[v], corner.normal = model.normals[v];
+    corner.place = corner.rest_place = model.positions[v], corner.normal = corner.rest_normal = model.normals[v];
+    if (moved) corner.rest_place = model.rest_positions[v], corner.rest_normal = model.rest_normals[v];
     corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
     density_[i] = corner.fur.density;
     prepare(corner, model.tangents[v], leans, pattern);
   }
+  const auto of_corners = [&](glm::vec3 Corner::*of) {
+    return std::array{corners_[0].*of, corners_[1].*of, corners_[2].*of};
+  };
+  if (moved) turn_ = turn_of_triangle(of_corners(&Corner::rest_place), of_corners(&Corner::place));
 }
 
 /// The curve of a strand at a corner, as in fur_vertex.glsl.
 void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
   auto [inclination, lean] = lean_of(corner.fur.direction, corner.normal, tangent);
   if (pattern) {
-    corner.fur.length *= pattern_length(*pattern, corner.place);
-    inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.place), 0.0f, 1.0f);
+    corner.fur.length *= pattern_length(*pattern, corner.rest_place);
+    inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.rest_place), 0.0f, 1.0f);
   }
   const LeanRow row = leans.row(inclination);
   for (std::size_t k = 0; k < row.size(); ++k) {
@@ -108,6 +114,8 @@ RootFields FurPiece::fields(glm::vec3 share) const {
   RootFields root;
   root.place = mixed([](const Corner& c) { return c.place; });
   root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
+  root.rest = {mixed([](const Corner& c) { return c.rest_place; }),
+               unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), turn_};
   root.tile_u = unit_across(mixed([](const Corner& c) { return c.corner.tile_axis; }), root.normal);
   root.tile_v = glm::cross(root.normal, root.tile_u);
   root.length = mixed([](const Corner& c) { return c.fur.length; });

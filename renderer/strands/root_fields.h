@@ -13,6 +13,7 @@
 #include "protocol/commands/coat.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/pattern.h"
+#include "renderer/pattern/surface_place.h"
 
 namespace pelage {
 
@@ -56,6 +57,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 struct RootFields {
   glm::vec3 place{0};
   glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // unit and orthogonal
+  SurfacePlace rest;                                            // for patterns and tufts
   float length = 0;                                             // of the fur, sizes, >= 0
   float width = 1, wetness = 0, curl = 0, clump = 0;
   glm::vec4 root_paint{0}, tip_paint{0};
@@ -81,7 +83,7 @@ class FurPiece {
 
  private:
   struct Corner {
-    glm::vec3 place, normal;
+    glm::vec3 place, normal, rest_place, rest_normal;
     FurVertex fur;
     FurCorner corner;
     std::array<glm::vec3, lean_cells + 1> curve, slope;
@@ -90,6 +92,7 @@ class FurPiece {
 
   std::array<Corner, 3> corners_;
   glm::vec3 grown_, density_;  // of each corner
+  glm::mat3 turn_{1};          // from rest
 };
 
 }  // namespace pelage

@@ -66,7 +66,7 @@ StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& 
 
 StrandForm::Pull StrandForm::tuft_pull(const RootFields& root) const {
   if (coat_.tufts.gather <= 0) return {};
-  const TuftPlace tuft = tuft_at(coat_.tufts, root.place, root.normal);
+  const TuftPlace tuft = tuft_at(coat_.tufts, root.rest);
   const float radius = glm::length(tuft.to_middle) / std::max(1 - tuft.inside, 0.05f);
   return {tuft.to_middle, gathered(coat_.tufts, 1) * std::min(1.0f, root.length / std::max(radius, 1e-4f))};
 }
@@ -108,8 +108,9 @@ struct RootPattern {
 };
 
 RootPattern pattern_at(const PatternBlock& block, const RootFields& root) {
-  const glm::vec4 varied = pattern_variation(block, root.place);
-  return {pattern_weights(block, root.place, root.normal), varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w)};
+  const glm::vec4 varied = pattern_variation(block, root.rest.place);
+  return {pattern_weights(block, root.rest.place, root.rest.normal),
+          varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w)};
 }
 
 /// colour_painted in paint_light.glsl.

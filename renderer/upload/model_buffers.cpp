@@ -78,6 +78,7 @@ void ModelBuffers::keep(const FurModel& model, SplitModel split) {
   for (const RenderVertex& vertex : vertices) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
   }
+  rest_positions_ = by_vertex(model.rest_positions, welded_), rest_normals_ = by_vertex(model.rest_normals, welded_);
   lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
   centroids_.reserve(model.triangles.size()), face_normals_.reserve(model.triangles.size());
@@ -139,8 +140,8 @@ std::size_t ModelBuffers::bytes(const Gl& gl) const {
   for (const Buffer* buffer : {&fixed_, &groom_, &lod_, &variation_, &elements_})
     bytes += gl.bytes_of_buffer(buffer->id());
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
-  add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, lengths_, groom_values_, skin_,
-      skin_order_, fur_share_, curvatures_, lods_);
+  add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, rest_positions_, rest_normals_,
+      lengths_, groom_values_, skin_, skin_order_, fur_share_, curvatures_, lods_);
   return bytes;
 }
 

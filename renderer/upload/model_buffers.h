@@ -8,6 +8,7 @@
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/pattern/surface_volume.h"
 #include "renderer/upload/paint_buffers.h"
 #include "renderer/visibility/depth_parts.h"
 #include "renderer/visibility/fur_work.h"
@@ -64,6 +65,9 @@ class ModelBuffers {
   std::span<const glm::vec3> positions() const { return positions_; }  // of render vertices
   std::span<const glm::vec3> normals() const { return normals_; }
   std::span<const glm::uvec3> triangles() const { return triangles_; }
+  /// Of render vertices, where patterns and tufts see them.
+  std::span<const glm::vec3> places_at_rest() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
+  VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
   /// The model's vertex of each render vertex.
   std::span<const std::uint32_t> welded() const { return welded_; }
   /// Leaves the vertices, the fields and the variation at the storage bindings 0 to 2, as renderer/shaders/strand.glsl
@@ -124,10 +128,11 @@ class ModelBuffers {
   std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
   std::vector<glm::vec3> positions_, normals_;  // of render vertices
-  std::vector<float> lengths_;                  // of render vertices
-  std::vector<glm::vec3> groom_values_;         // as in groom_: direction, length
-  std::vector<FurSkinRegion> skin_;             // bare regions
-  std::vector<glm::uvec3> skin_order_;          // the triangles, those that bare skin may touch first
+  std::vector<glm::vec3> rest_positions_, rest_normals_;
+  std::vector<float> lengths_;           // of render vertices
+  std::vector<glm::vec3> groom_values_;  // as in groom_: direction, length
+  std::vector<FurSkinRegion> skin_;      // bare regions
+  std::vector<glm::uvec3> skin_order_;   // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;
   std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes

@@ -57,4 +57,11 @@ SplitModel split_corners(const FurModel& model) {
   return split;
 }
 
+std::vector<glm::vec3> by_vertex(std::span<const glm::vec3> values, std::span<const std::uint32_t> welded) {
+  std::vector<glm::vec3> result;
+  result.reserve(values.empty() ? 0 : welded.size());
+  for (std::size_t i = 0; i < welded.size() && !values.empty(); ++i) result.push_back(values[welded[i]]);
+  return result;
+}
+
 }  // namespace pelage

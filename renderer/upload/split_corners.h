@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
@@ -26,5 +27,8 @@ struct SplitModel {
 };
 
 SplitModel split_corners(const FurModel& model);
+
+/// For each render vertex the value of its vertex (SplitModel::welded); none for none.
+std::vector<glm::vec3> by_vertex(std::span<const glm::vec3> values, std::span<const std::uint32_t> welded);
 
 }  // namespace pelage

@@ -100,11 +100,10 @@ void TuftTextures::prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tu
 
 void TuftTextures::send(const Gl& gl, const Tufts& tufts, const ModelBuffers& model) {
   const float longest = longest_pull(tufts);
-  const SurfaceVolume volume = make_surface_volume(
-      {model.positions(), model.normals(), model.triangles()}, [&](glm::vec3 middle, glm::vec3 normal) {
-        const TuftPlace tuft = tuft_at(tufts, middle, normal);
-        return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
-      });
+  const SurfaceVolume volume = make_surface_volume(model.surface(), [&](const SurfacePlace& middle) {
+    const TuftPlace tuft = tuft_at(tufts, middle);
+    return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
+  });
   volume_ = volume_texture(gl, volume);
   const TuftBlock block{{volume.origin, gathered(tufts, 1)}, {1.0f / (glm::vec3(volume.size) * volume.cell), longest}};
   gl.NamedBufferData(uniforms_.id(), sizeof block, &block, GL_STATIC_DRAW);
@@ -125,7 +124,7 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
     send_volume(gl, block, model);
     std::vector<glm::vec4> variation;
     variation.reserve(model.positions().size());
-    for (const glm::vec3& place : model.positions()) variation.push_back(pattern_variation(block, place));
+    for (const glm::vec3& place : model.places_at_rest()) variation.push_back(pattern_variation(block, place));
     model.send_variation(gl, variation);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pattern_binding, uniforms_.id());
@@ -133,9 +132,9 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
 }
 
 void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {
-  const SurfaceVolume volume = make_surface_volume(
-      {model.positions(), model.normals(), model.triangles()},
-      [&](glm::vec3 middle, glm::vec3 normal) { return glm::vec4(pattern_weights(block, middle, normal), 1); });
+  const SurfaceVolume volume = make_surface_volume(model.surface(), [&](const SurfacePlace& middle) {
+    return glm::vec4(pattern_weights(block, middle.place, middle.normal), 1);
+  });
   volume_ = volume_texture(gl, volume);
   const PatternColours colours{block.colour,
                                block.inner_colour,

@@ -7,7 +7,6 @@
 
 #include "protocol/json/animation.h"
 #include "protocol/json/encode.h"
-#include "renderer/pattern/pattern.h"
 #include "server/batch/frame_range.h"
 #include "server/batch/tiles.h"
 #include "server/batch/turntable.h"
@@ -101,17 +100,8 @@ class Planner {
     return {};
   }
 
-  /// Patterns and tufts stand in space (renderer/pattern), and a model would move through them.
   Status move(JobFrame& frame) const {
     if (!moments_) return {};
-    const Coat* coat = &settings_.coat;
-    for (const Command& command : frame.settings) {
-      if (const auto* set = std::get_if<SetCoat>(&command)) coat = &set->coat;
-    }
-    if (has_pattern(*coat) || coat->tufts.gather > 0)
-      return failure(Code::invalid,
-                     "A moving model cannot wear a pattern, variation or tufts yet: they would swim over it.",
-                     "/motion", "a coat without them");
     Result<ModelMoment> moment = moments_->at(frame.number);
     if (!moment) return moment.status();
     frame.model = std::move(*moment), frame.moments = moments_;

@@ -168,15 +168,20 @@ ModelArrays make_arrays(const SceneView& scene) {
 
 FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
   const Mesh& mesh = scene.model.surface.mesh();
-  return {copy_id(scene),
-          mesh.positions,
-          mesh.normals,
-          mesh.tangents,
-          arrays.pieces.triangles,
-          arrays.pieces.corners,
-          arrays.images,
-          scene.skin_texture || !mesh.corners.empty(),
-          scene.copy_id};
+  FurModel model{copy_id(scene),
+                 mesh.positions,
+                 mesh.normals,
+                 mesh.tangents,
+                 arrays.pieces.triangles,
+                 arrays.pieces.corners,
+                 arrays.images,
+                 scene.skin_texture || !mesh.corners.empty(),
+                 scene.copy_id};
+  if (scene.model.rest) {
+    const Mesh& rest = scene.model.rest->surface.mesh();
+    model.rest_positions = rest.positions, model.rest_normals = rest.normals;
+  }
+  return model;
 }
 
 FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,

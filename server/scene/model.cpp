@@ -65,11 +65,12 @@ Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how) {
   return laid;
 }
 
-std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id) {
+std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id,
+                                               std::shared_ptr<const SceneModel> rest) {
   std::string mesh_id = id_of(laid.mesh);
   return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(laid.mesh)), std::move(laid.patches), id,
                                                           how.name, how.fur_patches, how.subdivisions,
-                                                          std::move(mesh_id)});
+                                                          std::move(mesh_id), std::move(rest)});
 }
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {

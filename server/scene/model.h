@@ -31,7 +31,9 @@ struct LaidMesh {
 /// Splits triangles as `how` says. Fails as subdivide does.
 Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how);
 
-std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id);
+/// `rest`: SceneModel::rest.
+std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id,
+                                               std::shared_ptr<const SceneModel> rest = {});
 
 /// Lays a model and splits its triangles. Fails as both do.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);

@@ -168,7 +168,7 @@ Result<ScenePose> MovingModel::pose(const RawModel& raw, SceneSettings settings,
   if (!made) return made.status();
   const std::vector<glm::dmat3> turns = surface_turns(rest(), made->mesh.positions);
   settings = carried_along(std::move(settings), rest_->surface, made->mesh, turns);
-  return ScenePose{.model = finish_model(std::move(*made), how_, id), .settings = std::move(settings)};
+  return ScenePose{.model = finish_model(std::move(*made), how_, id, rest_), .settings = std::move(settings)};
 }
 
 }  // namespace pelage

@@ -40,6 +40,7 @@ struct SceneModel {
   FurPatches fur_patches = FurPatches::overlapping;
   std::vector<ChosenTriangles> subdivisions = {};  // since it was prepared
   std::string mesh_id = {};                        // SceneSummary::model_id
+  std::shared_ptr<const SceneModel> rest = {};     // of one that has moved: as its coat was made, vertex by vertex
 };
 
 /// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.

@@ -25,10 +25,11 @@ class MarchedLevels : public MarchedFrames {
 
 TEST_F(MarchedLevels, HaveTheBitsOfAllOfThem) {
   FurredModel model = furred({Builtin::sphere, 1500}, {.length = 0.06, .inclination = 0.4});
+  model.settings.coat.count = 1000;
   model.settings.lights = {{.self_shadow_maps = true, .cast_shadow = CastShadow::soft},
                            {.kind = LightKind::point, .position = {0.5, 1.2, 0.9}, .self_shadow_maps = true}};
   int coarse = 0, full = 0;
-  for (const double distance : {0.9, 1.3, 2.0, 4.0, 12.0}) {
+  for (const double distance : {0.9, 2.0, 4.0}) {
     for (const bool maps : {false, true}) {
       look_from(distance);
       request.width = request.height = 96;
@@ -42,12 +43,13 @@ TEST_F(MarchedLevels, HaveTheBitsOfAllOfThem) {
       EXPECT_EQ(some.has(frame.coat, 0), some.finest_level(frame) == 0);
     }
   }
-  EXPECT_GE(coarse, 3);
-  EXPECT_GE(full, 3);
+  EXPECT_GE(coarse, 2);
+  EXPECT_GE(full, 2);
 }
 
 TEST_F(MarchedLevels, AreBakedAnewForACameraThatComesNearer) {
-  const FurredModel model = furred({Builtin::sphere, 1500}, {.length = 0.06, .inclination = 0.4});
+  FurredModel model = furred({Builtin::sphere, 1500}, {.length = 0.06, .inclination = 0.4});
+  model.settings.coat.count = 1000;
   Marcher one(2), other(2);
   for (const double distance : {4.0, 0.9, 4.0}) {
     look_from(distance);

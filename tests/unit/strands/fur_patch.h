@@ -43,6 +43,7 @@ struct FurPatch {
     FurModel view;
     view.id = id, view.positions = positions, view.normals = normals, view.tangents = tangents;
     view.triangles = triangles, view.corners = corners, view.images = images;
+    view.rest_positions = rest_positions, view.rest_normals = rest_normals;
     return view;
   }
   FurFields fields() const { return {direction, length, {}, skin, paint}; }
@@ -56,6 +57,7 @@ struct FurPatch {
 
   std::uint64_t id = 1;
   std::vector<glm::vec3> positions, normals, tangents;
+  std::vector<glm::vec3> rest_positions, rest_normals;  // of a patch that has moved
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<FurCorner, 3>> corners;
   std::vector<ImageView> images;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "protocol/base/lean_curve.h"
@@ -234,6 +235,36 @@ TEST(GrowForm, TuftsGatherByTheirMiddle) {
       ASSERT_LT(glm::length(side), fur);
     }
   }
+}
+
+/// The patch elsewhere, turned, with what it was at rest.
+FurPatch moved(const FurPatch& rest, const glm::mat3& by, glm::vec3 away) {
+  FurPatch patch = rest;
+  patch.rest_positions = rest.positions, patch.rest_normals = rest.normals;
+  for (glm::vec3& p : patch.positions) p = by * p + away;
+  for (glm::vec3& n : patch.normals) n = by * n;
+  for (glm::vec3& t : patch.tangents) t = by * t;
+  for (auto& corners : patch.corners)
+    for (FurCorner& corner : corners) corner.tile_axis = by * corner.tile_axis;
+  return patch;
+}
+
+TEST(GrowForm, PatternVariationAndTuftsGoAlongWithAModelThatMoves) {
+  Coat coat = plain_coat(200);
+  coat.pattern.kind = PatternKind::spots, coat.tufts.gather = 0.8, coat.tufts.size = 0.05;
+  coat.variation.length = 0.8, coat.variation.lean = 0.6, coat.variation.lightness = 0.5;
+  FurPatch patch(0.4, 8);
+  patch.direction.assign(patch.positions.size(), {0.4f, 0.2f});
+  const glm::mat3 by(glm::rotate(glm::dmat4(1), 2.0, glm::normalize(glm::dvec3(1, 2, 3))));
+  const glm::vec3 away(0.3f, -0.2f, 0.1f);
+  FurPatch other = moved(patch, by, away);
+  const StrandSet before = patch.grow({coat}), after = other.grow({coat});
+  ASSERT_EQ(before.count(), after.count());
+  ASSERT_EQ(before.colours, after.colours);
+  for (std::size_t i = 0; i < before.points.size(); ++i)
+    ASSERT_LT(glm::distance(by * before.points[i].place + away, after.points[i].place), 1e-5f) << i;
+  other.rest_positions.clear(), other.rest_normals.clear();
+  EXPECT_NE(other.grow({coat}).colours, before.colours);  // they would stand in space
 }
 
 TEST(GrowForm, VariationChangesLengthAndLean) {
