@@ -1,0 +1,27 @@
+# Packages of npm, and tests on node's own runner. Only where PELAGE_STUDIO says that there are node and npm.
+
+# Fetches the packages of this folder's package-lock.json, once, in a target NAME; WHAT ends the line that says so. Sets
+# NAME_STAMP to the file that is there once they are.
+function(pelage_npm_packages NAME WHAT)
+  set(STAMP ${CMAKE_CURRENT_BINARY_DIR}/packages.stamp)
+  add_custom_command(
+    OUTPUT ${STAMP}
+    COMMAND ${PELAGE_NPM} ci --ignore-scripts --no-progress --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${STAMP}
+    DEPENDS package.json package-lock.json .npmrc
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    COMMENT "Fetching the packages ${WHAT}" VERBATIM)
+  add_custom_target(${NAME} ALL DEPENDS ${STAMP})
+  set(${NAME}_STAMP ${STAMP} PARENT_SCOPE)
+endfunction()
+
+# Each NAME.test.mjs of this folder is a test LABEL.NAME of at most TIMEOUT seconds. More arguments: properties.
+function(pelage_node_tests LABEL TIMEOUT)
+  file(GLOB FILES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*.test.mjs)
+  foreach(FILE ${FILES})
+    string(REPLACE ".test.mjs" "" SUBJECT ${FILE})
+    add_test(NAME ${LABEL}.${SUBJECT} COMMAND ${PELAGE_NODE} --test ${FILE} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    set_tests_properties(${LABEL}.${SUBJECT} PROPERTIES TIMEOUT ${TIMEOUT} LABELS ${LABEL}
+      ENVIRONMENT "PELAGE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};PELAGE_MCP=${PELAGE_MCP}" ${ARGN})
+  endforeach()
+endfunction()
