@@ -6,6 +6,8 @@
 
 #include "protocol/base/lean_curve.h"
 #include "protocol/base/random.h"
+#include "server/frames/moved_curves.h"
+#include "server/frames/moved_fur.h"
 #include "server/groom/evaluate.h"
 #include "server/scene/eye_view.h"
 
@@ -214,6 +216,9 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
   for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
   for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
+  if (const std::optional<double> moment = moment_of(scene, request)) {
+    for (FurCurves& curves : frame.curves) sway_curves(curves, scene.settings.wind, *moment);
+  }
   frame.skin = make_skin(scene.settings.skin, mesh);
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);
   frame.camera = {glm::vec3(camera.position), glm::vec3(camera.right), glm::vec3(camera.up), glm::vec3(camera.forward),

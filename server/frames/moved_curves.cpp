@@ -1,0 +1,65 @@
+#include "server/frames/moved_curves.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <vector>
+
+#include "server/motion/sway.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float stiffness_of_curves = 8;  // fur has 1
+
+double length_of(const std::vector<glm::dvec3>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
+  return length;
+}
+
+/// Any unit vector across a unit one, the same for the same.
+glm::dvec3 across(glm::dvec3 along) {
+  const glm::dvec3 other = std::abs(along.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  return glm::normalize(other - glm::dot(other, along) * along);
+}
+
+/// Turns each piece of a curve about `axis`, the last one by `angle`, those before it by less.
+void bend(std::vector<glm::dvec3>& points, double length, glm::dvec3 axis, double angle) {
+  double passed = 0;
+  glm::dvec3 place = points.front(), before = place;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::dvec3 piece = points[i] - before;
+    before = points[i];
+    passed += glm::length(piece);
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), angle * passed / length, axis));
+    points[i] = place += turn * piece;
+  }
+}
+
+}  // namespace
+
+/// As `swayed` moves fur that stands along the curve.
+void sway_curves(FurCurves& curves, const Wind& wind, double moment) {
+  if (!blows(wind)) return;
+  std::vector<glm::vec3> roots, along, side;
+  std::vector<float> lengths;
+  for (const FurGuide& guide : curves.guides) {
+    const glm::dvec3 way = guide.points.back() - guide.points.front();
+    const glm::dvec3 unit = glm::length(way) > 1e-9 ? glm::normalize(way) : guide.normal;
+    roots.emplace_back(guide.points.front()), along.emplace_back(unit), side.emplace_back(across(unit));
+    lengths.push_back(static_cast<float>(length_of(guide.points)));
+  }
+  const std::vector<glm::vec2> upright(roots.size(), glm::vec2(0));
+  const std::vector<float> stiffness(roots.size(), stiffness_of_curves);
+  const std::vector<glm::vec2> leans = swayed({roots, along, side, upright, lengths, stiffness}, wind, moment);
+  for (std::size_t i = 0; i < leans.size(); ++i) {
+    const double lean = glm::length(glm::dvec2(leans[i]));
+    if (!(lean > 0) || !(lengths[i] > 0)) continue;
+    const glm::dvec3 up(along[i]), x(side[i]), y = glm::cross(up, x);
+    const glm::dvec3 to = (double{leans[i].x} * x + double{leans[i].y} * y) / lean;
+    bend(curves.guides[i].points, double{lengths[i]}, glm::normalize(glm::cross(up, to)), lean * std::numbers::pi / 2);
+  }
+}
+
+}  // namespace pelage
