@@ -19,6 +19,7 @@ SceneModel copy_of(const SceneModel& model) {
 /// Turned about the vertical axis; what it was at rest is known, or not.
 FurredModel turned(const FurredModel& rest, bool known) {
   Mesh mesh = rest.model.surface.mesh();
+  mesh.centre = glm::dmat3(quarter) * mesh.centre;
   for (glm::vec3& p : mesh.positions) p = quarter * p;
   for (glm::vec3& n : mesh.normals) n = quarter * n;
   for (glm::vec3& t : mesh.tangents) t = quarter * t;
@@ -49,8 +50,8 @@ void expect_the_coat_to_go_along(Renderer& renderer, const Coat& coat) {
   const Image in_space = draw(renderer, turned(rest, false), seen_from(glm::dmat3(quarter)));
   EXPECT_GT(covered(before), 0.1);
   const double moved = mean_difference(before, along), swims = mean_difference(before, in_space);
-  EXPECT_LT(moved, 0.35 * swims) << swims;  // cells of the volume lie otherwise on the body
-  EXPECT_LT(moved, 2.5);
+  EXPECT_LT(moved, 1);  // .6 was seen: cells of the volumes lie otherwise on the body
+  EXPECT_GT(swims, 4);  // 6.3
 }
 
 std::vector<Coat> coats() {
