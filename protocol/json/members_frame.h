@@ -84,8 +84,8 @@ void members(V& v, Visited<V, Knobs>& c) {
 template <class V>
 void members(V& v, Visited<V, Crop>& c) {
   v.type("Crop", "A part of a frame.");
-  v.integer("left", c.left, {0, limits::frame_pixels - 1, "pixels"}, "From the frame's left to the part's.");
-  v.integer("top", c.top, {0, limits::frame_pixels - 1, "pixels"}, "From the frame's top to the part's.");
+  v.integer("left", c.left, {0, limits::frame_pixels - 1, "pixels"}, "Where the part begins, from the frame's left.");
+  v.integer("top", c.top, {0, limits::frame_pixels - 1, "pixels"}, "Where the part begins, from the frame's top.");
   v.integer(required("width"), c.width, pixels, "Width of the part, which ends inside the frame.");
   v.integer(required("height"), c.height, pixels, "Height of the part, which ends inside the frame.");
 }

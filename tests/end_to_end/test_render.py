@@ -296,9 +296,6 @@ class RenderTest(unittest.TestCase):
         self.assertEqual(len(self.frames()), 1)
         run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-3"), "--check", code=3)
         self.assertIn("ball.03.obj cannot be read", run.stderr)
-        tufts = [{"op": "set_coat", "coat": {"tufts": {"gather": 0.5}}}]
-        run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1", commands=tufts), "--check", code=3)
-        self.assertIn("/motion", run.stderr)
 
     def test_an_animation_of_a_file_moves_its_model(self):
         fox = shared_folder() / "meshes" / "Fox.glb"

@@ -9,7 +9,7 @@ namespace {
 
 class MarchedLevels : public MarchedFrames {
  protected:
-  /// A camera that looks at the body's middle from so many sizes away.
+  /// A camera that looks at the ball's middle, of radius 1.
   void look_from(double distance) {
     request.camera = {.automatic = AutoView::none, .position = glm::dvec3(0.3, 0.4, 1), .target = {0, 0, 0}};
     request.camera.position *= distance / glm::length(request.camera.position);
@@ -29,11 +29,11 @@ TEST_F(MarchedLevels, HaveTheBitsOfAllOfThem) {
   model.settings.lights = {{.self_shadow_maps = true, .cast_shadow = CastShadow::soft},
                            {.kind = LightKind::point, .position = {0.5, 1.2, 0.9}, .self_shadow_maps = true}};
   int coarse = 0, full = 0;
-  for (const double distance : {0.9, 2.0, 4.0}) {
+  for (const double distance : {2.0, 6.0, 14.0}) {
     for (const bool maps : {false, true}) {
       look_from(distance);
       request.width = request.height = 96;
-      request.knobs.shadow_maps = maps, request.knobs.shadow_resolution = maps && distance == 4 ? 2048 : 256;
+      request.knobs.shadow_maps = maps, request.knobs.shadow_resolution = maps && distance == 14 ? 2048 : 256;
       const FurFrame frame = make_frame(model.view(), request);
       Marcher some(2), all(2);
       all.add(frame.coat, bake_slices(frame.coat));
@@ -51,7 +51,7 @@ TEST_F(MarchedLevels, AreBakedAnewForACameraThatComesNearer) {
   FurredModel model = furred({Builtin::sphere, 1500}, {.length = 0.06, .inclination = 0.4});
   model.settings.coat.count = 1000;
   Marcher one(2), other(2);
-  for (const double distance : {4.0, 0.9, 4.0}) {
+  for (const double distance : {14.0, 1.5, 14.0}) {
     look_from(distance);
     const FurFrame frame = make_frame(model.view(), request);
     const std::vector<float> picture = drawn_with(one, frame, model);

@@ -2096,8 +2096,8 @@ class _CropRequired(TypedDict):
 class Crop(_CropRequired, total=False):
     """A part of a frame.
 
-    left: From the frame's left to the part's. 0 to 8191 (pixels). Default 0.
-    top: From the frame's top to the part's. 0 to 8191 (pixels). Default 0.
+    left: Where the part begins, from the frame's left. 0 to 8191 (pixels). Default 0.
+    top: Where the part begins, from the frame's top. 0 to 8191 (pixels). Default 0.
     width: Width of the part, which ends inside the frame. 1 to 8192 (pixels).
     height: Height of the part, which ends inside the frame. 1 to 8192 (pixels).
     """
