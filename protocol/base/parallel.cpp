@@ -33,7 +33,8 @@ struct Order {
 }  // namespace
 
 void run_on_threads(int threads, const std::function<void()>& run) {
-  if (threads <= 1) return run();
+  // On one core more threads would take turns, and oneTBB would complain on the error output.
+  if (threads <= 1 || std::thread::hardware_concurrency() == 1) return run();
   std::mutex mutex;
   std::exception_ptr failure;
   Order begun, ended;
