@@ -19,8 +19,8 @@ FrameRequest frame_at(double scale) {
   return request;
 }
 
-/// In the middle, at the edge, and a single pixel.
-std::vector<Crop> crops() { return {{40, 30, 37, 41}, {0, height - 9, width, 9}, {75, 55, 1, 1}}; }
+/// Where tiles of 16 pixels begin at half the size, at the edge, and a single pixel.
+std::vector<Crop> crops() { return {{32, 32, 64, 32}, {0, height - 9, width, 9}, {75, 55, 1, 1}}; }
 
 FurredModel animal() {
   FurredModel model = furred({Builtin::creature, 2000});
