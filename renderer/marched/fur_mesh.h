@@ -27,7 +27,7 @@ class FurMesh {
   const BaseImages& images() const { return images_; }
   VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
   /// Of render vertices, where patterns and tufts see them.
-  std::span<const glm::vec3> places_at_rest() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
+  std::span<const glm::vec3> rest_places() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
   bool paints_fur() const { return !paint_.empty(); }
   std::size_t bytes() const;
   std::uint64_t changes() const { return changed_.count(); }

@@ -48,11 +48,11 @@ void Marcher::add_pattern(const FurFrame& frame, MarchScene& scene) {
   if (kept.model != frame.model || kept.pattern != block) {
     kept.model = frame.model, kept.pattern = block;
     const FurMesh& mesh = meshes_.at(frame.model);
-    kept.volume = make_surface_volume(mesh.surface(), [&](const SurfacePlace& middle) {
+    kept.volume = make_surface_volume(mesh.surface(), [&](const RestPosePoint& middle) {
       return glm::vec4(pattern_weights(block, middle.place, middle.normal), 1);
     });
     kept.variation.clear();
-    for (const glm::vec3& place : mesh.places_at_rest()) kept.variation.push_back(pattern_variation(block, place));
+    for (const glm::vec3& place : mesh.rest_places()) kept.variation.push_back(pattern_variation(block, place));
   }
   scene.mesh.variation = kept.variation;
   scene.optics.pattern = {block.colour, block.inner_colour, block.belly_colour,
@@ -67,7 +67,7 @@ void Marcher::add_tufts(const FurFrame& frame, MarchScene& scene) {
   const float longest = longest_pull(tufts);
   if (kept.tufted != frame.model || kept.tufts != tufts) {
     kept.tufted = frame.model, kept.tufts = tufts;
-    kept.tuft_volume = make_surface_volume(meshes_.at(frame.model).surface(), [&](const SurfacePlace& middle) {
+    kept.tuft_volume = make_surface_volume(meshes_.at(frame.model).surface(), [&](const RestPosePoint& middle) {
       const TuftPlace tuft = tuft_at(tufts, middle);
       return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
     });

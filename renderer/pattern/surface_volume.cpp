@@ -21,16 +21,16 @@ class Filler {
     filled_.assign(cells, false);
   }
 
-  /// `at_rest(middle)`: where the middle of a cell about the place lies at rest.
-  template <class AtRest>
-  void fill_about(glm::vec3 place, const AtRest& at_rest) {
+  /// `rest_pose_point(middle)`: where the middle of a cell about the place lies in the rest pose.
+  template <class RestPose>
+  void fill_about(glm::vec3 place, const RestPose& rest_pose_point) {
     const glm::ivec3 first(glm::floor((place - volume_.origin) / volume_.cell - 0.5f));
-    for (int k = 0; k < 8; ++k) fill(first + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), at_rest);
+    for (int k = 0; k < 8; ++k) fill(first + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), rest_pose_point);
   }
 
  private:
-  template <class AtRest>
-  void fill(glm::ivec3 at, const AtRest& at_rest) {
+  template <class RestPose>
+  void fill(glm::ivec3 at, const RestPose& rest_pose_point) {
     at = glm::clamp(at, glm::ivec3(0), volume_.size - 1);
     const auto cell =
         (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(volume_.size.y) + static_cast<std::size_t>(at.y)) *
@@ -39,7 +39,7 @@ class Filler {
     if (filled_[cell]) return;
     filled_[cell] = true;
     const glm::vec3 middle = volume_.origin + (glm::vec3(at) + 0.5f) * volume_.cell;
-    const glm::vec4 value = glm::clamp(value_(at_rest(middle)), 0.0f, 1.0f);
+    const glm::vec4 value = glm::clamp(value_(rest_pose_point(middle)), 0.0f, 1.0f);
     for (int k = 0; k < 4; ++k)
       volume_.rgba[4 * cell + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255 * value[k]));
   }
@@ -84,7 +84,7 @@ struct Corners {
     if (moved) turn = turn_of_triangle(rest_places, places);
   }
 
-  SurfacePlace at_rest(glm::vec3 share) const {
+  RestPosePoint rest_pose_point(glm::vec3 share) const {
     const glm::vec3 normal = mixed(rest_normals, share);
     const float length = glm::length(normal);
     return {mixed(rest_places, share), length > 0 ? normal / length : rest_normals[0], turn};
@@ -106,11 +106,11 @@ SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValu
   for (const glm::uvec3& t : surface.triangles) {
     const Corners corners(surface, t);
     for_each_point(corners.places, 0.5f * volume.cell, [&](glm::vec3 share) {
-      const SurfacePlace rest = corners.at_rest(share);
+      const RestPosePoint rest = corners.rest_pose_point(share);
       const glm::vec3 place = mixed(corners.places, share);
       filler.fill_about(place, [&](glm::vec3 middle) {
-        if (!corners.moved) return SurfacePlace{middle, rest.normal};
-        return SurfacePlace{rest.place + glm::transpose(rest.turn) * (middle - place), rest.normal, rest.turn};
+        if (!corners.moved) return RestPosePoint{middle, rest.normal};
+        return RestPosePoint{rest.place + glm::transpose(rest.turn) * (middle - place), rest.normal, rest.turn};
       });
     });
   }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/pattern/surface_place.h"
+#include "renderer/pattern/rest_pose.h"
 
 namespace pelage {
 
@@ -26,7 +26,7 @@ struct SurfaceVolume {
 };
 
 /// What a cell holds: four values in [0, 1], from where its middle lies at rest.
-using VolumeValue = std::function<glm::vec4(const SurfacePlace& middle)>;
+using VolumeValue = std::function<glm::vec4(const RestPosePoint& middle)>;
 
 /// Evaluates the cells around the surface. A cell is .005 sizes, or more where 256 of them would not do. Deterministic.
 SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValue& value);

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "protocol/commands/coat.h"
-#include "renderer/pattern/surface_place.h"
+#include "renderer/pattern/rest_pose.h"
 
 namespace pelage {
 
@@ -18,7 +18,7 @@ struct TuftPlace {
 TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
 
 /// The same of a place of a surface that has moved: `to_middle` lies along it as it is now.
-inline TuftPlace tuft_at(const Tufts& tufts, const SurfacePlace& root) {
+inline TuftPlace tuft_at(const Tufts& tufts, const RestPosePoint& root) {
   TuftPlace tuft = tuft_at(tufts, root.place, root.normal);
   tuft.to_middle = root.turn * tuft.to_middle;
   return tuft;

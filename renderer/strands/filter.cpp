@@ -12,9 +12,8 @@ namespace pelage {
 
 namespace {
 
-constexpr int farthest = 6;            // pixels that light comes from at 1 sample
-constexpr int margin = filter_margin;  // and more for silhouettes, and for windows that touch a pixel
-static_assert(margin == farthest + 3);
+constexpr int farthest = 6;                    // pixels that light comes from at 1 sample
+static_assert(filter_margin == farthest + 3);  // more for silhouettes, and for windows that touch a pixel
 constexpr int band_rows = 32;
 constexpr int block_pixels = 32;     // pixels of a row that are worked on together
 constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
@@ -73,7 +72,7 @@ class Band {
   const float* row(int plane, int y) const { return &planes_[offset(plane, y)]; }
   /// Of column 0 of a row of the picture.
   std::size_t offset(int plane, int y) const {
-    return (static_cast<std::size_t>(plane * rows_ + (y - top_ + margin)) * stride_) + margin;
+    return (static_cast<std::size_t>(plane * rows_ + (y - top_ + filter_margin)) * stride_) + filter_margin;
   }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(source_.width) + static_cast<std::size_t>(x);
@@ -99,10 +98,10 @@ Band::Band(const FilterSource& source, int top, int bottom)
     : source_(source),
       top_(top),
       bottom_(bottom),
-      rows_(bottom - top + 2 * margin),
-      stride_(static_cast<std::size_t>(source.width + 2 * margin + block_pixels)),
+      rows_(bottom - top + 2 * filter_margin),
+      stride_(static_cast<std::size_t>(source.width + 2 * filter_margin + block_pixels)),
       planes_(static_cast<std::size_t>(plane_count * rows_) * stride_) {
-  for (int y = std::max(top - margin, 0); y < std::min(bottom + margin, source.height); ++y) load(y);
+  for (int y = std::max(top - filter_margin, 0); y < std::min(bottom + filter_margin, source.height); ++y) load(y);
 }
 
 void Band::load(int y) {
@@ -250,10 +249,10 @@ void Band::finish(int x, int y, const Sums& sums) {
 }
 
 void Band::filter() {
-  for (int y = top_ - margin + 1; y < bottom_ + margin - 1; ++y) {
+  for (int y = top_ - filter_margin + 1; y < bottom_ + filter_margin - 1; ++y) {
     for (int x = -1; x <= source_.width; x += block_pixels) judge_windows(x, y);
   }
-  for (int y = top_ - margin + 2; y < bottom_ + margin - 2; ++y) make_guides(y);
+  for (int y = top_ - filter_margin + 2; y < bottom_ + filter_margin - 2; ++y) make_guides(y);
   for (int y = std::max(top_ - 1, 0); y < std::min(bottom_ + 1, source_.height); ++y) {
     for (int x = 0; x < source_.width; x += block_pixels) gather(x, y);
   }

@@ -13,7 +13,7 @@
 #include "protocol/commands/coat.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/pattern.h"
-#include "renderer/pattern/surface_place.h"
+#include "renderer/pattern/rest_pose.h"
 
 namespace pelage {
 
@@ -57,7 +57,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 struct RootFields {
   glm::vec3 place{0};
   glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // unit and orthogonal
-  SurfacePlace rest;                                            // for patterns and tufts
+  RestPosePoint rest;                                           // for patterns and tufts
   float length = 0;                                             // of the fur, sizes, >= 0
   float width = 1, wetness = 0, curl = 0, clump = 0;
   glm::vec4 root_paint{0}, tip_paint{0};

@@ -66,7 +66,7 @@ class ModelBuffers {
   std::span<const glm::vec3> normals() const { return normals_; }
   std::span<const glm::uvec3> triangles() const { return triangles_; }
   /// Of render vertices, where patterns and tufts see them.
-  std::span<const glm::vec3> places_at_rest() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
+  std::span<const glm::vec3> rest_places() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
   VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
   /// The model's vertex of each render vertex.
   std::span<const std::uint32_t> welded() const { return welded_; }

@@ -32,7 +32,7 @@ WORDS = {
     "to the eye": ("to the camera", r"to_eye|camera(\.|/)eye", EVERYWHERE),
     "odd hairs": ("ticking", r"odd_hairs|OddHairs", EVERYWHERE),
     "most, least": ("max, min", r"(most|least)_(?!squares)\w+", EVERYWHERE),
-    "at rest": ("at its default", r"at_rest", EVERYWHERE),
+    "at rest": ("at its default", r"rest_point", EVERYWHERE),
     "meet": ("intersect, hit", r"Met::\w+|world\.meet|met_environment", r"^(renderer/strands|tests/unit/strands)/"),
     "blocked": ("occluded", r"blocked", r"^renderer/strands/"),
     "carried": ("throughput", r"carried|goes_on", r"^renderer/strands/"),

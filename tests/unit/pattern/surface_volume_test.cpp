@@ -29,13 +29,13 @@ glm::vec4 value_at(const SurfaceVolume& volume, glm::vec3 place) {
          255.0f;
 }
 
-TEST(SurfaceVolumes, OfAMovedSurfaceSeeItAtRest) {
+TEST(SurfaceVolumes, OfAMovedSurfaceSeeItRestPose) {
   std::vector<glm::vec3> now, normals, rest(triangle.begin(), triangle.end());
   const glm::vec3 normal = glm::normalize(glm::cross(rest[1] - rest[0], rest[2] - rest[0]));
   const std::vector<glm::vec3> rest_normals(3, normal);
   for (const glm::vec3& p : rest) now.push_back(quarter * p - glm::vec3(0.2f)), normals.push_back(quarter * normal);
   const std::vector<glm::uvec3> triangles{{0, 1, 2}};
-  const auto value = [&](const SurfacePlace& middle) {
+  const auto value = [&](const RestPosePoint& middle) {
     EXPECT_LT(glm::distance(middle.normal, normal), 1e-5f);
     EXPECT_LT(glm::distance(middle.turn * glm::vec3(1, 0, 0), quarter[0]), 1e-5f);
     return glm::vec4(middle.place, 1);

@@ -7,7 +7,7 @@
 namespace pelage {
 
 /// `turn` takes directions from there to where the surface is now.
-struct SurfacePlace {
+struct RestPosePoint {
   glm::vec3 place{0}, normal{0, 1, 0};  // internal coordinates, unit
   glm::mat3 turn{1};                    // a rotation
 };

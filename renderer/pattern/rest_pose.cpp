@@ -1,4 +1,4 @@
-#include "renderer/pattern/surface_place.h"
+#include "renderer/pattern/rest_pose.h"
 
 #include <optional>
 
