@@ -54,6 +54,23 @@ class Local(FarmTest):
         self.assertIn("4 of 4 chunks to draw, 4 of 12 tiles", self.submit(job))
         self.assertEqual(len(self.files()), 3)
 
+    def test_tiles_that_nobody_put_together_are_sent_again(self):
+        job = self.write_job(frames="1", tiles={"columns": 2, "rows": 1})
+        self.submit(job)
+        folder = self.folder / "ball.farm"
+        (frame,) = self.files()
+        whole, tiles = frame.read_bytes(), {}
+        frame.unlink()
+        for number in ("1", "2"):  # as processes that were killed before they could
+            subprocess.run([BIN / "pelage-render", folder / "job.json", "--tile", number], check=True, stdout=subprocess.DEVNULL)
+            (tile,) = self.files()
+            tiles[tile] = tile.read_bytes()
+            tile.unlink()
+        for tile, content in tiles.items():
+            tile.write_bytes(content)
+        self.assertIn("2 of 2 tiles", self.submit(folder))
+        self.assertEqual([file.read_bytes() for file in self.files()], [whole])
+
     def test_a_changed_job_is_drawn_anew(self):
         self.submit(self.write_job())
         self.assertIn("All 12", self.submit(self.write_job()))

@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import subprocess
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 from .errors import BAD_INPUT, FAILED, FarmError
 from .frame_files import ShortFile, inspect
@@ -44,17 +44,28 @@ class Piece(NamedTuple):
     frame: PlannedFrame
     tile: int
 
-    def is_done(self) -> bool:
-        """Whether its file is whole and of this job, or its frame's is."""
-        return is_whole(self.frame) or (self.tile > 0 and is_whole(self.frame.tiles[self.tile - 1]))
-
     @property
     def files(self) -> List[str]:
         """It is done once one of them is there."""
         return [self.frame.file] + ([self.frame.tiles[self.tile - 1].file] if self.tile else [])
 
 
+def done_pieces(frames: Sequence[PlannedFrame]) -> Set[Tuple[int, int]]:
+    """Frame and tile, 0 for all of it, of frames whose file is whole and of this job, and tiles that are. Where all tiles of a frame are there and it is
+    not, whoever should have put them together was killed: none of them counts, so that one is sent again."""
+    done: Set[Tuple[int, int]] = set()
+    for frame in frames:
+        if is_whole(frame):
+            done.update((frame.frame, tile) for tile in range(len(frame.tiles) + 1))
+            continue
+        whole = [number for number, tile in enumerate(frame.tiles, 1) if is_whole(tile)]
+        if len(whole) < len(frame.tiles):
+            done.update((frame.frame, number) for number in whole)
+    return done
+
+
 def is_whole(planned: Union[PlannedFrame, PlannedTile]) -> bool:
+    """Whether its file is whole and of this job."""
     try:
         return inspect(planned.file) == (planned.width, planned.height, planned.fingerprint)
     except (OSError, ShortFile):
@@ -86,11 +97,11 @@ class Plan(NamedTuple):
 def plan_from(document: Dict[str, Any], folder: str) -> Plan:
     """folder: Where relative paths of files begin."""
     def tile(one: Dict[str, Any]) -> PlannedTile:
-        return PlannedTile(**{**one, "file": os.path.join(folder, one["file"])})
+        return PlannedTile(os.path.join(folder, one["file"]), one["fingerprint"], one["width"], one["height"])
 
     def planned(one: Dict[str, Any]) -> PlannedFrame:
         tiles = tuple(map(tile, one.get("tiles", ())))
-        return PlannedFrame(**{**one, "file": os.path.join(folder, one["file"]), "tiles": tiles})
+        return PlannedFrame(one["frame"], *tile(one), tiles)
 
     frames = sorted(planned(one) for one in document["frames"])
     return Plan(frames, document["fps"], document.get("seconds_per_frame"))

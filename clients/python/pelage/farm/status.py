@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import time
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Set, Tuple
 
 from . import slurm
 from .folder import FarmFolder, Sent
-from .plan import Piece
+from .plan import Piece, done_pieces
 from .ranges import range_of
 
 BAR_CELLS = 20
@@ -69,14 +69,16 @@ def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
     if tasks is None:
         tasks = tasks_of(folder, sent) if sent else NO_TASKS
     planned = folder.planned_chunks()
-    chunks = [chunk_state(folder, sent, tasks, number, pieces) for number, pieces in enumerate(planned)]
+    plan = folder.plan()
+    done = done_pieces(plan.frames)
+    chunks = [chunk_state(folder, sent, tasks, number, pieces, done) for number, pieces in enumerate(planned)]
     missing = sum(len(chunk.missing) for chunk in chunks)
     total = sum(len(pieces) for pieces in planned)
     running = sum(chunk.state == "running" for chunk in chunks)
     failed = sum(len(chunk.missing) for chunk in chunks if chunk.state == "failed")
     waited_for = missing - failed - sum(len(chunk.missing) for chunk in chunks if chunk.state == "unsent")
     left = seconds_left(folder, sent, planned, waited_for, running)
-    return Status(folder.plan().unit, total, total - missing, failed, running, left, chunks)
+    return Status(plan.unit, total, total - missing, failed, running, left, chunks)
 
 
 def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
@@ -94,11 +96,11 @@ def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
 
 
 def chunk_state(
-    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, pieces: Sequence[Piece]
+    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, pieces: Sequence[Piece], done: Set[Tuple[int, int]]
 ) -> ChunkState:
     """The files count, not the engine's word: a chunk is done when they are there, and failed when it was sent, its
     task is over, and one is not there."""
-    missing = [piece.frame.frame for piece in pieces if not piece.is_done()]
+    missing = [piece.frame.frame for piece in pieces if (piece.frame.frame, piece.tile) not in done]
     state = tasks.live.get(chunk, "done")
     if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
         state = "done"
