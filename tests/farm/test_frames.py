@@ -10,6 +10,7 @@ from pelage.farm.check import faults_of
 from pelage.farm.folder import FarmFolder
 from pelage.farm.frame_files import FrameFile, ShortFile, inspect
 from pelage.farm.plan import Plan, PlannedFrame
+from pelage.farm.ranges import Chunk
 
 FRAMES = 8
 
@@ -25,7 +26,7 @@ class Frames(FarmTest):
             self.path(k).write_bytes(self.picture(k))
         (self.made.path / "job.json").write_text("{}")
         self.made.write_plan(self.plan)
-        self.made.write_chunks([[1, 2, 3, 4], [5, 6, 7, 8]])
+        self.made.write_chunks([Chunk([1, 2, 3, 4], 0), Chunk([5, 6, 7, 8], 0)])
 
     def path(self, k):
         return self.made.path / "out" / f"ball.{k:04}.png"
