@@ -99,6 +99,11 @@ inline void fit(FrameRequest& frame) {
   if (frame.budget_ms) frame.max_error.reset();
   if (frame.plans()) frame.knobs = {};
   if (frame.knobs.order == FragmentOrder::sorted) frame.height = std::min(frame.height, 512);
+  if (frame.crop) {
+    Crop& crop = *frame.crop;
+    crop.left = std::min(crop.left, frame.width - 1), crop.width = std::min(crop.width, frame.width - crop.left);
+    crop.top = std::min(crop.top, frame.height - 1), crop.height = std::min(crop.height, frame.height - crop.top);
+  }
   if (is_linear(frame.format)) {
     frame.overlay = Overlay::none;
     if (frame.aovs.size() > 1) frame.aovs.resize(1);

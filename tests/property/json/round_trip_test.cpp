@@ -91,7 +91,7 @@ RC_GTEST_PROP(Json, FrameRequestsComeBack, ()) {
   RC_ASSERT(after->knobs == before.knobs);
   RC_ASSERT(encode(*after) == encode(before));
   RC_ASSERT(after->format == before.format && after->overlay == before.overlay);
-  RC_ASSERT(after->revision == before.revision);
+  RC_ASSERT(after->revision == before.revision && after->crop == before.crop);
   RC_ASSERT(after->overlay_from == before.overlay_from && after->progressive == before.progressive);
   RC_ASSERT(after->background == before.background && after->exr_type == before.exr_type);
 }
