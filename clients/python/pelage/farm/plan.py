@@ -50,16 +50,19 @@ class Piece(NamedTuple):
         return [self.frame.file] + ([self.frame.tiles[self.tile - 1].file] if self.tile else [])
 
 
-def done_pieces(frames: Sequence[PlannedFrame]) -> Set[Tuple[int, int]]:
-    """Frame and tile, 0 for all of it, of frames whose file is whole and of this job, and tiles that are. Where all tiles of a frame are there and it is
-    not, whoever should have put them together was killed: none of them counts, so that one is sent again."""
+def done_pieces(frames: Sequence[PlannedFrame], running: bool) -> Set[Tuple[int, int]]:
+    """Frame and tile, 0 for all of it, of frames whose file is whole and of this job, and of tiles whose is.
+
+    running: Whether a task may still put tiles together. Where none does, and all tiles of a frame are there without
+    it, whoever should have done it was killed: none of them counts, so that they are sent again.
+    """
     done: Set[Tuple[int, int]] = set()
     for frame in frames:
         if is_whole(frame):
             done.update((frame.frame, tile) for tile in range(len(frame.tiles) + 1))
             continue
         whole = [number for number, tile in enumerate(frame.tiles, 1) if is_whole(tile)]
-        if len(whole) < len(frame.tiles):
+        if running or len(whole) < len(frame.tiles):
             done.update((frame.frame, number) for number in whole)
     return done
 
