@@ -333,9 +333,8 @@ class RenderTest(unittest.TestCase):
         self.assertEqual(process.returncode, 143)
         self.check_whole(400)
 
-    def test_no_frame_is_torn_by_kills(self):
-        """PELAGE_KILLS says how many, 10 unless it does."""
-        job = self.job(frames="1-2000")
+    def kill(self, job):
+        """Some processes that draw it, one after another. PELAGE_KILLS says how many, 10 unless it does."""
         for k in range(int(os.environ.get("PELAGE_KILLS", "10"))):
             process = subprocess.Popen([BIN / "pelage-render", job, "--skip-existing"], stdout=subprocess.PIPE, text=True)
             for _ in range(3 + k % 20):
@@ -343,7 +342,21 @@ class RenderTest(unittest.TestCase):
             process.kill()
             process.communicate(timeout=60)
             self.assertEqual(process.returncode, -9)
+
+    def test_no_frame_is_torn_by_kills(self):
+        self.kill(self.job(frames="1-2000"))
         self.check_whole(2000)
+
+    def test_no_tile_is_lost_by_kills(self):
+        self.kill(self.job(frames="1-2000", tiles={"columns": 2, "rows": 2}))
+        self.check_whole(10_000)
+        self.render(self.folder / "job.json", "--frames", "1-12", "--skip-existing")
+        names = [f"ball.{k:03}.png" for k in range(1, 13)]
+        self.assertEqual([path.name for path in self.frames() if path.name in names], names)
+        merged = {name: digest for name, digest in self.hashes().items() if name in names}
+        subprocess.run(["rm", "-r", self.folder / "out"], check=True)
+        self.render(self.job(frames="1-2000"), "--frames", "1-12")
+        self.assertEqual(self.hashes(), merged)
 
     def check_whole(self, below):
         whole = [path for path in self.frames() if not path.name.startswith(".")]
