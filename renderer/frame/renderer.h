@@ -19,8 +19,10 @@ struct RendererOptions {
   int threads = default_threads();                       // of what is drawn on the CPU
 };
 
-/// Draws frames by a GL where it has one, else on the CPU. What traced strands stand on, and their finished picture,
-/// are made on the CPU in any case. Belongs to the thread and the context that it was made on.
+/// Draws frames by a GL where it has one, else on the CPU. Of a frame with a crop all pictures have the crop's size,
+/// and the bits that the whole frame has there; light that is to be finished, and backplates, are of the whole. What
+/// traced strands stand on, and their finished picture, are made on the CPU in any case. Belongs to the thread and the
+/// context that it was made on.
 class Renderer {
  public:
   /// By a GL, which outlives it. Fails (unavailable) when a program cannot be built.

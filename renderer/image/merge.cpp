@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 
 #include "renderer/image/float_image.h"
 
@@ -32,7 +33,7 @@ Result<OpenPicture> open_part(const PicturePart& part, int width, int height, co
   return file;
 }
 
-/// All channels of all pixels; RGB becomes RGBA.
+/// All channels of all pixels, interleaved.
 template <class Number>
 Result<std::vector<Number>> read_numbers(OpenPicture& file, const OIIO::TypeDesc& type) {
   const auto channels = static_cast<std::size_t>(file.spec.nchannels);

@@ -44,7 +44,7 @@ class FurMesh {
   bool has_colours_ = false;
   BaseImages images_;
   std::vector<glm::vec3> positions_, normals_, shading_normals_, tangents_, image_uvs_, colours_, groom_;
-  std::vector<glm::vec3> rest_positions_, rest_normals_;  // empty where the model stands at rest
+  std::vector<glm::vec3> rest_positions_, rest_normals_;  // empty where the model stands in its rest pose
   std::vector<glm::vec2> tiles_;
   std::vector<float> weights_, fur_share_, mask_;
   std::vector<std::array<float, 6>> paint_;

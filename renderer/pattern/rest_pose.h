@@ -12,8 +12,8 @@ struct RestPosePoint {
   glm::mat3 turn{1};                    // a rotation
 };
 
-/// The rotation from a triangle at rest to where it is now: of its first side and of its normal. None for a triangle
-/// that has no area there or here.
+/// The rotation from a triangle of the rest pose to where it is now: of its first side and of its normal. None for a
+/// triangle that has no area there or here.
 glm::mat3 turn_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now);
 
 }  // namespace pelage

@@ -68,7 +68,7 @@ glm::vec3 mixed(const std::array<glm::vec3, 3>& values, glm::vec3 share) {
   return share.x * values[0] + share.y * values[1] + share.z * values[2];
 }
 
-/// A triangle where it is, and where it lay at rest.
+/// A triangle where it is, and where it lies in the rest pose.
 struct Corners {
   std::array<glm::vec3, 3> places, rest_places, rest_normals;
   bool moved = false;

@@ -25,7 +25,7 @@ struct SurfaceVolume {
   std::vector<std::uint8_t> rgba;  // 0 where nothing was evaluated
 };
 
-/// What a cell holds: four values in [0, 1], from where its middle lies at rest.
+/// What a cell holds: four values in [0, 1], from where its middle lies in the rest pose.
 using VolumeValue = std::function<glm::vec4(const RestPosePoint& middle)>;
 
 /// Evaluates the cells around the surface. A cell is .005 sizes, or more where 256 of them would not do. Deterministic.

@@ -127,12 +127,12 @@ class ModelBuffers {
   std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end
   std::vector<glm::uvec3> triangles_;  // in render vertices
   std::vector<glm::vec3> centroids_, face_normals_;
-  std::vector<glm::vec3> positions_, normals_;  // of render vertices
-  std::vector<glm::vec3> rest_positions_, rest_normals_;
-  std::vector<float> lengths_;           // of render vertices
-  std::vector<glm::vec3> groom_values_;  // as in groom_: direction, length
-  std::vector<FurSkinRegion> skin_;      // bare regions
-  std::vector<glm::uvec3> skin_order_;   // the triangles, those that bare skin may touch first
+  std::vector<glm::vec3> positions_, normals_;            // of render vertices
+  std::vector<glm::vec3> rest_positions_, rest_normals_;  // empty where the model stands in its rest pose
+  std::vector<float> lengths_;                            // of render vertices
+  std::vector<glm::vec3> groom_values_;                   // as in groom_: direction, length
+  std::vector<FurSkinRegion> skin_;                       // bare regions
+  std::vector<glm::uvec3> skin_order_;                    // the triangles, those that bare skin may touch first
   std::size_t bare_count_ = 0;
   std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
