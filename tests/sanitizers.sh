@@ -14,7 +14,7 @@ fi
 targets=(fuzz_json)
 for suite in "${suites[@]}"; do
   case $suite in
-    end_to_end.*) targets+=(pelaged pelage pelage-import pelage-compare) ;;
+    end_to_end.*) targets+=(pelaged pelage pelage-import) ;;
     *) targets+=("$suite") ;;
   esac
 done

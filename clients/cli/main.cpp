@@ -3,8 +3,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "clients/cli/actions/actions.h"
+#include "clients/cli/compare/compare_pictures.h"
 #include "protocol/json/author.h"
 
 namespace {
@@ -17,6 +19,15 @@ pelage::ExitCode hand_over(const char* program, char* const* arguments) {
   execv(path.c_str(), arguments);
   const auto status = pelage::failure(pelage::Code::internal, "Cannot start " + path + "; it belongs beside pelage.");
   return report(with_next(status, "build or install all programs in one folder"));
+}
+
+pelage::ExitCode compare(const pelage::Options& options) {
+  try {
+    return pelage::compare_pictures(options);
+  } catch (const std::runtime_error& error) {  // the library of picture files is not there
+    const auto status = pelage::failure(pelage::Code::internal, error.what());
+    return report(with_next(status, "build or install all programs in one folder"));
+  }
 }
 
 /// The machine that is measured is this one, so the server's program does it, and no server need run.
@@ -34,7 +45,7 @@ pelage::ExitCode calibrate(const pelage::Options& options) {
 int main(int argc, char** argv) {
   const auto [exit_code, options] = pelage::parse_line(argc, argv);
   if (exit_code) return *exit_code;
-  if (options.action == pelage::Action::compare) return hand_over("pelage-compare", argv);
+  if (options.action == pelage::Action::compare) return compare(options);
   if (options.action == pelage::Action::trade) return hand_over("pelage-trade", argv);
   if (options.action == pelage::Action::farm) return hand_over("pelage-farm", argv);
   if (options.action == pelage::Action::calibrate) return calibrate(options);

@@ -1,5 +1,6 @@
 #include "protocol/base/parallel.h"
 
+#include <sched.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -14,7 +15,13 @@
 
 namespace pelage {
 
-int default_threads() { return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u)); }
+int core_count() {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) return std::max(1, CPU_COUNT(&cores));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // more cores than the set holds
+}
+
+int default_threads() { return std::min(core_count(), 16); }
 
 namespace {
 
@@ -34,7 +41,7 @@ struct Order {
 
 void run_on_threads(int threads, const std::function<void()>& run) {
   // On one core more threads would take turns, and oneTBB would complain on the error output.
-  if (threads <= 1 || std::thread::hardware_concurrency() == 1) return run();
+  if (threads <= 1 || core_count() == 1) return run();
   std::mutex mutex;
   std::exception_ptr failure;
   Order begun, ended;

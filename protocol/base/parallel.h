@@ -8,6 +8,9 @@
 
 namespace pelage {
 
+/// Cores that the calling thread may run on, at least 1: fewer than the machine's where a farm or a container pins it.
+int core_count();
+
 /// Threads that a parallel loop uses where nobody asks for a number: one for each core, at most 16.
 int default_threads();
 

@@ -45,11 +45,12 @@ struct Rays {
         high(glm::floor(glm::max(from, to) + radius - 0.5));
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
+        std::uint8_t& ray = open[static_cast<std::size_t>((y & (ray_side - 1)) * ray_side + (x & (ray_side - 1)))];
+        if (ray == 0) continue;
         const glm::dvec2 at = glm::dvec2(x + 0.5, y + 0.5) - from;
         const glm::dvec2 apart = at - std::clamp(glm::dot(at, way) / square, 0.0, 1.0) * way;
-        std::uint8_t& ray = open[static_cast<std::size_t>((y & (ray_side - 1)) * ray_side + (x & (ray_side - 1)))];
         if (glm::dot(apart, apart) > radius * radius) continue;
-        left -= ray, ray = 0;
+        --left, ray = 0;
       }
     }
   }

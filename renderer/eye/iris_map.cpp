@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "protocol/base/parallel.h"
 #include "protocol/base/random.h"
 
 namespace pelage {
@@ -76,16 +77,16 @@ std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::lround(
 }  // namespace
 
 std::vector<std::uint8_t> make_iris_map() {
-  std::vector<std::uint8_t> map;
-  map.reserve(4 * iris_map_width * iris_map_height);
-  for (int row = 0; row < iris_map_height; ++row) {
+  std::vector<std::uint8_t> map(std::size_t{4} * iris_map_width * iris_map_height);
+  for_each_in_parallel(iris_map_height, [&](std::uint32_t row) {
+    std::uint8_t* to = &map[std::size_t{4} * iris_map_width * row];
     for (int column = 0; column < iris_map_width; ++column) {
       const double around = (column + 0.5) / iris_map_width, along = (row + 0.5) / iris_map_height;
       const Tissue made = tissue(around, along);
-      map.push_back(level(made.scattering)), map.push_back(level(made.height)), map.push_back(level(made.inner));
-      map.push_back(level(vessels(around, along)));
+      for (const double value : {made.scattering, made.height, made.inner, vessels(around, along)})
+        *to++ = level(value);
     }
-  }
+  });
   return map;
 }
 

@@ -20,10 +20,8 @@ struct FloatImage {
 
 FloatImage linear_image(const Image& image);
 
-/// PNG (8 and 16 bit, taken as sRGB), JPEG, EXR or Radiance HDR from memory. Of an EXR the first part is read: R, G, B
-/// and A, else those of the first shell that has them ("beauty.R"), else Y as grey; alpha is 1 where there is none. NaN
-/// and infinity stay. Refused (invalid) when it is none of these, broken, without colour, or over `max_pixels`.
-Result<FloatImage> decode_float_image(std::span<const std::byte> bytes, std::size_t max_pixels);
+/// Of numbers that are sRGB with straight alpha, in place.
+void make_linear_and_premultiplied(FloatImage& image);
 
 /// A picture whose numbers are data: no curve is undone and nothing is multiplied by alpha. 8 and 16 bits are over
 /// their largest, 4 * width * height numbers, rows from the top.
@@ -34,17 +32,11 @@ struct DataImage {
   std::string text;  // what the file keeps under the asked key; "" for nothing
 };
 
-/// The same files and .npy (decode_npy), refused as decode_float_image and decode_npy do.
-Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_t max_pixels, const std::string& key);
-
 /// Under which a map's file says what 1 in it stands for.
 inline constexpr const char* map_scale_text = "pelage:scale";
 
 /// Under which an EXR has its frames per second; the text is a ratio, "24/1".
 inline constexpr const char* frame_rate_text = "FramesPerSecond";
-
-/// Makes the library of EXR do without threads from here on, for a process that may start none.
-void read_exr_without_threads();
 
 enum class ExrSample { half, single };
 
@@ -65,10 +57,5 @@ struct ExrWindow {
   int width = 0, height = 0, left = 0, top = 0;
   int full_width = 0, full_height = 0;
 };
-
-/// An EXR with these channels, zip compressed (lossless); the same input gives the same bytes. Finite numbers beyond
-/// the range of half are held at its largest; NaN and infinity stay.
-std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes,
-                       std::span<const ImageText> texts = {});
 
 }  // namespace pelage

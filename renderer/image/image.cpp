@@ -1,145 +1,16 @@
 #include "renderer/image/image.h"
 
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <limits>
 #include <memory>
-#include <string_view>
-#include <vector>
 
 #include "renderer/image/png.h"
 
 namespace pelage {
 
-namespace {
-
-using namespace std::string_view_literals;
-
-/// Whether the chunks of a PNG end before IEND.
-bool is_png_cut_off(std::string_view bytes) {
-  constexpr std::size_t signature = 8, frame = 12;  // of a chunk: its length, its name, its checksum
-  bytes.remove_prefix(signature);
-  while (bytes.size() >= frame) {
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-    if (length > bytes.size() - frame) return true;
-    if (bytes.substr(4, 4) == "IEND") return false;
-    bytes.remove_prefix(frame + length);
-  }
-  return true;
-}
-
-/// Whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
-bool is_jpeg_cut_off(std::string_view bytes) {
-  const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
-  return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
-}
-
-/// "PNG, JPEG nor EXR".
-std::string list_of(std::span<const PictureFormat> formats) {
-  constexpr std::array names{"unknown", "PNG", "JPEG", "EXR", "HDR"};
-  std::string list;
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    if (i > 0) list += i + 1 < formats.size() ? ", " : " nor ";
-    list += names.at(static_cast<std::size_t>(formats[i]));
-  }
-  return list;
-}
-
-}  // namespace
-
-PictureFormat format_of(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n"sv)) return PictureFormat::png;
-  if (bytes.starts_with("\xff\xd8\xff"sv)) return PictureFormat::jpeg;
-  if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return PictureFormat::exr;
-  if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return PictureFormat::hdr;
-  return PictureFormat::unknown;
-}
-
-const char* name_of(PictureFormat format) {
-  switch (format) {
-    case PictureFormat::png: return "memory.png";
-    case PictureFormat::jpeg: return "memory.jpg";
-    case PictureFormat::exr: return "memory.exr";
-    case PictureFormat::hdr: return "memory.hdr";
-    case PictureFormat::unknown: break;
-  }
-  assert(false);
-  return "";
-}
-
-bool is_cut_off(PictureFormat format, std::string_view bytes) {
-  if (format == PictureFormat::png) return is_png_cut_off(bytes);
-  return format == PictureFormat::jpeg && is_jpeg_cut_off(bytes);
-}
-
 Status unreadable(const std::string& reason) {
   return failure(Code::invalid, std::string(unreadable_picture) + reason);
 }
 
-std::string reason_of(const std::string& text) { return text.empty() ? "it is broken." : text; }
-
-Status check_size(const OIIO::ImageSpec& spec, std::size_t max_pixels) {
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
-    return unreadable("it has no pixels, or is no flat picture.");
-  }
-  if (spec.image_pixels() > max_pixels) {
-    return unreadable("it has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                      " pixels; at most " + std::to_string(max_pixels) + " are allowed.");
-  }
-  return {};
-}
-
-Result<OpenPicture> open_picture(std::span<const std::byte> bytes, std::span<const PictureFormat> wanted,
-                                 std::size_t max_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  OpenPicture picture;
-  picture.format = format_of(text);
-  if (std::find(wanted.begin(), wanted.end(), picture.format) == wanted.end())
-    return unreadable("it is neither " + list_of(wanted) + ".");
-  if (is_cut_off(picture.format, text)) return unreadable("it is cut off.");
-  const char* name = name_of(picture.format);
-  picture.source = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(bytes.data()), bytes.size());
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  picture.input = OIIO::ImageInput::create(name, false, nullptr, picture.source.get());
-  if (!picture.input) return unreadable(reason_of(OIIO::geterror()));
-  OIIO::ImageInput& input = *picture.input;
-  if (!input.set_ioproxy(picture.source.get()) || !input.open(name, picture.spec, wishes))
-    return unreadable(reason_of(input.geterror()));
-  if (Status status = check_size(picture.spec, max_pixels); !status.ok()) return status;
-  input.threads(1);
-  return picture;
-}
-
-std::string text_in_picture(std::span<const std::byte> bytes, const std::string& key) {
-  constexpr std::array wanted{PictureFormat::png, PictureFormat::exr};
-  const Result<OpenPicture> file = open_picture(bytes, wanted, std::numeric_limits<std::size_t>::max());
-  return file ? std::string(file->spec.get_string_attribute(key)) : std::string();
-}
-
-std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
-                          const void* pixels) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput sink(bytes);
-  const char* name = name_of(format);
-  const auto output = OIIO::ImageOutput::create(name, &sink);
-  assert(output);
-  const bool written = output->open(name, spec) && output->write_image(type, pixels) && output->close();
-  assert(written);
-  return written ? std::string(bytes.begin(), bytes.end()) : std::string();
-}
-
 namespace {
-
-std::vector<std::uint8_t> without_alpha(const std::vector<std::uint8_t>& rgba) {
-  std::vector<std::uint8_t> rgb(rgba.size() / 4 * 3);
-  for (std::size_t from = 0, to = 0; from < rgba.size(); from += 4, to += 3) {
-    rgb[to] = rgba[from], rgb[to + 1] = rgba[from + 1], rgb[to + 2] = rgba[from + 2];
-  }
-  return rgb;
-}
 
 template <class Picture>
 std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
@@ -151,19 +22,6 @@ std::string encode_png_of(const Picture& image, bool keep_alpha, std::span<const
   return png_file(layout, bands, texts, numbers);
 }
 
-/// Grey, grey with alpha, or colour without alpha to RGBA.
-std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& pixels, std::size_t channels) {
-  std::vector<std::uint8_t> rgba;
-  rgba.reserve(pixels.size() / channels * 4);
-  const bool grey = channels < 3, alpha = channels % 2 == 0;
-  for (std::size_t i = 0; i < pixels.size(); i += channels) {
-    const std::uint8_t* p = &pixels[i];
-    rgba.insert(rgba.end(),
-                {p[0], grey ? p[0] : p[1], grey ? p[0] : p[2], alpha ? p[channels - 1] : std::uint8_t{255}});
-  }
-  return rgba;
-}
-
 }  // namespace
 
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
@@ -172,27 +30,6 @@ std::string encode_png(const Image& image, bool keep_alpha, std::span<const Imag
 
 std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts, PngNumbers numbers) {
   return encode_png_of(image, keep_alpha, texts, numbers);
-}
-
-std::string encode_jpeg(const Image& image, int quality) {
-  assert(image.width > 0 && image.height > 0 && quality >= 1 && quality <= 100);
-  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("Compression", "jpeg:" + std::to_string(quality));
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  return write_picture(PictureFormat::jpeg, spec, spec.format, without_alpha(image.rgba).data());
-}
-
-Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pixels) {
-  constexpr std::array wanted{PictureFormat::png, PictureFormat::jpeg};
-  const Result<OpenPicture> file = open_picture(bytes, wanted, max_pixels);
-  if (!file) return file.status();
-  const OIIO::ImageSpec& spec = file->spec;
-  if (spec.nchannels > 4) return unreadable("it has an unknown number of channels.");
-  std::vector<std::uint8_t> pixels(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  OIIO::ImageInput& input = *file->input;
-  if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()) || input.has_error())
-    return unreadable(reason_of(input.geterror()));
-  return Image{spec.width, spec.height, to_rgba(pixels, static_cast<std::size_t>(spec.nchannels))};
 }
 
 }  // namespace pelage

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "protocol/base/parallel.h"
 #include "renderer/shaders/constants.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/shading/marschner.h"
@@ -94,7 +95,8 @@ ScatteringTable make_scattering_table(const Look& look) {
   ScatteringTable table{azimuth_nodes, inclination_nodes, absorption_nodes, {}};
   table.values.resize(std::size_t{4} * azimuth_nodes * inclination_nodes * absorption_nodes);
   const AzimuthalAverage average(look.shading, look.fibre);
-  for (int j = 0; j < table.inclinations; ++j) fill_inclination(average, j, table);
+  for_each_in_parallel(static_cast<std::uint32_t>(table.inclinations),
+                       [&](std::uint32_t j) { fill_inclination(average, static_cast<int>(j), table); });
   return table;
 }
 

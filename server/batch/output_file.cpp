@@ -17,7 +17,7 @@
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
-#include "renderer/image/float_image.h"
+#include "renderer/picture_files/picture_files.h"
 #include "server/batch/job_scene.h"
 
 namespace pelage {
@@ -81,7 +81,8 @@ bool is_drawn(const std::string& path, const std::string& fingerprint) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return false;
   constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
-  const auto picture = decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_text);
+  const auto picture =
+      picture_files().decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_text);
   return picture && picture->text == fingerprint;
 }
 

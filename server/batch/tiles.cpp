@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "renderer/image/merge.h"
+#include "renderer/picture_files/picture_files.h"
 #include "server/batch/job_scene.h"
 #include "server/batch/output_file.h"
 #include "server/scene/digest.h"
@@ -44,7 +44,8 @@ Status check_frame(const TileGrid& grid, const FrameRequest& request) {
 double seconds_of(const std::vector<PicturePart>& parts) {
   double seconds = 0;
   for (const PicturePart& part : parts)
-    seconds += std::strtod(text_in_picture(std::as_bytes(std::span(part.bytes)), render_time_text).c_str(), nullptr);
+    seconds += std::strtod(
+        picture_files().text_in_picture(std::as_bytes(std::span(part.bytes)), render_time_text).c_str(), nullptr);
   return seconds;
 }
 
@@ -53,7 +54,9 @@ std::optional<std::vector<PicturePart>> read_parts(const JobFrame& frame) {
   std::vector<PicturePart> parts;
   for (const JobTile& tile : frame.tiles) {
     Result<std::string> bytes = read_file(tile.file);
-    if (!bytes || text_in_picture(std::as_bytes(std::span(*bytes)), fingerprint_text) != tile.fingerprint) return {};
+    if (!bytes ||
+        picture_files().text_in_picture(std::as_bytes(std::span(*bytes)), fingerprint_text) != tile.fingerprint)
+      return {};
     parts.push_back({std::move(*bytes), tile.crop.left, tile.crop.top});
   }
   return parts;
@@ -84,11 +87,13 @@ Result<std::vector<JobTile>> tiles_of(const TileGrid& grid, const JobFrame& fram
 Result<bool> merge_tiles(const JobFrame& frame, const SceneSummary& scene, double fps) {
   const std::optional<std::vector<PicturePart>> parts = read_parts(frame);
   if (!parts) return false;
-  const std::string quality = text_in_picture(std::as_bytes(std::span(parts->front().bytes)), quality_text);
+  const std::string quality =
+      picture_files().text_in_picture(std::as_bytes(std::span(parts->front().bytes)), quality_text);
   const std::vector<ImageText> texts = texts_of(frame, quality, scene, fps, seconds_of(*parts));
   const FrameRequest& request = frame.request;
   const bool keep_alpha = request.background == Background::transparent;
-  const Result<std::string> whole = merge_pictures(*parts, request.width, request.height, keep_alpha, texts);
+  const Result<std::string> whole =
+      picture_files().merge_pictures(*parts, request.width, request.height, keep_alpha, texts);
   if (!whole) return whole.status();
   if (Status written = write_whole(frame.file, *whole); !written.ok()) return written;
   remove_tiles(frame);

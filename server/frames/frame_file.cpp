@@ -8,6 +8,7 @@
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/image/npy.h"
+#include "renderer/picture_files/picture_files.h"
 
 namespace pelage {
 
@@ -107,7 +108,8 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
   const FloatImage& first = images.front();
   if (request.format != FrameFormat::exr) return encode_array(first.width, first.height, planes);
   const Crop crop = request.crop.value_or(Crop());
-  return encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height}, planes, texts);
+  return picture_files().encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height},
+                                    planes, texts);
 }
 
 }  // namespace
@@ -151,7 +153,7 @@ std::string encode_frame(DrawnPicture picture, const FrameRequest& request, cons
     return encode_aovs(std::move(*aovs), request, placement, texts);
   if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
-  if (request.format == FrameFormat::jpeg) return encode_jpeg(image, request.jpeg_quality);
+  if (request.format == FrameFormat::jpeg) return picture_files().encode_jpeg(image, request.jpeg_quality);
   if (request.format == FrameFormat::npy) return encode_array(image);
   return png.encode(std::move(image), keep_alpha, texts);
 }

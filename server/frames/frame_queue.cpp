@@ -1,13 +1,10 @@
 #include "server/frames/frame_queue.h"
 
-#include <algorithm>
-#include <thread>
+#include "protocol/base/parallel.h"
 
 namespace pelage {
 
-int drawing_threads(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+int drawing_threads(int asked) { return asked > 0 ? asked : core_count(); }
 
 Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads) {
   const RendererOptions options{.threads = threads};

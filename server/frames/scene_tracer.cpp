@@ -1,22 +1,12 @@
 #include "server/frames/scene_tracer.h"
 
-#include <algorithm>
-#include <thread>
-
+#include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
 
-namespace {
-
-int thread_count(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-}  // namespace
-
 SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
-    : frames_(frames), tracer_(thread_count(threads), memory, true) {}
+    : frames_(frames), tracer_(drawing_threads(threads), memory, true) {}
 
 Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                     const GoOn& go_on) {

@@ -38,17 +38,22 @@ Result<std::string> read_backplate(std::string&& bytes, const std::string&) {
 
 }  // namespace
 
-Job job_of(std::string_view name) {
-  static constexpr std::array<Job, worker_format_names.size()> models = {
-      read_model<ModelFormat::obj>, read_model<ModelFormat::ply>,  read_model<ModelFormat::stl>,
-      read_model<ModelFormat::off>, read_model<ModelFormat::gltf>, read_model<ModelFormat::glb>,
-      read_model<ModelFormat::tds>, read_model<ModelFormat::zip>};
+std::optional<Job> job_of(std::string_view name) {
+  static constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj>, false},
+                                                                          {read_model<ModelFormat::ply>, false},
+                                                                          {read_model<ModelFormat::stl>, false},
+                                                                          {read_model<ModelFormat::off>, false},
+                                                                          {read_model<ModelFormat::gltf>, true},
+                                                                          {read_model<ModelFormat::glb>, true},
+                                                                          {read_model<ModelFormat::tds>, false},
+                                                                          {read_model<ModelFormat::zip>, true}}};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (name == worker_format_names[i]) return models[i];
   }
-  if (name == worker_environment) return read_light;
-  if (name == worker_map) return read_data;
-  return name == worker_picture ? read_backplate : nullptr;
+  if (name == worker_environment) return Job{read_light, true};
+  if (name == worker_map) return Job{read_data, true};
+  if (name == worker_picture) return Job{read_backplate, true};
+  return {};
 }
 
 }  // namespace pelage

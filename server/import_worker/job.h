@@ -1,6 +1,7 @@
 // What the worker can do with an upload.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,10 +9,13 @@
 
 namespace pelage {
 
-/// From the bytes of a file to the bytes of the answer. `pose` is of models. Refused (invalid) with the reason.
-using Job = Result<std::string> (*)(std::string&& bytes, const std::string& pose);
+struct Job {
+  /// From the bytes of a file to the bytes of the answer. `pose` is of models. Refused (invalid) with the reason.
+  Result<std::string> (*run)(std::string&& bytes, const std::string& pose) = nullptr;
+  bool reads_pictures = false;  // or may do so
+};
 
-/// The job of that name (server/import/import.h); null when there is none.
-Job job_of(std::string_view name);
+/// The job of that name (server/import/import.h); none where there is no such job.
+std::optional<Job> job_of(std::string_view name);
 
 }  // namespace pelage

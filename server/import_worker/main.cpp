@@ -7,9 +7,11 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "renderer/picture_files/picture_files.h"
 #include "server/import/import.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/job.h"
@@ -45,22 +47,23 @@ int complain(std::string message, int code) {
   return code;
 }
 
-int convert(Job job, const std::string& pose) {
+int convert(const Job& job, const std::string& pose) {
   std::string bytes;
   if (!read_all(bytes)) return complain("The input cannot be read.", worker_exit::bad_input);
-  const Result<std::string> answer = job(std::move(bytes), pose);
+  const Result<std::string> answer = job.run(std::move(bytes), pose);
   if (!answer.ok()) return complain(answer.status().message, worker_exit::bad_input);
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }
 
 /// Memory that is not there and whatever else the libraries throw become exit codes.
 int run(int argc, char** argv) {
-  const Job job = argc == 4 || argc == 5 ? job_of(argv[1]) : nullptr;
+  const std::optional<Job> job = argc == 4 || argc == 5 ? job_of(argv[1]) : std::nullopt;
   if (!job) return complain("usage: pelage-import JOB SECONDS BYTES [POSE]", worker_exit::usage);
   try {
+    if (job->reads_pictures) picture_files();  // while libraries may still be opened
     const Status confined = confine(std::atof(argv[2]), std::strtoull(argv[3], nullptr, 10));
     if (!confined.ok()) return complain(confined.message, worker_exit::not_confined);
-    return convert(job, argc == 5 ? argv[4] : "");
+    return convert(*job, argc == 5 ? argv[4] : "");
   } catch (const std::bad_alloc&) {
     return complain("out of memory", worker_exit::out_of_memory);
   } catch (const std::exception& error) {

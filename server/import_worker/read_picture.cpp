@@ -6,9 +6,8 @@
 #include <span>
 
 #include "protocol/base/limits.h"
-#include "renderer/image/float_image.h"
-#include "renderer/image/image.h"
 #include "renderer/light/environment.h"
+#include "renderer/picture_files/picture_files.h"
 #include "server/import_worker/parse.h"
 
 namespace pelage {
@@ -40,8 +39,8 @@ std::optional<double> scale_of(const std::string& text) {
 }  // namespace
 
 Result<SphericalHarmonics> read_environment(const std::string& bytes) {
-  read_exr_without_threads();
-  const Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), max_pixels);
+  picture_files().read_exr_without_threads();
+  const Result<FloatImage> image = picture_files().decode_float_image(std::as_bytes(std::span(bytes)), max_pixels);
   if (!image.ok()) return reason_of(image.status());
   if (image->display_referred)
     return broken("it is neither EXR nor HDR: a tone-mapped picture is no measure of light.");
@@ -51,22 +50,23 @@ Result<SphericalHarmonics> read_environment(const std::string& bytes) {
 
 int add_picture(RawModel& model, std::string_view bytes, const std::string& name) {
   constexpr std::size_t max_texture_pixels = std::size_t{8192} * 8192;
-  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_texture_pixels);
+  Result<Image> image = picture_files().decode_image(std::as_bytes(std::span(bytes)), max_texture_pixels);
   if (!image.ok()) return model.lose("broken_pictures", name), -1;
   model.images.push_back({image->width, image->height, std::move(image->rgba)});
   return static_cast<int>(model.images.size()) - 1;
 }
 
 Result<RawImage> read_skin_texture(const std::string& bytes) {
-  Result<Image> image = decode_image(std::as_bytes(std::span(bytes)), max_pixels);
+  Result<Image> image = picture_files().decode_image(std::as_bytes(std::span(bytes)), max_pixels);
   if (!image.ok()) return reason_of(image.status());
   if (Status status = check_sides(image->width, image->height); !status.ok()) return status;
   return RawImage{image->width, image->height, std::move(image->rgba)};
 }
 
 Result<MapPicture> read_map_picture(const std::string& bytes) {
-  read_exr_without_threads();
-  Result<DataImage> image = decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
+  picture_files().read_exr_without_threads();
+  Result<DataImage> image =
+      picture_files().decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
   if (!image.ok()) return reason_of(image.status());
   const bool list = image->width == 1;  // of vertices, of which there may be more than pixels on a side
   if (Status status = list ? Status{} : check_sides(image->width, image->height); !status.ok()) return status;

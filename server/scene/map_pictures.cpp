@@ -8,6 +8,7 @@
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/image/npy.h"
+#include "renderer/picture_files/picture_files.h"
 #include "server/maps/draw_map.h"
 #include "server/patches/patches.h"
 #include "server/scene/digest.h"
@@ -145,14 +146,14 @@ std::string encode_floats(const DrawnMap& map, ExrSample sample, const std::vect
   const auto channels = static_cast<std::size_t>(map.layout.channels);
   if (channels == 1) {
     const std::vector<ExrPlane> grey{{"Y", map.image.values, 0, 1, sample}};
-    return encode_exr({map.image.size, map.image.size}, grey, texts);
+    return picture_files().encode_exr({map.image.size, map.image.size}, grey, texts);
   }
   const std::vector<float> nothing(channels == 2 ? map.image.covered.size() : 0, 0.0f);
   std::vector<ExrPlane> planes;
   for (std::size_t k = 0; k < channels; ++k)
     planes.push_back({std::string(1, "RGBA"[k]), map.image.values, k, channels, sample});
   if (channels == 2) planes.push_back({"B", nothing, 0, 1, sample});
-  return encode_exr({map.image.size, map.image.size}, planes, texts);
+  return picture_files().encode_exr({map.image.size, map.image.size}, planes, texts);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "protocol/base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "renderer/image/float_image.h"
+#include "renderer/picture_files/picture_files.h"
 #include "tests/bench/peer_torus.h"
 #include "tests/bench/traced.h"
 
@@ -32,14 +33,14 @@ struct Options {
 
 void write_exr(const FloatImage& light, const std::string& path) {
   std::ofstream file(path, std::ios::binary);
-  file << encode_exr({light.width, light.height}, rgba_planes(light.rgba, ExrSample::single));
+  file << picture_files().encode_exr({light.width, light.height}, rgba_planes(light.rgba, ExrSample::single));
   if (!file.flush()) stop("cannot write " + path);
 }
 
 FloatImage read_exr(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  Result<FloatImage> image = decode_float_image(std::as_bytes(std::span(bytes)), std::size_t{1} << 26);
+  Result<FloatImage> image = picture_files().decode_float_image(std::as_bytes(std::span(bytes)), std::size_t{1} << 26);
   return image ? std::move(image).value() : (stop(path + ": " + image.status().message), FloatImage{});
 }
 
@@ -172,7 +173,7 @@ void compare_all(Renderer& renderer, const Options& options) {
   for (const auto& [path, light] : {std::pair{ours, &our_truth}, {theirs, &their_truth}}) {
     const Result<Image> picture = renderer.finish(frame, *light, nullptr);
     if (!picture) stop(picture.status().message);
-    std::ofstream(path + ".jpg", std::ios::binary) << encode_jpeg(*picture, 90);
+    std::ofstream(path + ".jpg", std::ios::binary) << picture_files().encode_jpeg(*picture, 90);
   }
   print_likeness(our_truth, their_truth);
   const std::vector<Run> our_runs = read_runs(ours, our_truth), their_runs = read_runs(theirs, their_truth);

@@ -102,11 +102,12 @@ class Compare(unittest.TestCase):
         run = self.compare(a, broken, code=3)
         self.assertIn("64 pixels are NaN or infinite", run.stderr)
 
-    def test_a_client_without_its_other_program_says_so(self):
+    def test_a_client_without_the_library_of_pictures_says_so(self):
         alone = shutil.copy(BIN / "pelage", self.folder)
-        run = subprocess.run([alone, "compare", "a.png", "b.png"], capture_output=True, text=True, timeout=60)
+        picture = self.picture("a.png", self.fur)
+        run = subprocess.run([alone, "compare", picture, picture], capture_output=True, text=True, timeout=60)
         self.assertEqual(run.returncode, 1)
-        self.assertIn("pelage-compare", run.stderr)
+        self.assertRegex(run.stderr, r"pelage-pictures\.so.*\n  next:    build or install all programs in one folder")
 
     def test_refusals(self):
         a, small = self.picture("a.png", self.fur), self.picture("small.png", self.fur[:40])

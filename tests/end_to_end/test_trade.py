@@ -88,7 +88,7 @@ class Trade(ServedTest):
         without_numpy.mkdir(parents=True)
         (without_numpy / "numpy.py").write_text("raise ImportError")
         alone = shutil.copy(BIN / "pelage-trade", self.folder)
-        for path, name in (("", "pelage-compare"), (without_numpy, "NumPy")):
+        for path, name in (("", "no program pelage on"), (without_numpy, "NumPy")):
             run = subprocess.run([alone, "-o", self.folder], capture_output=True, text=True, timeout=60,
                                  env={**os.environ, "PATH": "/nowhere", "PYTHONPATH": str(path)})
             self.assertEqual(run.returncode, 1, run)

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "renderer/image/image.h"
+#include "renderer/picture_files/picture_files.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing {
@@ -22,7 +23,7 @@ inline void expect_golden(const Image& image, const std::string& name, double me
   }
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const Result<Image> expected = decode_image(std::as_bytes(std::span(bytes)), 1 << 20);
+  const Result<Image> expected = picture_files().decode_image(std::as_bytes(std::span(bytes)), 1 << 20);
   ASSERT_TRUE(expected.ok()) << path << ": " << expected.status().message;
   ASSERT_EQ(expected->rgba.size(), image.rgba.size());
   EXPECT_LE(mean_difference(image, *expected), mean) << name;

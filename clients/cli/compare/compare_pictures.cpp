@@ -7,6 +7,7 @@
 #include "clients/cli/terminal/files.h"
 #include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
+#include "renderer/picture_files/picture_files.h"
 
 namespace pelage {
 
@@ -17,7 +18,7 @@ Result<FloatImage> read_picture(const std::string& path) {
   constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
   const auto bytes = read_file(path, max_bytes);
   if (!bytes) return bytes.status();
-  auto picture = decode_float_image(std::as_bytes(std::span(*bytes)), max_pixels);
+  auto picture = picture_files().decode_float_image(std::as_bytes(std::span(*bytes)), max_pixels);
   if (picture) return picture;
   Status status = picture.status();
   status.message = path + ": " + status.message;

@@ -1,12 +1,14 @@
 #include "protocol/base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace pelage {
@@ -20,6 +22,24 @@ TEST(Parallel, EachNumberIsWorkedOnOnce) {
     EXPECT_EQ(visits, std::vector<int>(1000, 1)) << threads << " threads";
   }
   for_each_in_parallel(0, [](std::uint32_t) { FAIL() << "there is nothing to do"; });
+}
+
+/// As farms and containers pin a process; a child, for it would hold for the other tests.
+TEST(ParallelDeathTest, OnACoreOfItsOwnTheCallersThreadDoesAllWithoutAWord) {
+  const auto pinned = [] {
+    cpu_set_t cores, one;
+    sched_getaffinity(0, sizeof cores, &cores);
+    CPU_ZERO(&one);
+    for (std::size_t core = 0; CPU_COUNT(&one) == 0; ++core)
+      if (CPU_ISSET(core, &cores)) CPU_SET(core, &one);
+    sched_setaffinity(0, sizeof one, &one);
+    const auto caller = std::this_thread::get_id();
+    bool others = false;
+    for_each_in_parallel(1000, [&](std::uint32_t) { others |= std::this_thread::get_id() != caller; });
+    std::exit(core_count() == 1 && default_threads() == 1 && !others ? 0 : 1);
+  };
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";  // oneTBB counts cores once
+  EXPECT_EXIT(pinned(), testing::ExitedWithCode(0), "^$");
 }
 
 TEST(Parallel, RunsCoverTheRangeWithoutOverlap) {

@@ -8,6 +8,7 @@
 
 #include "protocol/base/colour_space.h"
 #include "renderer/image/float_image.h"
+#include "renderer/picture_files/picture_files.h"
 
 namespace pelage {
 namespace {
@@ -19,7 +20,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 FloatImage decoded(const std::string& bytes) {
-  const Result<FloatImage> image = decode_float_image(bytes_of(bytes), plenty);
+  const Result<FloatImage> image = picture_files().decode_float_image(bytes_of(bytes), plenty);
   EXPECT_TRUE(image.ok()) << image.status().message;
   return image.ok() ? *image : FloatImage{};
 }
@@ -72,15 +73,16 @@ TEST(Jpeg, QualityTradesSizeForLikeness) {
     for (std::size_t i = 0; i < image.rgba.size(); ++i) sum += std::abs(image.rgba[i] - other.rgba[i]);
     return sum / static_cast<double>(image.rgba.size());
   };
-  const std::string good = encode_jpeg(image, 95), poor = encode_jpeg(image, 20);
+  const std::string good = picture_files().encode_jpeg(image, 95), poor = picture_files().encode_jpeg(image, 20);
   EXPECT_GT(good.size(), poor.size());
-  const Result<Image> of_good = decode_image(bytes_of(good), plenty), of_poor = decode_image(bytes_of(poor), plenty);
+  const Result<Image> of_good = picture_files().decode_image(bytes_of(good), plenty),
+                      of_poor = picture_files().decode_image(bytes_of(poor), plenty);
   ASSERT_TRUE(of_good.ok() && of_poor.ok());
   EXPECT_LT(error(*of_good), 2);
   EXPECT_LT(error(*of_good), error(*of_poor));
-  EXPECT_EQ(good, encode_jpeg(image, 95));
-  EXPECT_FALSE(encode_jpeg(image, 1).empty());
-  EXPECT_FALSE(encode_jpeg(Image{1, 1, {9, 8, 7, 255}}, 100).empty());
+  EXPECT_EQ(good, picture_files().encode_jpeg(image, 95));
+  EXPECT_FALSE(picture_files().encode_jpeg(image, 1).empty());
+  EXPECT_FALSE(picture_files().encode_jpeg(Image{1, 1, {9, 8, 7, 255}}, 100).empty());
 }
 
 const std::vector<float> extremes = {0, -0.0f, 1, -3.5f, 65504, 1e-3f, infinity, -infinity, nan, 1e-30f, 3e38f, 0.1f};
@@ -89,7 +91,7 @@ TEST(Exr, SingleFloatsKeepEveryBit) {
   const std::vector<ExrPlane> planes = {{"R", extremes, 0, 1, ExrSample::single},
                                         {"G", extremes, 0, 1, ExrSample::single},
                                         {"B", extremes, 0, 1, ExrSample::single}};
-  const FloatImage back = decoded(encode_exr({4, 3}, planes));
+  const FloatImage back = decoded(picture_files().encode_exr({4, 3}, planes));
   ASSERT_EQ(back.width, 4);
   ASSERT_EQ(back.height, 3);
   EXPECT_FALSE(back.display_referred);
@@ -101,7 +103,7 @@ TEST(Exr, SingleFloatsKeepEveryBit) {
 
 TEST(Exr, HalfRoundsKeepsInfinityAndHoldsWhatIsTooLarge) {
   const std::vector<ExrPlane> planes = {{"Y", extremes}};
-  const FloatImage back = decoded(encode_exr({4, 3}, planes));
+  const FloatImage back = decoded(picture_files().encode_exr({4, 3}, planes));
   ASSERT_EQ(back.rgba.size(), 48u);
   const auto grey = [&](std::size_t i) { return back.rgba[i * 4 + 1]; };
   EXPECT_EQ(grey(3), -3.5f);
@@ -119,7 +121,7 @@ TEST(Exr, AovsAndMixedTypesInOneFile) {
   planes.push_back({"Z", depth, 0, 1, ExrSample::single});
   planes.push_back({"normal.X", normal});
   const std::vector<ImageText> texts = {{"pelage:revision", "12"}};
-  const std::string exr = encode_exr({2, 1}, planes, texts);
+  const std::string exr = picture_files().encode_exr({2, 1}, planes, texts);
   for (const char* name : {"beauty.R", "beauty.A", "normal.X", "pelage:revision"}) {
     EXPECT_NE(exr.find(name), std::string::npos) << name;
   }
@@ -131,14 +133,14 @@ TEST(Exr, PlainColourGoesBeforeAnAov) {
   const std::vector<float> plain = {1, 2, 3, 1}, aov = {4, 5, 6, 1};
   std::vector<ExrPlane> planes = rgba_planes(aov, ExrSample::single, "albedo");
   for (const ExrPlane& plane : rgba_planes(plain, ExrSample::single)) planes.push_back(plane);
-  EXPECT_EQ(decoded(encode_exr({1, 1}, planes)).rgba, plain);
+  EXPECT_EQ(decoded(picture_files().encode_exr({1, 1}, planes)).rgba, plain);
 }
 
 TEST(Exr, SameInputSameBytes) {
   const std::vector<float> rgba(16 * 9 * 4, 0.3f);
   const auto planes = rgba_planes(rgba, ExrSample::half);
-  const std::string exr = encode_exr({16, 9}, planes);
-  EXPECT_EQ(exr, encode_exr({16, 9}, planes));
+  const std::string exr = picture_files().encode_exr({16, 9}, planes);
+  EXPECT_EQ(exr, picture_files().encode_exr({16, 9}, planes));
   EXPECT_FALSE(std::regex_search(exr, std::regex("[0-9]{4}:[0-9]{2}:[0-9]{2} "))) << "a date would differ tomorrow";
 }
 
@@ -146,15 +148,16 @@ TEST(Exr, WithoutColourOrCutOffIsRefused) {
   std::vector<float> values(64 * 64);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<float>(i * i));
   const std::vector<ExrPlane> depth = {{"Z", values}}, grey = {{"Y", values}};
-  const std::string no_colour = encode_exr({64, 64}, depth), whole = encode_exr({64, 64}, grey);
-  EXPECT_FALSE(decode_float_image(bytes_of(no_colour), plenty).ok());
+  const std::string no_colour = picture_files().encode_exr({64, 64}, depth),
+                    whole = picture_files().encode_exr({64, 64}, grey);
+  EXPECT_FALSE(picture_files().decode_float_image(bytes_of(no_colour), plenty).ok());
   for (std::size_t length = 0; length < whole.size(); length += 97) {
-    const Result<FloatImage> result = decode_float_image(bytes_of(whole.substr(0, length)), plenty);
+    const Result<FloatImage> result = picture_files().decode_float_image(bytes_of(whole.substr(0, length)), plenty);
     ASSERT_FALSE(result.ok()) << length << " of " << whole.size();
     EXPECT_EQ(result.status().code, Code::invalid);
   }
-  EXPECT_FALSE(decode_float_image(bytes_of(whole), 64 * 64 - 1).ok());
-  EXPECT_TRUE(decode_float_image(bytes_of(whole), 64 * 64).ok());
+  EXPECT_FALSE(picture_files().decode_float_image(bytes_of(whole), 64 * 64 - 1).ok());
+  EXPECT_TRUE(picture_files().decode_float_image(bytes_of(whole), 64 * 64).ok());
 }
 
 /// Radiance RGBE without run lengths: value = mantissa / 256 * 2^(exponent - 128).
@@ -168,7 +171,7 @@ TEST(Hdr, ReadsRadiance) {
   EXPECT_NEAR(image.rgba[4], 3200, 20);
   EXPECT_EQ(image.rgba[7], 1);
   EXPECT_FALSE(image.display_referred);
-  EXPECT_FALSE(decode_float_image(bytes_of(hdr.substr(0, hdr.size() - 3)), plenty).ok());
+  EXPECT_FALSE(picture_files().decode_float_image(bytes_of(hdr.substr(0, hdr.size() - 3)), plenty).ok());
 }
 
 TEST(FloatReading, EightBitsAndOtherBytes) {
@@ -176,8 +179,8 @@ TEST(FloatReading, EightBitsAndOtherBytes) {
   const FloatImage of_png = decoded(encode_png(image, true)), direct = linear_image(image);
   EXPECT_EQ(of_png.rgba, direct.rgba);
   EXPECT_NEAR(direct.rgba[2], 0.2f, 1e-6f);
-  EXPECT_FALSE(decode_float_image(bytes_of("GIF89a"), plenty).ok());
-  EXPECT_FALSE(decode_float_image({}, plenty).ok());
+  EXPECT_FALSE(picture_files().decode_float_image(bytes_of("GIF89a"), plenty).ok());
+  EXPECT_FALSE(picture_files().decode_float_image({}, plenty).ok());
 }
 
 }  // namespace

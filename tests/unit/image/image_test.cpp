@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "renderer/picture_files/picture_files.h"
+
 namespace pelage {
 namespace {
 
@@ -46,7 +48,7 @@ TEST(Image, RoundTripKeepsEveryByteAlsoWhereAlphaIsZero) {
   Image image = gradient(37, 21, false);
   image.rgba[3] = 0;  // colour under alpha 0 must survive: alpha is straight
   image.rgba[0] = 200;
-  const Result<Image> back = decode_image(bytes_in(encode_png(image, true)), enough);
+  const Result<Image> back = picture_files().decode_image(bytes_in(encode_png(image, true)), enough);
   ASSERT_TRUE(back.ok()) << back.status().message;
   EXPECT_EQ(back->width, 37);
   EXPECT_EQ(back->height, 21);
@@ -55,7 +57,7 @@ TEST(Image, RoundTripKeepsEveryByteAlsoWhereAlphaIsZero) {
 
 TEST(Image, TransparentPixelsAreKeptEvenWhenAlphaNeedNotBe) {
   const Image image = gradient(9, 9, false);
-  const Result<Image> back = decode_image(bytes_in(encode_png(image, false)), enough);
+  const Result<Image> back = picture_files().decode_image(bytes_in(encode_png(image, false)), enough);
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(back->rgba, image.rgba);
 }
@@ -65,7 +67,7 @@ TEST(Image, OpaqueImageBecomesRgb) {
   const std::string rgb = encode_png(image, false), rgba = encode_png(image, true);
   EXPECT_EQ(rgb[25], 2) << "PNG colour type of RGB";
   EXPECT_EQ(rgba[25], 6) << "PNG colour type of RGBA";
-  EXPECT_EQ(decode_image(bytes_in(rgb), enough)->rgba, image.rgba);
+  EXPECT_EQ(picture_files().decode_image(bytes_in(rgb), enough)->rgba, image.rgba);
 }
 
 TEST(Image, CarriesTextAndSrgbAndIsDeterministic) {
@@ -82,27 +84,28 @@ TEST(Image, EveryTruncationIsRefused) {
   const std::string png = encode_png(gradient(24, 24, false), true);
   const std::size_t pixels_end = png.find("IDAT") + 4;
   for (std::size_t length = 0; length < png.size() - 16; length += 7) {
-    const Result<Image> result = decode_image(bytes_in(png.substr(0, length)), enough);
+    const Result<Image> result = picture_files().decode_image(bytes_in(png.substr(0, length)), enough);
     ASSERT_FALSE(result.ok()) << length << " of " << png.size() << ", pixels start at " << pixels_end;
     EXPECT_EQ(result.status().code, Code::invalid);
   }
 }
 
 TEST(Image, SizeIsCheckedBeforePixels) {
-  const Result<Image> huge = decode_image(bytes_in(png_header(0x7fffffff, 0x7fffffff)), enough);
+  const Result<Image> huge = picture_files().decode_image(bytes_in(png_header(0x7fffffff, 0x7fffffff)), enough);
   ASSERT_FALSE(huge.ok());
   EXPECT_EQ(huge.status().code, Code::invalid);
-  const Result<Image> wide = decode_image(bytes_in(png_header(50'000, 50'000)), enough);
+  const Result<Image> wide = picture_files().decode_image(bytes_in(png_header(50'000, 50'000)), enough);
   ASSERT_FALSE(wide.ok());
   EXPECT_NE(wide.status().message.find("at most 1048576"), std::string::npos) << wide.status().message;
-  EXPECT_FALSE(decode_image(bytes_in(encode_png(gradient(11, 10, true), true)), 109).ok());
-  EXPECT_TRUE(decode_image(bytes_in(encode_png(gradient(11, 10, true), true)), 110).ok());
+  EXPECT_FALSE(picture_files().decode_image(bytes_in(encode_png(gradient(11, 10, true), true)), 109).ok());
+  EXPECT_TRUE(picture_files().decode_image(bytes_in(encode_png(gradient(11, 10, true), true)), 110).ok());
 }
 
 TEST(Image, OtherBytesAreRefused) {
-  EXPECT_FALSE(decode_image({}, enough).ok());
-  EXPECT_FALSE(decode_image(bytes_in("GIF89a and so on"), enough).ok());
-  EXPECT_FALSE(decode_image(bytes_in("\xff\xd8\xff\xe0 not really a JPEG \xff\xda\xff\xd9"), enough).ok());
+  EXPECT_FALSE(picture_files().decode_image({}, enough).ok());
+  EXPECT_FALSE(picture_files().decode_image(bytes_in("GIF89a and so on"), enough).ok());
+  EXPECT_FALSE(
+      picture_files().decode_image(bytes_in("\xff\xd8\xff\xe0 not really a JPEG \xff\xda\xff\xd9"), enough).ok());
 }
 
 }  // namespace

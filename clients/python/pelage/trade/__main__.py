@@ -15,7 +15,7 @@ from ..files import write_whole
 from ..progress import Progress, print_progress
 from ..server import Server
 from .cases import Case, built_in_cases, cases_of, settings_for
-from .measure import LONGEST_SECONDS, compare_program
+from .measure import LONGEST_SECONDS, client_program
 from .page import page
 from .sweep import Options, Report, sweep
 from .table import Row, from_csv, to_csv
@@ -97,7 +97,7 @@ def measure(server: Server, cases: Sequence[Case], table: str, report: Report) -
 
 def write_report(server: Server, line: argparse.Namespace) -> None:
     numpy_module()  # fails before anything is drawn, as the next line does
-    compare_program()
+    client_program()
     cases = cases_for(server, line.scene, line.quick)
     os.makedirs(line.output, exist_ok=True)
     table = os.path.join(line.output, "results.csv")

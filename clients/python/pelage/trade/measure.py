@@ -16,7 +16,7 @@ from ..scene import Scene
 from ..schemas import Knobs, Tracing
 from .cases import INTERACTIVE, Vector, changed
 
-COMPARE = "pelage-compare"
+CLIENT = "pelage"
 PLAIN = "R1"  # with the shadows of the default knobs
 LUMINANCE = [0.2126, 0.7152, 0.0722]
 PAPER = [0.35, 0.35, 0.35]  # linear grey behind the pictures of the report
@@ -97,11 +97,11 @@ class Difference(NamedTuple):
 BROKEN = Difference(1.0, 1.0, 1.0, 1.0, b"")  # of a picture that is not finite: as wrong as can be
 
 
-def compare_program() -> str:
+def client_program() -> str:
     """Raises PelageError where it is not on the PATH."""
-    found = shutil.which(COMPARE)
+    found = shutil.which(CLIENT)
     if found is None:
-        raise PelageError(f"There is no program {COMPARE} on the PATH; it belongs beside pelage.")
+        raise PelageError(f"There is no program {CLIENT} on the PATH; it compares pictures, and belongs beside pelage-trade.")
     return found
 
 
@@ -111,10 +111,10 @@ def difference(truth: bytes, picture: bytes) -> Difference:
         folder = pathlib.Path(name)
         (folder / "truth.exr").write_bytes(truth)
         (folder / "picture.exr").write_bytes(picture)
-        command = [compare_program(), "--json", "compare", "truth.exr", "picture.exr", "--map", "map.png"]
+        command = [client_program(), "--json", "compare", "truth.exr", "picture.exr", "--map", "map.png"]
         run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
         if run.returncode:
-            raise PelageError(f"{COMPARE} failed: {run.stderr}")
+            raise PelageError(f"{CLIENT} compare failed: {run.stderr}")
         figures, png = json.loads(run.stdout), (folder / "map.png").read_bytes()
     flip, edge = figures["flip"], figures["silhouette"] or {"mean": 0.0, "percentile_95": 0.0}
     return Difference(flip["mean"], flip["percentile_95"], edge["mean"], edge["percentile_95"], png)

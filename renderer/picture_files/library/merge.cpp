@@ -1,11 +1,12 @@
-#include "renderer/image/merge.h"
+#include "renderer/picture_files/library/merge.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
 
-#include "renderer/image/float_image.h"
+#include "renderer/picture_files/library/open_picture.h"
+#include "renderer/picture_files/library/write_picture.h"
 
 namespace pelage {
 
@@ -39,7 +40,7 @@ Result<std::vector<Number>> read_numbers(OpenPicture& file, const OIIO::TypeDesc
   const auto channels = static_cast<std::size_t>(file.spec.nchannels);
   std::vector<Number> numbers(file.spec.image_pixels() * channels);
   if (!file.input->read_image(0, 0, 0, file.spec.nchannels, type, numbers.data()) || file.input->has_error())
-    return unreadable(reason_of(file.input->geterror()));
+    return unreadable_pixels(*file.input);
   return numbers;
 }
 
@@ -114,7 +115,7 @@ Result<std::string> merge_exr(std::span<const PicturePart> parts, int width, int
     if (!numbers) return numbers.status();
     paste(*numbers, first, part, width, whole);
   }
-  return encode_exr({width, height}, planes_of(first, whole), texts);
+  return encode_exr({.width = width, .height = height}, planes_of(first, whole), texts);
 }
 
 }  // namespace
