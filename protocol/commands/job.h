@@ -47,6 +47,12 @@ struct JobMotion {
   double inertia = 0;                  // [0, 10], how much of the body's acceleration the fur feels
 };
 
+/// Each frame as the mean, in light, of pictures while a shutter is open: whatever moves leaves a blur.
+struct MotionBlur {
+  double shutter = 0.5;  // frames that it is open, (0, 4], half of them before the frame's time; .5 is 180 degrees
+  int samples = 8;       // pictures at moments spread evenly, [2, 256]
+};
+
 /// How many parts of about equal size each frame is drawn in, side by side and below each other: [1, 16] each.
 struct TileGrid {
   int columns = 1, rows = 1;
@@ -65,6 +71,7 @@ struct RenderJob {
   bool time_lapse = false;  // the groom from its first revision to its last, over the frames
   std::vector<ParameterKeys> keyframes;
   std::optional<JobMotion> motion;
+  std::optional<MotionBlur> motion_blur;
   std::optional<TileGrid> tiles;  // each drawn by itself, on whatever node
 };
 

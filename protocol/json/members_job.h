@@ -64,6 +64,18 @@ void members(V& v, Visited<V, JobMotion>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, MotionBlur>& c) {
+  v.type("MotionBlur",
+         "A shutter that is open for a part of a frame: each frame is the mean of pictures at moments spread evenly "
+         "over that time, in light, before exposure and tone mapping.");
+  v.number("shutter", c.shutter, {0.001, 4, "frames"},
+           "How long it is open, half before the frame's time and half after. 0.5 is a shutter of 180 degrees.");
+  v.integer("samples", c.samples, {2, 256, "pictures"},
+            "Pictures of a frame; a frame takes as many times as long. Passes of traced strands are shared out among "
+            "them. What moves further than a few pixels from one to the next shows as copies.");
+}
+
+template <class V>
 void members(V& v, Visited<V, TileGrid>& c) {
   v.type("TileGrid", "Parts of about equal size that a frame is cut into.");
   v.integer("columns", c.columns, {1, limits::job_tiles, "tiles"}, "Tiles side by side; at most the frame's width.");
@@ -95,6 +107,9 @@ void members(V& v, Visited<V, RenderJob>& c) {
             "only.");
   v.objects("keyframes", c.keyframes, {0, 256}, "Parameters that change over the frames.");
   v.object("motion", c.motion, "Moves the model from frame to frame, with the groom on it.");
+  v.object("motion_blur", c.motion_blur,
+           "Blurs what moves: the model, fur in the wind, the camera, all that has keyframes. Such a job has no "
+           "`time_lapse`, its `frame` neither `budget_ms` nor `overlay` nor a `shutter` of strands.");
   v.object("tiles", c.tiles,
            "Cuts each frame into tiles that are drawn one by one, on several nodes where there are. Whichever process "
            "draws the last tile of a frame puts them together: the same file as without tiles. A frame that is cut has "

@@ -23,4 +23,20 @@ Picture cropped(const Picture& whole, int left, int top, int width, int height) 
   return part;
 }
 
+/// The other way round: a picture of that size that is 0 outside the part.
+template <class Picture>
+Picture placed(const Picture& part, int left, int top, int width, int height) {
+  assert(left >= 0 && top >= 0 && left + part.width <= width && top + part.height <= height);
+  Picture whole;
+  whole.width = width, whole.height = height;
+  whole.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const std::size_t row = 4 * static_cast<std::size_t>(part.width);
+  for (int y = 0; y < part.height; ++y) {
+    const std::size_t to = static_cast<std::size_t>(top + y) * static_cast<std::size_t>(width);
+    std::copy_n(&part.rgba[static_cast<std::size_t>(y) * row], row,
+                &whole.rgba[4 * (to + static_cast<std::size_t>(left))]);
+  }
+  return whole;
+}
+
 }  // namespace pelage

@@ -36,6 +36,32 @@ std::string identity_of(const Scene& scene) {
   return identity;
 }
 
+std::string identity_of(const JobMoment& moment) {
+  std::string text = encode(moment.request) + "\n";
+  for (const Command& command : moment.settings) text += encode(command) + "\n";
+  if (moment.model) text += moment.model->digest + "\n" + moment.model->pose + "\n";
+  return text;
+}
+
+Status check_blur(const FrameRequest& request) {
+  const auto refused = [](const char* pointer, const char* limit) {
+    return failure(Code::invalid, "A frame with motion_blur is the mean of several pictures.", pointer, limit);
+  };
+  if (request.budget_ms) return refused("/frame/budget_ms", "quality or max_error");
+  if (request.overlay != Overlay::none) return refused("/frame/overlay", "none");
+  if (request.knobs.trace.shutter > 0) return refused("/frame/quality/trace/shutter", "0");
+  return {};
+}
+
+/// The tracing of the picture `k` of a frame's `count`: together they have the passes, the noise and the seconds that
+/// were asked for, each its own random numbers.
+void share_passes(int count, int k, Tracing& trace) {
+  trace.passes = (trace.passes + count - 1) / count;
+  trace.noise = std::min(1.0, trace.noise * std::sqrt(count));
+  trace.seconds /= count;
+  trace.seed += static_cast<std::uint32_t>(k);
+}
+
 /// Plans frames one by one.
 class Planner {
  public:
@@ -54,24 +80,24 @@ class Planner {
     identity_ += encode(Log{scene.log()});
   }
 
-  /// `index` of the job's `count` frames come before it.
-  Result<JobFrame> frame(int number, std::size_t index, std::size_t count) const {
-    Result<AnimatedFrame> animated = animation_.at(number);
-    if (!animated) return animated.status();
-    std::optional<double>& time = animated->request.time;
-    if (!time) time = number / job_.fps;
-    if (Status format = take_format(animated->request); !format.ok()) return format;
-    if (job_.turntable) turn(*animated, static_cast<double>(index) / static_cast<double>(count));
-    if (job_.time_lapse) animated->request.revision = revision_at(index, count);
+  /// Where a frame is among the job's.
+  struct Place {
+    std::size_t index = 0, count = 1;  // so many come before it, of so many
+    double spacing = 1;                // numbers from one to the next
+  };
+
+  Result<JobFrame> frame(int number, const Place& place) const {
+    Result<JobMoment> own = moment(number, static_cast<double>(place.index) / static_cast<double>(place.count));
+    if (!own) return own.status();
+    if (job_.time_lapse) own->request.revision = revision_at(place.index, place.count);
     JobFrame frame{.number = number,
-                   .request = std::move(animated->request),
-                   .settings = std::move(animated->settings),
-                   .model = {},
-                   .moments = nullptr,
+                   .moment = std::move(*own),
+                   .open = {},
+                   .motion = moments_,
                    .file = pattern_.file(number),
                    .fingerprint = {},
                    .tiles = {}};
-    if (Status moves = move(frame); !moves.ok()) return moves;
+    if (Status opened = open_shutter(frame, place); !opened.ok()) return opened;
     const Result<std::string> swing = moments_ ? moments_->identity_of_swing(number) : std::string();
     if (!swing) return swing.status();
     frame.fingerprint = fingerprint_of(frame, *swing);
@@ -100,11 +126,34 @@ class Planner {
     return {};
   }
 
-  Status move(JobFrame& frame) const {
-    if (!moments_) return {};
-    Result<ModelMoment> moment = moments_->at(frame.number);
-    if (!moment) return moment.status();
-    frame.model = std::move(*moment), frame.moments = moments_;
+  /// `share` of the turntable's turn has passed.
+  Result<JobMoment> moment(double number, double share) const {
+    Result<AnimatedFrame> animated = animation_.at(number);
+    if (!animated) return animated.status();
+    std::optional<double>& time = animated->request.time;
+    if (!time) time = number / job_.fps;
+    if (Status format = take_format(animated->request); !format.ok()) return format;
+    if (job_.turntable) turn(*animated, share);
+    JobMoment made{.request = std::move(animated->request), .settings = std::move(animated->settings), .model = {}};
+    if (!moments_) return made;
+    Result<ModelMoment> model = moments_->at(number);
+    if (!model) return model.status();
+    made.model = std::move(*model);
+    return made;
+  }
+
+  Status open_shutter(JobFrame& frame, const Place& place) const {
+    if (!job_.motion_blur) return {};
+    const MotionBlur& blur = *job_.motion_blur;
+    if (Status refused = check_blur(frame.moment.request); !refused.ok()) return refused;
+    for (int k = 0; k < blur.samples; ++k) {
+      const double later = blur.shutter * ((k + 0.5) / blur.samples - 0.5);
+      const double index = static_cast<double>(place.index) + later / place.spacing;
+      Result<JobMoment> made = moment(frame.number + later, index / static_cast<double>(place.count));
+      if (!made) return made.status();
+      share_passes(blur.samples, k, made->request.knobs.trace);
+      frame.open.push_back(std::move(*made));
+    }
     return {};
   }
 
@@ -131,9 +180,8 @@ class Planner {
   }
 
   std::string fingerprint_of(const JobFrame& frame, const std::string& swing) const {
-    std::string text = identity_ + "\n" + encode(frame.request) + "\n";
-    for (const Command& command : frame.settings) text += encode(command) + "\n";
-    if (frame.model) text += frame.model->digest + "\n" + frame.model->pose + "\n" + swing;
+    std::string text = identity_ + "\n" + identity_of(frame.moment) + swing;
+    for (const JobMoment& moment : frame.open) text += "\n" + identity_of(moment);
     return digest(text);
   }
 
@@ -152,12 +200,16 @@ Result<std::vector<JobFrame>> plan_frames(const Planner& planner, const std::vec
                                           const std::vector<int>& wanted, const std::string& range) {
   std::unordered_map<int, std::size_t> order;
   for (std::size_t index = 0; index < all.size(); ++index) order[all[index]] = index;
+  Planner::Place place{.count = all.size()};
+  if (all.size() > 1 && all.back() != all.front())
+    place.spacing = (all.back() - all.front()) / static_cast<double>(all.size() - 1);
   std::vector<JobFrame> frames;
   for (const int number : wanted) {
     const auto found = order.find(number);
     if (found == order.end())
       return failure(Code::invalid, "The job has no frame " + std::to_string(number) + ".", "/frames", range);
-    Result<JobFrame> frame = planner.frame(number, found->second, all.size());
+    place.index = found->second;
+    Result<JobFrame> frame = planner.frame(number, place);
     if (!frame) return frame.status();
     frames.push_back(std::move(frame).value());
   }
@@ -175,6 +227,8 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
                    "/turntable/turns", "camera");
   if (job.time_lapse && job.motion)
     return failure(Code::invalid, "A time lapse shows a model at rest.", "/motion", "without time_lapse");
+  if (job.time_lapse && job.motion_blur)
+    return failure(Code::invalid, "From one revision to the next nothing moves.", "/motion_blur", "without time_lapse");
   const int tile_count = job.tiles ? job.tiles->columns * job.tiles->rows : 0;
   if (part.tile < 0 || part.tile > tile_count)
     return failure(Code::invalid, "The job has no tile " + std::to_string(part.tile) + ".", "/tiles",

@@ -22,12 +22,18 @@ struct JobTile {
   std::string fingerprint;  // of the frame and of the part
 };
 
+/// What is drawn at one moment.
+struct JobMoment {
+  FrameRequest request;
+  std::vector<Command> settings;     // run before it is drawn
+  std::optional<ModelMoment> model;  // where the model moves
+};
+
 struct JobFrame {
   int number = 0;
-  FrameRequest request;
-  std::vector<Command> settings;                // run before it is drawn
-  std::optional<ModelMoment> model;             // where the model moves
-  std::shared_ptr<const ModelMoments> moments;  // of all frames; null where `model` is none
+  JobMoment moment;                            // its own
+  std::vector<JobMoment> open;                 // whose mean it shows while the shutter is open; none where it is sharp
+  std::shared_ptr<const ModelMoments> motion;  // of all frames; null where the model stays
   std::string file;
   std::string fingerprint;     // of all that the picture follows from, 32 hex digits
   std::vector<JobTile> tiles;  // that it is drawn in; none where it is drawn at once

@@ -129,7 +129,7 @@ std::string text_of(const std::string& file, const std::string& fingerprint, int
 }
 
 std::string text_of(const JobFrame& frame) {
-  const FrameRequest& request = frame.request;
+  const FrameRequest& request = frame.moment.request;
   const glm::ivec2 size =
       request.crop ? glm::ivec2(request.crop->width, request.crop->height) : glm::ivec2(request.width, request.height);
   std::string tiles;

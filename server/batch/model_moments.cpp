@@ -27,7 +27,7 @@ Result<ModelMoments> ModelMoments::create(const JobMotion& motion, double fps, c
   return ModelMoments(motion, fps, std::move(*files), *format);
 }
 
-std::string ModelMoments::pose_at(int frame) const {
+std::string ModelMoments::pose_at(double frame) const {
   if (motion_.animation.empty()) return {};
   double seconds = frame / fps_;
   if (motion_.loop_seconds) seconds -= *motion_.loop_seconds * std::floor(seconds / *motion_.loop_seconds);
@@ -35,21 +35,39 @@ std::string ModelMoments::pose_at(int frame) const {
   return fmt::format("{}@{:.6f}", motion_.animation, seconds);  // a loop comes back to the same microsecond
 }
 
-Result<ModelMoment> ModelMoments::at(int frame) const {
-  ModelMoment moment{.file = files_.file(frame), .format = format_, .pose = pose_at(frame), .digest = {}};
-  std::string& known = digests_[moment.file];
+Result<std::string> ModelMoments::digest_of(const std::string& file) const {
+  std::string& known = digests_[file];
   if (known.empty()) {
-    const Result<std::string> bytes = read_file(moment.file);
+    const Result<std::string> bytes = read_file(file);
     if (!bytes) return failure(bytes.status().code, bytes.status().message, "/motion/model");
     known = digest(*bytes);
   }
-  moment.digest = known;
+  return known;
+}
+
+bool ModelMoments::is_there(int frame) const {
+  std::error_code error;
+  return std::filesystem::exists(files_.file(frame), error);
+}
+
+Result<ModelMoment> ModelMoments::at(double frame) const {
+  const int nearest = static_cast<int>(std::lround(frame)), before = static_cast<int>(std::floor(frame));
+  const bool between = files_.numbered() && frame != before && is_there(before) && is_there(before + 1);
+  ModelMoment moment{
+      .file = files_.file(between ? before : nearest), .format = format_, .pose = pose_at(frame), .digest = {}};
+  Result<std::string> digest = digest_of(moment.file);
+  if (!digest) return digest.status();
+  moment.digest = std::move(*digest);
+  if (!between) return moment;
+  moment.next = files_.file(before + 1), moment.share = frame - before;
+  Result<std::string> next = digest_of(moment.next);
+  if (!next) return next.status();
+  moment.digest += fmt::format(" {} {:.6f}", *next, moment.share);
   return moment;
 }
 
 Result<std::string> ModelMoments::name_of(int frame) const {
-  std::error_code error;
-  if (!std::filesystem::exists(files_.file(frame), error)) return std::string();
+  if (!is_there(frame)) return std::string();
   const Result<ModelMoment> moment = at(frame);
   if (!moment) return moment.status();
   return moment->digest + " " + moment->pose;

@@ -16,7 +16,10 @@ struct ModelMoment {
   std::string file;
   ModelFormat format = ModelFormat::obj;
   std::string pose;    // ImportOptions::pose
-  std::string digest;  // of the file's bytes
+  std::string digest;  // of the bytes of the file, and of the next one
+  // Between two files of a row: the next one, and how far it is on the way there, (0, 1).
+  std::string next = {};
+  double share = 0;
 };
 
 class ModelMoments {
@@ -25,8 +28,9 @@ class ModelMoments {
   /// an ending of no model, a loop of no animation.
   static Result<ModelMoments> create(const JobMotion& motion, double fps, const std::string& folder);
 
-  /// Fails with not_found ("/motion/model") where the frame has no file.
-  Result<ModelMoment> at(int frame) const;
+  /// At a frame or between two; before the first and after the last file of a row it holds still. Fails with not_found
+  /// ("/motion/model") where the nearest frame has no file.
+  Result<ModelMoment> at(double frame) const;
   /// Of the bytes and the pose; "" where there is no file.
   Result<std::string> name_of(int frame) const;
 
@@ -37,7 +41,9 @@ class ModelMoments {
  private:
   ModelMoments(JobMotion motion, double fps, FilePattern files, ModelFormat format)
       : motion_(std::move(motion)), fps_(fps), files_(std::move(files)), format_(format) {}
-  std::string pose_at(int frame) const;
+  std::string pose_at(double frame) const;
+  Result<std::string> digest_of(const std::string& file) const;
+  bool is_there(int frame) const;
 
   JobMotion motion_;
   double fps_;

@@ -88,15 +88,17 @@ bool is_drawn(const std::string& path, const std::string& fingerprint) {
 
 std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
                                 double fps, double seconds) {
-  std::vector<ImageText> texts{{"Software", "pelage-render " PELAGE_VERSION},
-                               {"pelage/frame", std::to_string(frame.number)},
-                               {"pelage/revision", std::to_string(frame.request.revision.value_or(scene.revision))},
-                               {"pelage/fieldsHash", to_hex(scene.fields_hash)},
-                               {quality_text, quality},
-                               {"pelage/camera", text_of(frame.request.camera)},
-                               {fingerprint_text, frame.fingerprint}};
-  if (frame.request.format != FrameFormat::exr) {
-    texts.push_back({"pelage/request", encode(frame.request)});  // ffmpeg 5.1 loses its way in so long a text of an EXR
+  std::vector<ImageText> texts{
+      {"Software", "pelage-render " PELAGE_VERSION},
+      {"pelage/frame", std::to_string(frame.number)},
+      {"pelage/revision", std::to_string(frame.moment.request.revision.value_or(scene.revision))},
+      {"pelage/fieldsHash", to_hex(scene.fields_hash)},
+      {quality_text, quality},
+      {"pelage/camera", text_of(frame.moment.request.camera)},
+      {fingerprint_text, frame.fingerprint}};
+  if (frame.moment.request.format != FrameFormat::exr) {
+    texts.push_back(
+        {"pelage/request", encode(frame.moment.request)});  // ffmpeg 5.1 loses its way in so long a text of an EXR
     return texts;
   }
   const std::time_t now = std::time(nullptr);

@@ -36,29 +36,41 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }
 
-Result<RawModel> JobRenderer::load(const ModelMoment& moment) const {
-  const Result<std::string> bytes = read_file(moment.file);
+Result<RawModel> JobRenderer::load(const std::string& file, const ModelMoment& moment) const {
+  const Result<std::string> bytes = read_file(file);
   if (!bytes) return bytes.status();
   return import_model(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)),
                       moment.pose);
 }
 
+Result<RawModel> JobRenderer::load(const ModelMoment& moment) const {
+  Result<RawModel> model = load(moment.file, moment);
+  if (!model || moment.next.empty()) return model;
+  const Result<RawModel> next = load(moment.next, moment);
+  if (!next) return next;
+  if (model->positions.size() != next->positions.size())
+    return failure(Code::invalid, moment.next + " has another number of vertices.");
+  for (std::size_t v = 0; v < model->positions.size(); ++v)
+    model->positions[v] = glm::mix(model->positions[v], next->positions[v], moment.share);
+  return model;
+}
+
 /// What goes wrong is of the job's model at that moment.
-Status JobRenderer::stand(const JobFrame& frame) {
+Status JobRenderer::stand(const JobFrame& frame, const ModelMoment& model) {
   const auto refused = [&](const Status& status) {
-    return failure(status.code, frame.model->file + ": " + status.message, "/motion/model", status.limit);
+    return failure(status.code, model.file + ": " + status.message, "/motion/model", status.limit);
   };
   if (!moving_) {
     Result<MovingModel> moving = job_scene_.moving_model();
     if (!moving) return moving.status();
     moving_ = std::move(*moving);
   }
-  const Result<RawModel> raw = load(*frame.model);
+  const Result<RawModel> raw = load(model);
   if (!raw) return refused(raw.status());
   const std::uint64_t id = job_scene_.new_model_id();
   Result<ScenePose> pose = moving_->pose(*raw, scene_->settings()->settings, id);
   if (!pose) return refused(pose.status());
-  if (frame.moments->inertia() > 0) {
+  if (frame.motion->inertia() > 0) {
     Result<BodySwing> swing = swing_of(frame);
     if (!swing) return refused(swing.status());
     pose->swing = std::move(*swing);
@@ -71,19 +83,19 @@ Status JobRenderer::stand(const JobFrame& frame) {
 
 Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
   if (!history_) {
-    const auto name = [moments = frame.moments](int number) { return moments->name_of(number); };
-    const auto model = [this, moments = frame.moments](int number) -> Result<RawModel> {
+    const auto name = [moments = frame.motion](int number) { return moments->name_of(number); };
+    const auto model = [this, moments = frame.motion](int number) -> Result<RawModel> {
       const Result<ModelMoment> moment = moments->at(number);
       if (!moment) return moment.status();
       return load(*moment);
     };
-    history_.emplace(*moving_, fps_, frame.moments->inertia(), PoseHistory::Source{name, model});
+    history_.emplace(*moving_, fps_, frame.motion->inertia(), PoseHistory::Source{name, model});
   }
-  return history_->at(frame.number, frame.request.time.value_or(frame.number / fps_));
+  return history_->at(frame.number, frame.moment.request.time.value_or(frame.number / fps_));
 }
 
 JobRenderer::Piece JobRenderer::whole_of(const JobFrame& frame) {
-  return {frame, frame.file, frame.fingerprint, frame.request.crop};
+  return {frame, frame.file, frame.fingerprint, frame.moment.request.crop};
 }
 
 JobRenderer::Piece JobRenderer::piece_of(const JobFrame& frame, const JobTile& tile) {
@@ -101,25 +113,42 @@ std::vector<JobRenderer::Piece> JobRenderer::pieces_of(const std::vector<JobFram
   return pieces;
 }
 
+Status JobRenderer::prepare(const JobFrame& frame, const JobMoment& moment) {
+  if (!moment.settings.empty()) {
+    const Result<CommandAnswer> set = scene_->execute(moment.settings);
+    if (!set) return set.status();
+  }
+  return moment.model ? stand(frame, *moment.model) : Status{};
+}
+
+Result<LinearPicture> JobRenderer::blurred(const Piece& piece, const std::function<bool()>& stopped) {
+  MeanPicture mean(linear_aovs(piece.frame.moment.request), static_cast<int>(piece.frame.open.size()));
+  for (const JobMoment& moment : piece.frame.open) {
+    if (Status ready = prepare(piece.frame, moment); !ready.ok()) return ready;
+    Result<LinearPicture> light = pictures_.light(scene_, piece.request_at(moment), stopped);
+    if (!light) return light;
+    mean.add(std::move(*light));
+  }
+  return std::move(mean).take();
+}
+
 Result<FrameAnswer> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   const JobFrame& frame = piece.frame;
-  if (!frame.settings.empty()) {
-    const Result<CommandAnswer> set = scene_->execute(frame.settings);
-    if (!set) return set.status();
-  }
-  if (frame.model) {
-    if (Status stands = stand(frame); !stands.ok()) return stands;
-  }
-  FrameRequest request = frame.request;
-  request.crop = piece.crop;
-  return pictures_.frame(scene_, request, stopped, [&](const FrameAnswer& answer) {
-    std::vector<ImageText> texts = texts_of(frame, encode(answer.knobs), summary_, fps_, passed.milliseconds() / 1e3);
-    for (ImageText& text : texts) {
+  const auto texts = [&](const FrameAnswer& answer) {
+    std::vector<ImageText> said = texts_of(frame, encode(answer.knobs), summary_, fps_, passed.milliseconds() / 1e3);
+    for (ImageText& text : said) {
       if (text.key == fingerprint_text) text.value = piece.fingerprint;
     }
-    return texts;
-  });
+    return said;
+  };
+  const FrameRequest request = piece.request_at(frame.moment);
+  if (!frame.open.empty()) {
+    const Result<LinearPicture> mean = blurred(piece, stopped);
+    return mean ? frames_->finish(*mean, request, texts) : mean.status();
+  }
+  if (Status ready = prepare(frame, frame.moment); !ready.ok()) return ready;
+  return pictures_.frame(scene_, request, stopped, texts);
 }
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {

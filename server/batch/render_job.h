@@ -53,6 +53,12 @@ class JobRenderer {
     const std::string& file;
     std::string fingerprint;
     std::optional<Crop> crop;
+
+    FrameRequest request_at(const JobMoment& moment) const {
+      FrameRequest request = moment.request;
+      request.crop = crop;
+      return request;
+    }
   };
   static Piece whole_of(const JobFrame& frame);
   static Piece piece_of(const JobFrame& frame, const JobTile& tile);
@@ -60,8 +66,13 @@ class JobRenderer {
   bool is_there(const Piece& piece) const;
   Status draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped);
   Result<FrameAnswer> picture(const Piece& piece, const std::function<bool()>& stopped);
+  /// The mean of the moments at which the shutter is open.
+  Result<LinearPicture> blurred(const Piece& piece, const std::function<bool()>& stopped);
 
-  Status stand(const JobFrame& frame);
+  /// Brings the scene to a moment of the frame.
+  Status prepare(const JobFrame& frame, const JobMoment& moment);
+  Status stand(const JobFrame& frame, const ModelMoment& model);
+  Result<RawModel> load(const std::string& file, const ModelMoment& moment) const;
   Result<RawModel> load(const ModelMoment& moment) const;
   Result<BodySwing> swing_of(const JobFrame& frame);
 

@@ -65,7 +65,7 @@ std::optional<std::vector<PicturePart>> read_parts(const JobFrame& frame) {
 }  // namespace
 
 Result<std::vector<JobTile>> tiles_of(const TileGrid& grid, const JobFrame& frame) {
-  const FrameRequest& request = frame.request;
+  const FrameRequest& request = frame.moment.request;
   if (Status refused = check_frame(grid, request); !refused.ok()) return refused;
   std::vector<JobTile> tiles;
   for (int row = 0; row < grid.rows; ++row) {
@@ -90,7 +90,7 @@ Result<bool> merge_tiles(const JobFrame& frame, const SceneSummary& scene, doubl
   const std::string quality =
       picture_files().text_in_picture(std::as_bytes(std::span(parts->front().bytes)), quality_text);
   const std::vector<ImageText> texts = texts_of(frame, quality, scene, fps, seconds_of(*parts));
-  const FrameRequest& request = frame.request;
+  const FrameRequest& request = frame.moment.request;
   const bool keep_alpha = request.background == Background::transparent;
   const Result<std::string> whole =
       picture_files().merge_pictures(*parts, request.width, request.height, keep_alpha, texts);

@@ -10,6 +10,7 @@
 #include "protocol/base/stopwatch.h"
 #include "protocol/commands/quality.h"
 #include "server/frames/frame_file.h"
+#include "server/frames/linear_picture.h"
 #include "server/frames/shown_scene.h"
 
 namespace pelage {
@@ -20,7 +21,7 @@ struct DrawnFrame {
   Revision revision = 0;
   FrameTimings timings;
   FrameCounters counters;
-  Knobs knobs;
+  std::shared_ptr<const FurFrame> frame;  // with the knobs as used
   std::optional<FrameEstimate> estimate;
   FrameCost cost;  // as expected
 };
@@ -31,6 +32,7 @@ struct FrameJob {
   FrameRequest request;
   std::function<bool()> abandoned;
   bool dry_run = false;
+  bool linear = false;  // the picture is its AOVs, linear_aovs(request), whatever the format
   FramePast past = {};
   Stopwatch asked = {};
   std::promise<Result<DrawnFrame>> answer;

@@ -13,6 +13,7 @@
 
 #include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
+#include "renderer/image/cropped.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/frame_job.h"
 #include "server/frames/frame_planner.h"
@@ -76,6 +77,8 @@ struct FrameService::Impl {
   void mark_outdated(const FrameJob& job);
   void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<FrameJob> job);
+  /// Adds a job and waits for its frame. Fails as past_of and `draw` do.
+  Result<DrawnFrame> ask(FrameJob job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
@@ -201,12 +204,12 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
     const std::lock_guard lock(mutex);
     job.expected = 1e3 * frame.cost.seconds;
   }
-  frame.knobs = shown->fur.knobs;
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = passed.milliseconds() - (job.paused - paused);
   DrawTimes times;
   Result<DrawnPicture> picture =
-      draw_for_format(renderer, shown->fur, job.request, times, [&] { return let_in(renderer, job); });
+      draw_for_format(renderer, shown->fur, job.linear ? linear_request(job.request) : job.request, times,
+                      [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown->copy_id);
   count(passed.milliseconds() - (job.paused - paused), picture ? Status{} : picture.status());
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
@@ -218,6 +221,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
     planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost());
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
+  frame.frame = std::make_shared<const FurFrame>(std::move(shown->fur));
   return frame;
 }
 
@@ -246,6 +250,15 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
     jobs.add(std::move(job), cost, running_time.milliseconds());
   }
   wake.notify_one();
+}
+
+Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
+  Result<FramePast> past = past_of(*job.scene, job.request, past_scenes);
+  if (!past) return past.status();
+  job.past = std::move(*past);
+  std::future<Result<DrawnFrame>> answer = job.answer.get_future();
+  add(std::make_unique<FrameJob>(std::move(job)));
+  return answer.get();
 }
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -277,19 +290,13 @@ FrameService::~FrameService() {
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                         const std::function<bool()>& abandoned, const FileTexts& texts) {
   const YieldGate::Turn turn = impl_->gate.go_first();
-  auto job =
-      std::make_unique<FrameJob>(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
-  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
-  if (!past) return past.status();
-  job->past = std::move(*past);
-  std::future<Result<DrawnFrame>> answer = job->answer.get_future();
-  impl_->add(std::move(job));
-  Result<DrawnFrame> drawn = answer.get();
+  Result<DrawnFrame> drawn =
+      impl_->ask(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
   if (!drawn) return drawn.status();
   FrameAnswer result{.bytes = {},
                      .content_type = content_type_of(request.format),
                      .revision = drawn->revision,
-                     .knobs = drawn->knobs,
+                     .knobs = drawn->frame->knobs,
                      .timings = drawn->timings,
                      .counters = drawn->counters,
                      .estimate = std::move(drawn->estimate)};
@@ -297,16 +304,29 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
   return result;
 }
 
+Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                          const std::function<bool()>& abandoned) {
+  const YieldGate::Turn turn = impl_->gate.go_first();
+  Result<DrawnFrame> drawn =
+      impl_->ask(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .linear = true, .answer = {}});
+  if (!drawn) return drawn.status();
+  LinearPicture picture{.revision = drawn->revision,
+                        .report = {},
+                        .aovs = std::get<std::vector<FloatImage>>(std::move(drawn->picture)),
+                        .frame = std::move(drawn->frame),
+                        .placement = drawn->placement,
+                        .timings = drawn->timings,
+                        .counters = drawn->counters};
+  if (!request.crop) return picture;
+  for (FloatImage& aov : picture.aovs)
+    aov = placed(aov, request.crop->left, request.crop->top, request.width, request.height);
+  return picture;
+}
+
 Result<FrameCost> FrameService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
-  auto job = std::make_unique<FrameJob>(
-      FrameJob{.scene = scene, .request = request, .abandoned = {}, .dry_run = true, .answer = {}});
-  job->request.view.clear();  // it takes nobody's turn
-  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
-  if (!past) return past.status();
-  job->past = std::move(*past);
-  std::future<Result<DrawnFrame>> answer = job->answer.get_future();
-  impl_->add(std::move(job));
-  const Result<DrawnFrame> frame = answer.get();
+  FrameJob job{.scene = scene, .request = request, .abandoned = {}, .dry_run = true, .answer = {}};
+  job.request.view.clear();  // it takes nobody's turn
+  const Result<DrawnFrame> frame = impl_->ask(std::move(job));
   if (!frame) return frame.status();
   return frame->cost;
 }
@@ -350,7 +370,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   });
 }
 
-Result<FrameAnswer> FrameService::finish(const TracedPicture& picture, const FrameRequest& request,
+Result<FrameAnswer> FrameService::finish(const LinearPicture& picture, const FrameRequest& request,
                                          const FileTexts& texts) {
   FrameTimings timings = picture.timings;
   const Stopwatch asked;

@@ -13,7 +13,7 @@
 #include "renderer/gl/context/context.h"
 #include "renderer/image/image.h"
 #include "server/frames/moved_fur.h"
-#include "server/frames/traced_picture.h"
+#include "server/frames/picture_tracer.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
 
@@ -43,7 +43,7 @@ struct TraceStart {
   FrameCounters counters;
   std::optional<double> moment = {};  // of fur that the wind moves
   MovedDirection direction = {};
-  std::shared_ptr<const SceneCopy> past = {};  // as TracedPicture has it
+  std::shared_ptr<const SceneCopy> past = {};  // as LinearPicture has it
 };
 
 /// Thread-safe. Encoding runs on the caller's thread.
@@ -70,6 +70,10 @@ class FrameService {
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
+  /// The same before it is finished to a file.
+  Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                              const std::function<bool()>& abandoned = {});
+
   /// What drawing the frame is expected to take; nothing is drawn. Refused as `frame` is.
   Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The scene's frames that are drawn or wait.
@@ -78,9 +82,9 @@ class FrameService {
   /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame
   /// does. Refused as frame is.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
-  /// The file of a traced picture, by the request that it was traced for. Conflict where an overlay shows fields of a
+  /// The file of a picture, by the request that it was drawn or traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.
-  Result<FrameAnswer> finish(const TracedPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
+  Result<FrameAnswer> finish(const LinearPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
 
   /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
   /// kept of its earlier revisions. Waits for no frame.

@@ -19,6 +19,13 @@ Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, c
   return answer;
 }
 
+Result<LinearPicture> PictureService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                            const std::function<bool()>& abandoned) {
+  if (request.knobs.method != Method::strands) return frames_.light(scene, request, abandoned);
+  const auto picture = traces_.trace(scene, request, abandoned);
+  return picture ? **picture : Result<LinearPicture>(picture.status());
+}
+
 Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                        const std::function<bool()>& abandoned) {
   if (request.knobs.method != Method::strands) return frames_.cost(scene, request);

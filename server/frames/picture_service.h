@@ -16,6 +16,10 @@ class PictureService {
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
+  /// The same before it is finished to a file; without `progressive`.
+  Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                              const std::function<bool()>& abandoned = {});
+
   /// What drawing such a frame takes, without drawing it. Of strands it is measured: they are grown, and traced for two
   /// passes at a quarter of the size; a picture that ends by its noise may end sooner. As `frame` fails.
   Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request,

@@ -10,7 +10,7 @@ SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
 
 Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                     const GoOn& go_on) {
-  aovs_ = traced_aovs(request);
+  aovs_ = linear_aovs(request);
   if (Status refused = tracer_.admit(request.width, request.height, aovs_, request.knobs.trace.filter); !refused.ok())
     return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
@@ -39,8 +39,8 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
   return begun_.revision;
 }
 
-TracedPicture SceneTracer::picture() const {
-  TracedPicture picture = begun_;
+LinearPicture SceneTracer::picture() const {
+  LinearPicture picture = begun_;
   picture.report = tracer_.report();
   for (const Aov aov : aovs_) picture.aovs.push_back(tracer_.aov(aov));
   return picture;

@@ -3,7 +3,7 @@
 
 #include "server/frames/frame_service.h"
 #include "server/frames/fur_view.h"
-#include "server/frames/traced_picture.h"
+#include "server/frames/picture_tracer.h"
 
 namespace pelage {
 
@@ -16,7 +16,7 @@ class SceneTracer : public PictureTracer {
   Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
   Status add_pass(const GoOn& go_on) override { return tracer_.add_pass(go_on); }
   TraceReport report() const override { return tracer_.report(); }
-  TracedPicture picture() const override;
+  LinearPicture picture() const override;
 
  private:
   const ModelArrays& arrays_of(const SceneView& scene);
@@ -24,7 +24,7 @@ class SceneTracer : public PictureTracer {
   FrameService& frames_;
   Tracer tracer_;
   std::vector<Aov> aovs_;
-  TracedPicture begun_;  // all but report and AOVs
+  LinearPicture begun_;  // all but report and AOVs
   // Of the last model in its colours, which it keeps alive.
   std::shared_ptr<const SceneModel> model_;
   std::shared_ptr<const RawImage> backplate_;

@@ -40,7 +40,7 @@ struct TraceQueue::Job {
   bool wanted = false;  // somebody has looked for a better picture since the last was offered
   Stage stage = Stage::waiting;
   Status status = {};  // why it ended, ok at the end of its passes
-  std::shared_ptr<const TracedPicture> picture = {};
+  std::shared_ptr<const LinearPicture> picture = {};
   std::atomic<bool> dropped{false};
 
   Job(std::shared_ptr<Scene> in, const FrameRequest& asked_for, std::optional<Revision> at)
@@ -65,7 +65,7 @@ void TraceQueue::stop() {
 
 // What callers ask for.
 
-Result<std::shared_ptr<const TracedPicture>> TraceQueue::trace(const std::shared_ptr<Scene>& scene,
+Result<std::shared_ptr<const LinearPicture>> TraceQueue::trace(const std::shared_ptr<Scene>& scene,
                                                                const FrameRequest& request,
                                                                const std::function<bool()>& abandoned) {
   const auto job = std::make_shared<Job>(scene, request, std::nullopt);
@@ -94,7 +94,7 @@ Status TraceQueue::improve(const std::shared_ptr<Scene>& scene, const FrameReque
   return admit(job);
 }
 
-std::optional<Result<std::shared_ptr<const TracedPicture>>> TraceQueue::better(const Scene& scene,
+std::optional<Result<std::shared_ptr<const LinearPicture>>> TraceQueue::better(const Scene& scene,
                                                                                const FrameRequest& request,
                                                                                SeenPicture seen) {
   const std::string key = encode(request);
@@ -103,7 +103,7 @@ std::optional<Result<std::shared_ptr<const TracedPicture>>> TraceQueue::better(c
   if (!job || job->revision != seen.revision) return {};
   job->asked = Clock::now();
   if (job->picture && job->picture->report.passes > seen.passes) return Result(job->picture);
-  if (!job->status.ok()) return Result<std::shared_ptr<const TracedPicture>>(job->status);
+  if (!job->status.ok()) return Result<std::shared_ptr<const LinearPicture>>(job->status);
   job->wanted = true;
   return {};
 }
@@ -261,7 +261,7 @@ bool TraceQueue::offer(const JobPtr& job) {
     const bool waited_for = job->wanted && now - job->offered >= limits_.between;
     if (!last && !(job->revision && (waited_for || on_schedule(report.passes)))) return false;
   }
-  auto picture = std::make_shared<TracedPicture>(tracer_->picture());
+  auto picture = std::make_shared<LinearPicture>(tracer_->picture());
   picture->timings.queue = job->queue_ms;
   {
     const std::lock_guard lock(mutex_);

@@ -14,7 +14,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/frame.h"
-#include "server/frames/traced_picture.h"
+#include "server/frames/picture_tracer.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
 
@@ -57,7 +57,7 @@ class TraceQueue {
   /// Traces to the end. `abandoned` is asked four times a second. Fails with conflict when the same view asks for
   /// something else, unavailable when it was abandoned, too many wait or the server stops, not_found when the scene is
   /// removed, and as PictureTracer does.
-  Result<std::shared_ptr<const TracedPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+  Result<std::shared_ptr<const LinearPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                                      const std::function<bool()>& abandoned = {});
 
   /// Somebody looks at a revision of the scene by this request (its `progressive`): starts the progressive picture
@@ -66,7 +66,7 @@ class TraceQueue {
 
   /// The progressive picture's newest picture, when it is of the revision and has more passes than was seen; its
   /// failure when there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
-  std::optional<Result<std::shared_ptr<const TracedPicture>>> better(const Scene& scene, const FrameRequest& request,
+  std::optional<Result<std::shared_ptr<const LinearPicture>>> better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen);
 
   /// The view of the request asks for something else than strands: what is traced for it is dropped.

@@ -170,6 +170,55 @@ class RenderTest(unittest.TestCase):
         plan = json.loads(self.render(self.folder / "job.json", "--check").stdout)
         self.assertEqual((plan["frames"][0]["width"], plan["frames"][0]["height"]), (31, 25))
 
+    def test_a_blurred_frame_is_the_mean_of_its_moments_in_light(self):
+        """Against frames of a job that goes four times as fast: those at the two moments."""
+        def keys(pace):
+            return [{"parameter": "/frame/camera/position", "keys": [{"frame": 0, "value": [-2, 0.3, 2.4]},
+                                                                     {"frame": 16 * pace, "value": [2, 0.3, 2.4]}]},
+                    {"parameter": "/lights/0/intensity", "keys": [{"frame": 0, "value": 0}, {"frame": 16 * pace, "value": 8}]}]
+
+        frame = {"width": 70, "height": 50, "quality": "detailed", "aovs": ["beauty", "depth"], "exr_type": "float"}
+        camera = {"camera": {"position": [0, 0, 1], "target": [0, 0, 0]}}
+        wind = {"op": "set_wind", "wind": {"speed": 0.6}}
+        job = {"output": "out/#.exr", "turntable": None, "commands": [wind], "frame": {**frame, **camera}}
+        job = {name: value for name, value in {**JOB, **job}.items() if value is not None}
+
+        def drawn(name, **more):
+            path = self.folder / f"{name}.json"
+            path.write_text(json.dumps({**job, "output": f"{name}/#.exr", **more}))
+            self.render(path)
+
+        drawn("blurred", frames="8", keyframes=keys(1), motion_blur={"shutter": 1, "samples": 2})
+        drawn("sharp", frames="31,33", fps=96, keyframes=keys(4))
+
+        def differ(one, other):
+            run = subprocess.run(["oiiotool", "-fail", "1e-5", "-failpercent", "0", self.folder / one, self.folder / other,
+                                  "--diff"], capture_output=True, text=True)
+            return run.returncode != 0
+
+        sharp = [self.folder / "sharp" / f"{number}.exr" for number in (31, 33)]
+        subprocess.run(["oiiotool", *sharp, "--add", "--mulc", "0.5", "--ch", "R,G,B,A", "-o", self.folder / "mean.exr"], check=True)
+        subprocess.run(["oiiotool", sharp[1], "--ch", "Z", "-o", self.folder / "depth.exr"], check=True)
+        for channels, whole in (("R,G,B,A", "mean.exr"), ("Z", "depth.exr")):
+            subprocess.run(["oiiotool", self.folder / "blurred" / "8.exr", "--ch", channels, "-o", self.folder / "part.exr"], check=True)
+            self.assertFalse(differ("part.exr", whole), whole)
+        self.assertTrue(differ("mean.exr", "sharp/31.exr"))
+
+    def test_a_scene_at_rest_is_as_sharp_with_motion_blur(self):
+        for quality in ("draft", "detailed"):
+            frame = {"frame": {"width": 70, "height": 50, "quality": quality}, "turntable": {"degrees": 0}, "frames": "3"}
+            self.render(self.job(output="sharp/#.png", **frame))
+            self.render(self.job(output="blurred/#.png", motion_blur={"samples": 3}, **frame))
+            one, other = (Image.open(self.folder / name / "3.png").tobytes() for name in ("sharp", "blurred"))
+            self.assertLessEqual(max(abs(a - b) for a, b in zip(one, other, strict=True)), 1, quality)
+
+    def test_blurred_tiles_become_the_file_of_the_whole(self):
+        for quality in ("detailed", {"method": "strands", "trace": {"passes": 4, "strands": 2000}}):
+            job = {"frames": "2", "motion_blur": {"samples": 2}, "frame": {"width": 70, "height": 50, "quality": quality}}
+            self.render(self.job(output="whole/#.png", **job))
+            self.render(self.job(output="out/#.png", tiles={"columns": 2, "rows": 2}, **job))
+            self.assertEqual(self.frames()[0].read_bytes(), (self.folder / "whole" / "2.png").read_bytes())
+
     def test_only_what_is_missing_or_stale_is_drawn_again(self):
         self.render(self.job())
         before = self.hashes()

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
 #include "server/batch/job_scene.h"
 #include "server/batch/output_file.h"
 #include "server/batch/turntable.h"
@@ -44,8 +45,8 @@ TEST_F(JobFrames, AreTheSameInWhateverPartTheyAreDrawn) {
   const auto part = plan(job, {.frames = "4", .output = "other.#.exr"});
   ASSERT_EQ(part.size(), 1u);
   EXPECT_EQ(part[0].file, "./other.4.exr");
-  EXPECT_EQ(part[0].request.exposure, all[3].request.exposure);
-  EXPECT_EQ(part[0].request.camera.position, all[3].request.camera.position);
+  EXPECT_EQ(part[0].moment.request.exposure, all[3].moment.request.exposure);
+  EXPECT_EQ(part[0].moment.request.camera.position, all[3].moment.request.camera.position);
   EXPECT_NE(part[0].fingerprint, all[3].fingerprint);  // another format
   EXPECT_EQ(plan(job, {.frames = "2-4"})[2].fingerprint, all[3].fingerprint);
   for (std::size_t k = 1; k < all.size(); ++k) EXPECT_NE(all[k].fingerprint, all[0].fingerprint);
@@ -80,25 +81,70 @@ TEST_F(JobFrames, InTilesHoldEachPixelOnce) {
   EXPECT_TRUE(whole[1].tiles.empty());
 }
 
+TEST_F(JobFrames, ThatAreBlurredAreDrawnWhileTheShutterIsOpen) {
+  const std::string moves =
+      R"(, "fps": 10, "turntable": {"turns": "camera"}, "keyframes": [{"parameter": "/frame/exposure",
+                                "keys": [{"frame": 1, "value": 0}, {"frame": 5, "value": 4}]}])";
+  const auto sharp = plan(job_of(moves));
+  const auto frames = plan(job_of(moves + R"(, "motion_blur": {"shutter": 0.5, "samples": 4})"));
+  EXPECT_TRUE(sharp[2].open.empty());
+  ASSERT_EQ(frames[2].open.size(), 4u);
+  EXPECT_EQ(encode(frames[2].moment.request), encode(sharp[2].moment.request));
+  EXPECT_NE(frames[2].fingerprint, sharp[2].fingerprint);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const FrameRequest& request = frames[2].open[k].request;
+    const double later = 0.5 * ((static_cast<double>(k) + 0.5) / 4 - 0.5);
+    EXPECT_DOUBLE_EQ(*request.time, (3 + later) / 10);
+    EXPECT_NEAR(request.exposure, 2 + later, 1e-12);
+    const auto turned =
+        turned_camera(sharp[2].moment.request.camera, 1, scene_->scene()->model()->surface.mesh(), 72 * later);
+    EXPECT_LT(glm::length(request.camera.position - turned.position), 1e-9) << k;
+  }
+}
+
+TEST_F(JobFrames, ThatAreBlurredShareTheirTracingOut) {
+  const auto frames = plan(job_of(R"(, "motion_blur": {"samples": 4}, "frame": {"quality": {"method": "strands",
+                                      "trace": {"passes": 10, "noise": 0.01, "seconds": 8, "seed": 7}}})"));
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const Tracing& trace = frames[0].open[k].request.knobs.trace;
+    EXPECT_EQ(trace.passes, 3);
+    EXPECT_DOUBLE_EQ(trace.noise, 0.02);
+    EXPECT_DOUBLE_EQ(trace.seconds, 2);
+    EXPECT_EQ(trace.seed, 7 + k);
+  }
+}
+
+TEST_F(JobFrames, ThatHaveNoMeanAreNotBlurred) {
+  plan(job_of(""));
+  const auto pointer = [&](const std::string& more) {
+    return plan_job(job_of(R"(, "motion_blur": {})" + more), {}, ".", *scene_->scene()).status().pointer;
+  };
+  EXPECT_EQ(pointer(R"(, "time_lapse": true)"), "/motion_blur");
+  EXPECT_EQ(pointer(R"(, "frame": {"budget_ms": 50})"), "/frame/budget_ms");
+  EXPECT_EQ(pointer(R"(, "frame": {"overlay": "length"})"), "/frame/overlay");
+  EXPECT_EQ(pointer(R"(, "frame": {"quality": {"method": "strands", "trace": {"shutter": 0.1}}})"),
+            "/frame/quality/trace/shutter");
+}
+
 TEST_F(JobFrames, OfOneTurnCloseTheCircle) {
   const auto frames = plan(job_of(R"(, "turntable": {"turns": "camera"})"));
-  const glm::dvec3 first = frames[0].request.camera.position, target = frames[0].request.camera.target;
+  const glm::dvec3 first = frames[0].moment.request.camera.position, target = frames[0].moment.request.camera.target;
   for (std::size_t k = 0; k < 5; ++k) {
-    const Camera& camera = frames[k].request.camera;
+    const Camera& camera = frames[k].moment.request.camera;
     EXPECT_NEAR(glm::length(camera.position - target), glm::length(first - target), 1e-9);
     EXPECT_NEAR(camera.position.y, first.y, 1e-9);
     const glm::dvec2 a(first.z - target.z, first.x - target.x),
         b(camera.position.z - target.z, camera.position.x - target.x);
     const double turned = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
     EXPECT_NEAR(std::remainder(glm::degrees(turned) - 72.0 * static_cast<double>(k), 360.0), 0, 1e-6) << k;
-    EXPECT_TRUE(frames[k].settings.empty());
+    EXPECT_TRUE(frames[k].moment.settings.empty());
   }
 }
 
 TEST_F(JobFrames, OfAModelThatTurnsKeepTheLightsOnThePicture) {
   const auto frames = plan(job_of(R"(, "turntable": {"degrees": 100})"));
-  const Camera& begin = frames[0].request.camera;
-  const auto& lights = std::get<SetLights>(frames[0].settings.at(0)).lights;
+  const Camera& begin = frames[0].moment.request.camera;
+  const auto& lights = std::get<SetLights>(frames[0].moment.settings.at(0)).lights;
   const auto in_view = [](const Camera& camera, glm::dvec3 direction) {
     const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -106,14 +152,14 @@ TEST_F(JobFrames, OfAModelThatTurnsKeepTheLightsOnThePicture) {
                       glm::dot(direction, forward));
   };
   for (const JobFrame& frame : frames) {
-    const auto& turned = std::get<SetLights>(frame.settings.at(0)).lights;
+    const auto& turned = std::get<SetLights>(frame.moment.settings.at(0)).lights;
     for (std::size_t k = 0; k < lights.size(); ++k) {
       const glm::dvec3 difference =
-          in_view(frame.request.camera, turned[k].direction) - in_view(begin, lights[k].direction);
+          in_view(frame.moment.request.camera, turned[k].direction) - in_view(begin, lights[k].direction);
       EXPECT_LT(glm::length(difference), 1e-9);
     }
   }
-  EXPECT_GT(glm::length(frames[4].request.camera.position - begin.position), 0.5);
+  EXPECT_GT(glm::length(frames[4].moment.request.camera.position - begin.position), 0.5);
 }
 
 TEST(Turntables, FinishWhereTheyBeganHoweverFarTheyTurn) {
@@ -130,7 +176,7 @@ TEST_F(JobFrames, OfATimeLapseGoFromTheFirstGroomToTheLast) {
       {"op": "length", "value": 0.1, "flood": true}, {"op": "length", "value": 0.2, "flood": true},
       {"op": "smooth", "passes": 2, "flood": true}, {"op": "length", "value": 0.3, "flood": true}])");
   std::vector<std::uint64_t> revisions;
-  for (const JobFrame& frame : plan(job)) revisions.push_back(frame.request.revision.value());
+  for (const JobFrame& frame : plan(job)) revisions.push_back(frame.moment.request.revision.value());
   EXPECT_EQ(revisions.front(), 0u);
   EXPECT_TRUE(std::ranges::is_sorted(revisions));
   EXPECT_EQ(revisions.back(), scene_->scene()->summary().revision);

@@ -36,11 +36,26 @@ TEST_F(ModelMomentsTest, OfNumberedFilesAreTheFramesOwn) {
   EXPECT_EQ(missing.status().pointer, "/motion/model");
 }
 
+TEST_F(ModelMomentsTest, BetweenTwoFilesAreOnTheWay) {
+  write("walk.1.obj", "one"), write("walk.2.obj", "two");
+  const auto moments = made({.model = "walk.#.obj", .animation = {}, .loop_seconds = {}});
+  const auto between = moments->at(1.25);
+  EXPECT_EQ(between->file, folder_.file("walk.1.obj"));
+  EXPECT_EQ(between->next, folder_.file("walk.2.obj"));
+  EXPECT_DOUBLE_EQ(between->share, 0.25);
+  EXPECT_NE(between->digest, moments->at(1.5)->digest);
+  for (const double still : {0.75, 1.0, 2.25}) EXPECT_EQ(moments->at(still)->next, "") << still;
+  EXPECT_EQ(moments->at(0.75)->digest, moments->at(1)->digest);
+  EXPECT_EQ(moments->at(2.25)->digest, moments->at(2)->digest);
+  EXPECT_EQ(moments->at(0.25).status().code, Code::not_found);
+}
+
 TEST_F(ModelMomentsTest, OfAnAnimationGoByTheSecondAndBeginAgain) {
   write("fox.glb", "bytes");
   const auto once = made({.model = "fox.glb", .animation = "Walk", .loop_seconds = {}});
   ASSERT_TRUE(once.ok()) << once.status().message;
   EXPECT_EQ(once->at(36)->pose, "Walk@1.500000");
+  EXPECT_EQ(once->at(35.76)->pose, "Walk@1.490000");
   EXPECT_EQ(once->at(-3)->pose, "Walk@0.000000");
   const auto again = made({.model = "fox.glb", .animation = "Walk", .loop_seconds = 0.5});
   EXPECT_EQ(again->at(6)->pose, "Walk@0.250000");

@@ -10,7 +10,7 @@ namespace pelage::trace_queue_test {
 namespace {
 
 using namespace std::chrono_literals;
-using Picture = Result<std::shared_ptr<const TracedPicture>>;
+using Picture = Result<std::shared_ptr<const LinearPicture>>;
 
 /// What the fake tracer is told to do, and what it has done.
 struct Stage {
@@ -47,7 +47,7 @@ class FakeTracer : public PictureTracer {
     return {};
   }
   TraceReport report() const override { return report_; }
-  TracedPicture picture() const override { return {.report = report_}; }
+  LinearPicture picture() const override { return {.report = report_}; }
 
  private:
   Stage& stage_;

@@ -1,4 +1,4 @@
-#include "server/frames/traced_picture.h"
+#include "server/frames/picture_tracer.h"
 
 namespace pelage {
 
@@ -10,17 +10,6 @@ FrameRequest traced_request(const FrameRequest& request) {
   traced.knobs.trace = *request.progressive;
   traced.progressive.reset(), traced.budget_ms.reset(), traced.max_error.reset();
   return traced;
-}
-
-std::vector<Aov> traced_aovs(const FrameRequest& request) {
-  return is_linear(request.format) ? request.aovs : std::vector{Aov::beauty};
-}
-
-Knobs knobs_of(const TracedPicture& picture) {
-  Knobs knobs = picture.frame->knobs;
-  knobs.trace.passes = picture.report.passes;
-  knobs.trace.seconds = 0;
-  return knobs;
 }
 
 }  // namespace pelage

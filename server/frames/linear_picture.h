@@ -1,0 +1,60 @@
+// A picture in linear light, as far as it is: what its file is finished from.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "protocol/commands/answers.h"
+#include "protocol/commands/frame.h"
+#include "renderer/image/float_image.h"
+#include "renderer/input/fur_scene.h"
+#include "server/frames/frame_parts.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// With all that its file needs. Never changes once it is made.
+struct LinearPicture {
+  Revision revision = 0;
+  TraceReport report = {};            // of traced strands
+  std::vector<FloatImage> aovs = {};  // those of linear_aovs(request), of the whole frame; a crop alone is drawn
+  std::shared_ptr<const FurFrame> frame = {};
+  ModelPlacement placement = {};
+  FrameTimings timings = {};
+  FrameCounters counters = {};  // of shells, or of what lies under traced strands
+  // Of an earlier revision what it was drawn from: for as long as it lives, the renderer has it for overlays.
+  std::shared_ptr<const SceneCopy> past = {};
+};
+
+/// The AOVs that a request's file is made of: those of an EXR, else beauty.
+std::vector<Aov> linear_aovs(const FrameRequest& request);
+
+/// The request for them.
+FrameRequest linear_request(const FrameRequest& request);
+
+/// The knobs that draw the same picture again.
+Knobs knobs_of(const LinearPicture& picture);
+
+/// What a shutter sees that is open while a scene moves: the mean of pictures of one frame at so many moments. Depth,
+/// position, normal and tangent, whose mean would be nowhere, are those of the middle one.
+class MeanPicture {
+ public:
+  /// `aovs`: of each picture.
+  MeanPicture(std::vector<Aov> aovs, int count) : kinds_(std::move(aovs)), count_(count) {}
+
+  /// In the order of their moments. All are of one size.
+  void add(LinearPicture picture);
+  /// After `count` pictures.
+  LinearPicture take() &&;
+
+ private:
+  std::vector<Aov> kinds_;
+  int count_;
+  int added_ = 0;
+  LinearPicture mean_;                     // the middle one, until it is taken
+  std::vector<std::vector<double>> sums_;  // of each AOV
+  TraceReport report_;
+  double noise_square_ = 0;
+};
+
+}  // namespace pelage

@@ -1,0 +1,33 @@
+// What traces a picture.
+#pragma once
+
+#include <memory>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/frame.h"
+#include "renderer/strands/tracer.h"
+#include "server/frames/linear_picture.h"
+#include "server/scene/scene.h"
+
+namespace pelage {
+
+/// The request that draws a progressive picture's pictures: by strands, and without `progressive`.
+FrameRequest traced_request(const FrameRequest& request);
+
+/// Traces one picture at a time, on one thread: the tracer with what it needs of a scene and of the render thread.
+class PictureTracer {
+ public:
+  virtual ~PictureTracer() = default;
+
+  /// Begins a picture of the scene as it is now, of no passes; the revision. Fails as Tracer::begin and FrameService
+  /// do.
+  virtual Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                 const GoOn& go_on) = 0;
+  /// As Tracer::add_pass.
+  virtual Status add_pass(const GoOn& go_on) = 0;
+  virtual TraceReport report() const = 0;
+  /// Of at least one pass.
+  virtual LinearPicture picture() const = 0;
+};
+
+}  // namespace pelage
