@@ -217,7 +217,11 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
   for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
   if (const std::optional<double> moment = moment_of(scene, request)) {
-    for (FurCurves& curves : frame.curves) sway_curves(curves, scene.settings.wind, *moment);
+    for (FurCurves& curves : frame.curves) {
+      std::optional<BodyMotion> body;
+      if (scene.swing) body = motion_under(curves, scene.model.surface, *scene.swing);
+      sway_curves(curves, scene.settings.wind, *moment, body ? &*body : nullptr);
+    }
   }
   frame.skin = make_skin(scene.settings.skin, mesh);
   const PlacedCamera camera = place_camera(request.camera, static_cast<double>(request.width) / request.height, mesh);

@@ -2,9 +2,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <utility>
 #include <vector>
-
-#include "server/motion/sway.h"
 
 namespace pelage {
 
@@ -39,9 +38,18 @@ void bend(std::vector<glm::dvec3>& points, double length, glm::dvec3 axis, doubl
 
 }  // namespace
 
+BodyMotion motion_under(const FurCurves& curves, const Surface& surface, const BodySwing& swing) {
+  std::vector<std::uint32_t> vertices;
+  for (const FurGuide& guide : curves.guides)
+    vertices.push_back(surface.mesh().triangles[surface.nearest(guide.points.front()).triangle].x);
+  const auto acceleration = [vertices = std::move(vertices), of_vertex = swing.acceleration](
+                                std::uint32_t curve, double time) { return of_vertex(vertices[curve], time); };
+  return {acceleration, swing.step};
+}
+
 /// As `swayed` moves fur that stands along the curve.
-void sway_curves(FurCurves& curves, const Wind& wind, double moment) {
-  if (!blows(wind)) return;
+void sway_curves(FurCurves& curves, const Wind& wind, double moment, const BodyMotion* body) {
+  if (!blows(wind) && !body) return;
   std::vector<glm::vec3> roots, along, side;
   std::vector<float> lengths;
   for (const FurGuide& guide : curves.guides) {
@@ -52,7 +60,7 @@ void sway_curves(FurCurves& curves, const Wind& wind, double moment) {
   }
   const std::vector<glm::vec2> upright(roots.size(), glm::vec2(0));
   const std::vector<float> stiffness(roots.size(), stiffness_of_curves);
-  const std::vector<glm::vec2> leans = swayed({roots, along, side, upright, lengths, stiffness}, wind, moment);
+  const std::vector<glm::vec2> leans = swayed({roots, along, side, upright, lengths, stiffness}, wind, moment, body);
   for (std::size_t i = 0; i < leans.size(); ++i) {
     const double lean = glm::length(glm::dvec2(leans[i]));
     if (!(lean > 0) || !(lengths[i] > 0)) continue;

@@ -29,7 +29,7 @@ Status set_variables(const Recipe& recipe, Scope& scope) {
   return {};
 }
 
-Status in_file(const std::string& file, Status status) {
+Status in_file(const std::string& file, const Status& status) {
   return recipe_failure(file, status.message, status.pointer, status.limit, status.nearest);
 }
 

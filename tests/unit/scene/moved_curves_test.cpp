@@ -74,6 +74,32 @@ TEST(MovedCurves, MoveSmoothlyAndTheSameAgain) {
   EXPECT_LT(farthest, 0.01);
 }
 
+TEST(MovedCurves, LagBehindABodyThatSetsOff) {
+  const auto setting_off = [](std::uint32_t curve, double) { return glm::dvec3(curve == 0 ? 4 : 0, 0, 0); };
+  const BodyMotion body{setting_off, 1.0 / 24};
+  FurCurves curves = whiskers();
+  sway_curves(curves, Wind{.speed = 0}, 1.5, &body);
+  const FurCurves rest = whiskers();
+  EXPECT_LT(curves.guides[0].points[2].x, -1e-3);
+  EXPECT_NEAR(glm::distance(curves.guides[0].points[2], curves.guides[0].points[1]), 0.05, 1e-9);
+  EXPECT_EQ(curves.guides[1], rest.guides[1]) << "its skin rests";
+}
+
+TEST(MovedCurves, MoveAsTheVertexAtTheirRoot) {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 0, 0.1f}, {0.1f, 0, 0}, {5, 0, 0}, {5, 0, 0.1f}, {5.1f, 0, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const Surface surface(mesh);
+  FurCurves curves;
+  curves.guides.push_back({.points = {{5, 0, 0}, {5, 1, 0}}});
+  curves.guides.push_back({.points = {{0, 0.01, 0}, {0, 1, 0}}});
+  const BodySwing swing{[](std::uint32_t vertex, double time) { return glm::dvec3(vertex, time, 0); }, 0.5};
+  const BodyMotion motion = motion_under(curves, surface, swing);
+  EXPECT_EQ(motion.acceleration(0, 2), glm::dvec3(3, 2, 0));
+  EXPECT_EQ(motion.acceleration(1, 7), glm::dvec3(0, 7, 0));
+  EXPECT_EQ(motion.step, 0.5);
+}
+
 TEST(MovedCurves, WithoutLengthDoNoHarm) {
   FurCurves curves;
   curves.guides.push_back({.points = {{0, 0, 0}, {0, 0, 0}}});
