@@ -39,7 +39,7 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
 Result<RawModel> JobRenderer::load(const std::string& file, const ModelMoment& moment) const {
   const Result<std::string> bytes = read_file(file);
   if (!bytes) return bytes.status();
-  return import_model(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)),
+  return import_shape(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)),
                       moment.pose);
 }
 

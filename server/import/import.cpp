@@ -54,7 +54,7 @@ Status outcome(const std::string& subject, const ChildResult& result, const Impo
 }
 
 /// The worker's answer.
-Result<std::string> run_worker(const std::string& worker, const char* job, const std::string& subject,
+Result<std::string> run_worker(const std::string& worker, const std::string& job, const std::string& subject,
                                std::span<const std::byte> bytes, const ImportLimits& limits,
                                const std::string& pose = {}) {
   const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
@@ -63,6 +63,16 @@ Result<std::string> run_worker(const std::string& worker, const char* job, const
   if (!result.ok()) return result.status();
   if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
   return std::move(result->answer);
+}
+
+Result<RawModel> read_model(const std::string& worker, const std::string& job, std::span<const std::byte> bytes,
+                            const std::string& pose, const ImportLimits& limits) {
+  if (bytes.size() > limits::model_bytes) {
+    return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " bytes");
+  }
+  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits, pose);
+  if (!answer.ok()) return answer.status();
+  return decode_raw_model(std::as_bytes(std::span(*answer)));
 }
 
 Status check_picture_bytes(std::span<const std::byte> bytes) {
@@ -80,13 +90,13 @@ std::string program_folder() {
 
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const std::string& pose, const ImportLimits& limits) {
-  if (bytes.size() > limits::model_bytes) {
-    return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " bytes");
-  }
-  const char* job = worker_format_names[static_cast<std::size_t>(format)];
-  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits, pose);
-  if (!answer.ok()) return answer.status();
-  return decode_raw_model(std::as_bytes(std::span(*answer)));
+  return read_model(worker, worker_format_names[static_cast<std::size_t>(format)], bytes, pose, limits);
+}
+
+Result<RawModel> import_shape(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
+                              const std::string& pose) {
+  const std::string job = std::string(worker_format_names[static_cast<std::size_t>(format)]) + worker_shape;
+  return read_model(worker, job, bytes, pose, {});
 }
 
 Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> bytes,

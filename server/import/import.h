@@ -1,6 +1,6 @@
 // What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES [POSE]`, bytes in. The job is a model's
-// format (encode_raw_model out), "environment" (encode_harmonics out), "picture" (encode_raw_image out) or "map"
-// (encode_map_picture out).
+// format, alone or with "-shape" for a model without its pictures (encode_raw_model out), "environment"
+// (encode_harmonics out), "picture" (encode_raw_image out) or "map" (encode_map_picture out).
 #pragma once
 
 #include <array>
@@ -18,6 +18,7 @@ namespace pelage {
 inline constexpr std::array<const char*, 8> worker_format_names = {"obj",  "ply", "stl", "off",
                                                                    "gltf", "glb", "3ds", "zip"};
 
+inline constexpr const char* worker_shape = "-shape";
 inline constexpr const char* worker_environment = "environment";
 inline constexpr const char* worker_picture = "picture";
 inline constexpr const char* worker_map = "map";
@@ -47,6 +48,10 @@ std::string program_folder();
 /// ImportOptions.
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const std::string& pose = {}, const ImportLimits& limits = {});
+
+/// The same without pictures, which are much of the time: for a model that is known and stands elsewhere.
+Result<RawModel> import_shape(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
+                              const std::string& pose = {});
 
 /// The same for a picture of all directions (EXR or HDR; renderer/light/environment.h): the light that it stands
 /// for.

@@ -30,6 +30,10 @@ class Bundle {
   std::string& model() { return files_.front().bytes; }
   bool has_others() const { return files_.size() > 1; }
 
+  /// Pictures count as not there, and nobody misses them.
+  void leave_pictures_out() { with_pictures_ = false; }
+  bool with_pictures() const { return with_pictures_; }
+
   /// The file that the model calls by this name: from its own folder, percent-encoded or not, with either slash; where
   /// no path fits, the only file of that name, whatever its case and folder. Null where there is none.
   const std::string* find(std::string_view name) const;
@@ -37,6 +41,7 @@ class Bundle {
  private:
   Bundle() = default;
   std::vector<BundledFile> files_;  // the model first
+  bool with_pictures_ = true;
 };
 
 }  // namespace pelage

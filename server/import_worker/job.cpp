@@ -11,9 +11,9 @@ namespace pelage {
 
 namespace {
 
-template <ModelFormat format>
+template <ModelFormat format, bool pictures>
 Result<std::string> read_model(std::string&& bytes, const std::string& pose) {
-  const Result<RawModel> model = parse_model(format, std::move(bytes), pose);
+  const Result<RawModel> model = parse_model(format, std::move(bytes), pose, pictures);
   if (!model.ok()) return model.status();
   return encode_raw_model(*model);
 }
@@ -36,19 +36,23 @@ Result<std::string> read_backplate(std::string&& bytes, const std::string&) {
   return encode_raw_image(*image);
 }
 
+/// By ModelFormat. Those that are one file of their own have no pictures.
+template <bool pictures>
+constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj, pictures>, false},
+                                                                 {read_model<ModelFormat::ply, pictures>, false},
+                                                                 {read_model<ModelFormat::stl, pictures>, false},
+                                                                 {read_model<ModelFormat::off, pictures>, false},
+                                                                 {read_model<ModelFormat::gltf, pictures>, pictures},
+                                                                 {read_model<ModelFormat::glb, pictures>, pictures},
+                                                                 {read_model<ModelFormat::tds, pictures>, false},
+                                                                 {read_model<ModelFormat::zip, pictures>, pictures}}};
+
 }  // namespace
 
 std::optional<Job> job_of(std::string_view name) {
-  static constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj>, false},
-                                                                          {read_model<ModelFormat::ply>, false},
-                                                                          {read_model<ModelFormat::stl>, false},
-                                                                          {read_model<ModelFormat::off>, false},
-                                                                          {read_model<ModelFormat::gltf>, true},
-                                                                          {read_model<ModelFormat::glb>, true},
-                                                                          {read_model<ModelFormat::tds>, false},
-                                                                          {read_model<ModelFormat::zip>, true}}};
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (name == worker_format_names[i]) return models[i];
+  for (std::size_t i = 0; i < worker_format_names.size(); ++i) {
+    if (name == worker_format_names[i]) return models<true>[i];
+    if (name == std::string(worker_format_names[i]) + worker_shape) return models<false>[i];
   }
   if (name == worker_environment) return Job{read_light, true};
   if (name == worker_map) return Job{read_data, true};

@@ -72,9 +72,10 @@ void note_axes(ModelFormat format, RawModel& model) {
 
 }  // namespace
 
-Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose) {
+Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose, bool pictures) {
   Result<Bundle> bundle = format == ModelFormat::zip ? Bundle::unpack(bytes, format) : Bundle(std::move(bytes));
   if (!bundle) return bundle.status();
+  if (!pictures) bundle->leave_pictures_out();
   Result<RawModel> model = parse_bundle(format, *bundle, pose);
   if (!model) return model;
   model->pose = pose;

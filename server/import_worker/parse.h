@@ -41,8 +41,8 @@ std::string_view take_line(std::string_view& text);
 
 /// Reads `bytes` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
 /// or ask for files or extensions that are not there. Opens no file. `pose` as in ImportOptions; refused where the
-/// format has no animations.
-Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose = {});
+/// format has no animations. Without `pictures` it has no images.
+Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose = {}, bool pictures = true);
 
 /// What a file does not say of a vertex.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -82,6 +82,7 @@ std::optional<std::string_view> MaterialReader::bytes_of(const char* path) const
 }
 
 int MaterialReader::read_image(const std::string& path) {
+  if (!bundle_.with_pictures()) return -1;
   if (const auto known = images_.find(path); known != images_.end()) return known->second;
   int index = -1;
   if (const auto bytes = bytes_of(path.c_str())) {

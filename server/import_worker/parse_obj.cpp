@@ -125,6 +125,7 @@ class Materials {
   }
 
   int picture(const std::string& name) {
+    if (!bundle_.with_pictures()) return -1;
     if (const auto known = pictures_.find(name); known != pictures_.end()) return known->second;
     const std::string* bytes = bundle_.find(name);
     if (!bytes) model_.lose("missing_pictures", name);

@@ -56,6 +56,11 @@ TEST_F(Packing, AnObjGoesWithItsMaterialsAndPictures) {
   EXPECT_EQ(count_of(*model, "broken_pictures"), 1u);
   EXPECT_EQ(count_of(*model, "missing_materials"), 1u);
   EXPECT_EQ(count_of(*model, "missing_material_files"), 0u);
+  const auto shape = parse_model(ModelFormat::zip, packed->bytes, "", false);
+  ASSERT_TRUE(shape.ok()) << shape.status().message;
+  EXPECT_EQ(count_of(*shape, "broken_pictures"), 0u) << "nobody looked";
+  EXPECT_EQ(shape->positions, model->positions);
+  EXPECT_EQ(shape->materials.size(), 2u);
 }
 
 TEST_F(Packing, WhatIsNotThereIsNamed) {

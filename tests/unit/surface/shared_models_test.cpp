@@ -157,6 +157,17 @@ TEST_F(SharedModels, TexturesAndTextureCoordinatesComeAlong) {
 }
 
 /// V points up in both, although glTF stores it downwards.
+TEST_F(SharedModels, AShapeIsTheModelWithoutItsPictures) {
+  const std::string bytes = shared_models::read_file(shared_models::folder() + "/Fox.glb");
+  const auto file = std::as_bytes(std::span(bytes));
+  const Result<RawModel> whole = import_model(PELAGE_IMPORT, ModelFormat::glb, file, "Walk@0.2");
+  const Result<RawModel> shape = import_shape(PELAGE_IMPORT, ModelFormat::glb, file, "Walk@0.2");
+  ASSERT_TRUE(whole.ok() && shape.ok());
+  EXPECT_EQ(whole->images.size(), 1u);
+  EXPECT_EQ(shape->images.size(), 0u);
+  EXPECT_EQ(shape->positions, whole->positions);
+}
+
 TEST_F(SharedModels, TextureCoordinatesOfGlbAndObjAgree) {
   const auto centre_of = [](const char* file) {
     const Result<RawModel> raw = shared_models::import_file(shared_models::folder() + "/" + file);
