@@ -102,6 +102,15 @@ TEST_F(JobFrames, ThatAreBlurredAreDrawnWhileTheShutterIsOpen) {
   }
 }
 
+TEST_F(JobFrames, ThatAreBlurredTurnAsFastAsTheirClip) {
+  RenderJob job = job_of(R"(, "turntable": {"turns": "camera"}, "motion_blur": {"shutter": 1, "samples": 2})");
+  job.frames = "1-9x2";  // five: a frame's time is half of what lies between two of them
+  const auto frames = plan(job);
+  const Camera own = frames[1].moment.request.camera, open = frames[1].open[1].request.camera;
+  const Camera turned = turned_camera(own, 1, scene_->scene()->model()->surface.mesh(), 72.0 / 2 / 4);
+  EXPECT_LT(glm::length(open.position - turned.position), 1e-9);
+}
+
 TEST_F(JobFrames, ThatAreBlurredShareTheirTracingOut) {
   const auto frames = plan(job_of(R"(, "motion_blur": {"samples": 4}, "frame": {"quality": {"method": "strands",
                                       "trace": {"passes": 10, "noise": 0.01, "seconds": 8, "seed": 7}}})"));
