@@ -24,10 +24,11 @@ function(pelage_for_each_instruction_set FILE)
                               COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 endfunction()
 
-# pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin.
+# pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin. Its SOURCE is COLD: what works is in libraries.
 function(pelage_program NAME SOURCE)
   cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
   add_executable(${NAME} ${SOURCE})
   target_include_directories(${NAME} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..)
   target_link_libraries(${NAME} PRIVATE ${ARG_DEPS})
+  target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
