@@ -18,10 +18,9 @@ function(pelage_library NAME)
 endfunction()
 
 # pelage_for_each_instruction_set(FILE): a file of the folder that Highway compiles for SSSE3, AVX2 and AVX-512, and the machine
-# chooses from. Where pixels take their time, so the compiler may take its own.
+# chooses from.
 function(pelage_for_each_instruction_set FILE)
-  set_source_files_properties(${FILE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS HWY_DISABLED_TARGETS=HWY_SSE4
-                              COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+  set_source_files_properties(${FILE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS HWY_DISABLED_TARGETS=HWY_SSE4)
 endfunction()
 
 # pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin. Its SOURCE is COLD: what works is in libraries.
