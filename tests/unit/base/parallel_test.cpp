@@ -35,7 +35,8 @@ TEST(ParallelDeathTest, OnACoreOfItsOwnTheCallersThreadDoesAllWithoutAWord) {
     sched_setaffinity(0, sizeof one, &one);
     const auto caller = std::this_thread::get_id();
     bool others = false;
-    for_each_in_parallel(1000, [&](std::uint32_t) { others |= std::this_thread::get_id() != caller; });
+    for_each_in_parallel(
+        1000, [&](std::uint32_t) { others |= std::this_thread::get_id() != caller; }, 4);
     std::exit(core_count() == 1 && default_threads() == 1 && !others ? 0 : 1);
   };
   testing::GTEST_FLAG(death_test_style) = "threadsafe";  // oneTBB counts cores once
