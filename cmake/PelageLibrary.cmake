@@ -23,7 +23,7 @@ function(pelage_for_each_instruction_set FILE)
   set_source_files_properties(${FILE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS HWY_DISABLED_TARGETS=HWY_SSE4)
 endfunction()
 
-# pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin. Its SOURCE is COLD: what works is in libraries.
+# pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin. Its SOURCE is COLD: the work is done in libraries.
 function(pelage_program NAME SOURCE)
   cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
   add_executable(${NAME} ${SOURCE})

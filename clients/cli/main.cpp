@@ -11,6 +11,8 @@
 
 namespace {
 
+constexpr const char* one_folder = "build or install all programs in one folder";
+
 /// Becomes the program of this name that lies beside this one. Comes back only to say that it cannot.
 pelage::ExitCode hand_over(const char* program, char* const* arguments) {
   std::error_code error;
@@ -18,7 +20,7 @@ pelage::ExitCode hand_over(const char* program, char* const* arguments) {
   const std::string path = self.parent_path() / program;
   execv(path.c_str(), arguments);
   const auto status = pelage::failure(pelage::Code::internal, "Cannot start " + path + "; it belongs beside pelage.");
-  return report(with_next(status, "build or install all programs in one folder"));
+  return report(with_next(status, one_folder));
 }
 
 pelage::ExitCode compare(const pelage::Options& options) {
@@ -26,7 +28,7 @@ pelage::ExitCode compare(const pelage::Options& options) {
     return pelage::compare_pictures(options);
   } catch (const std::runtime_error& error) {  // the library of picture files is not there
     const auto status = pelage::failure(pelage::Code::internal, error.what());
-    return report(with_next(status, "build or install all programs in one folder"));
+    return report(with_next(status, one_folder));
   }
 }
 

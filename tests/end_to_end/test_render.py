@@ -321,6 +321,23 @@ class RenderTest(unittest.TestCase):
         run = self.render(self.moving(commands=comb, motion={"model": "ball.##.obj"}), "--skip-existing")
         self.assertEqual(run.stdout.count("Saved:"), 1, run.stdout)  # that file's frame alone
 
+    def test_between_numbered_files_a_blurred_model_is_on_the_way(self):
+        """Against frames of files that stand where the model is at the two moments."""
+        for number, stretch in (("", 0), (".01", 0), (".02", 0.1), (".03", 0.2), (".17", 0.075), (".19", 0.125)):
+            self.write_ball(f"ball{number}.obj", stretch)
+        motion = {"motion": {"model": "ball.##.obj"}, "frame": {**JOB["frame"], "format": "exr"}}
+        self.render(self.moving(**motion, frames="17,19", output="sharp/##.exr"))
+        self.render(self.moving(**motion, frames="2", output="out/##.exr", motion_blur={"shutter": 1, "samples": 2}))
+        mean = self.folder / "mean.exr"
+        sharp = [self.folder / "sharp" / f"{number}.exr" for number in (17, 19)]
+        subprocess.run(["oiiotool", *sharp, "--add", "--mulc", "0.5", "-o", mean], check=True)
+
+        def error(one, other):
+            run = subprocess.run([BIN / "pelage", "--json", "compare", one, other], capture_output=True, text=True, check=True)
+            return json.loads(run.stdout)["flip"]["mean"]
+
+        self.assertLess(error(mean, self.frames()[0]), 0.1 * error(mean, sharp[0]))
+
     def test_fur_swings_by_the_motion_of_the_body(self):
         for frame in range(-2, 5):  # it starts with a jerk at frame 1
             self.write_ball(f"ball.{'-' if frame < 0 else ''}{abs(frame):02}.obj", 0.1 * max(0, frame))
