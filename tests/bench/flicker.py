@@ -1,9 +1,9 @@
 """Flicker: how much fur changes between frames of a slow orbit beyond what the motion itself explains.
 
-Each frame is carried back to the one before it: the position layer says where on the model every pixel lies, the
+Each frame is reprojected to the one before it: the AOV `position` says where on the model every pixel lies, the
 camera before says where that was seen. What is hidden there, or moves in depth by over a hundredth of the size, is left
 out. The change is the root mean square over linear light and the mean of |difference| after the sRGB curve, in grey
-levels of 255. Bilinear carrying blurs, so that no setting has none; what counts is how much more than `sorted 256`.
+levels of 255. Bilinear reprojection blurs, so that no setting has none; what counts is how much more than `sorted 256`.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [--step .25] [--size 256]
            [--model creature] [--triangles 5000]
@@ -29,13 +29,13 @@ def camera_at(degrees, centre, distance):
     return numpy.array(centre) + distance * numpy.array([numpy.sin(turn) * .94, .34, numpy.cos(turn) * .94])
 
 
-def seen_from(eye, target, position, size):
-    """Pixel coordinates and depth of positions (rows x columns x 3) in a picture from this eye."""
-    forward = (target - eye) / numpy.linalg.norm(target - eye)
+def seen_from(camera, target, position, size):
+    """Pixel coordinates and depth of positions (rows x columns x 3) in a picture of this camera."""
+    forward = (target - camera) / numpy.linalg.norm(target - camera)
     right = numpy.cross(forward, [0, 1, 0])
     right /= numpy.linalg.norm(right)
     up = numpy.cross(right, forward)
-    offset = position - eye
+    offset = position - camera
     depth = offset @ forward
     scale = size / 2 / numpy.tan(numpy.radians(FOV / 2)) / numpy.where(depth > 0, depth, 1)
     return size / 2 + (offset @ right) * scale, size / 2 - (offset @ up) * scale, depth
@@ -51,10 +51,10 @@ def sample(picture, x, y):
             v * ((1 - u) * picture[i + 1, j] + u * picture[i + 1, j + 1]))
 
 
-def draw(scene, eye, target, size, quality):
+def draw(scene, camera, target, size, quality):
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
                "aovs": ["beauty", "position", "depth"], "quality": quality,
-               "camera": {"position": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
+               "camera": {"position": list(camera), "target": list(target), "up": [0, 1, 0], "fov_degrees": FOV}}
     answer = scene.post("frames", request, timeout=600)
     assert answer.status == 200, answer
     channels = read_exr(answer.body)
@@ -67,18 +67,18 @@ def shown(light):
     return numpy.where(light < .0031308, 12.92 * light, curve).clip(0, 1)
 
 
-def change(before, eye, target, after, size, scale_of_model):
-    """Root mean square in linear light, mean change in grey levels, and the share of the fur that could be carried."""
+def change(before, camera, target, after, size, scale_of_model):
+    """Root mean square in linear light, mean change in grey levels, and the share of the fur that could be reprojected."""
     opaque = after["alpha"] > .95
-    x, y, depth = seen_from(eye, target, numpy.where(opaque[..., None], after["position"], target), size)
+    x, y, depth = seen_from(camera, target, numpy.where(opaque[..., None], after["position"], target), size)
     inside = (x > 1) & (x < size - 1) & (y > 1) & (y < size - 1)
     there = sample(numpy.where(numpy.isfinite(before["depth"]), before["depth"], 1e9)[..., None], x, y)[..., 0]
     covered = sample(before["alpha"][..., None], x, y)[..., 0] > .95
     good = opaque & inside & covered & (numpy.abs(there - depth) < .01 * scale_of_model)
-    carried = sample(before["light"], x, y)[good]
+    reprojected = sample(before["light"], x, y)[good]
     now = after["light"][good]
-    rms = numpy.sqrt(((now - carried) ** 2).mean())
-    levels = 255 * numpy.abs(shown(now) - shown(carried)).mean()
+    rms = numpy.sqrt(((now - reprojected) ** 2).mean())
+    levels = 255 * numpy.abs(shown(now) - shown(reprojected)).mean()
     return rms, levels, good.sum() / max(opaque.sum(), 1)
 
 
@@ -86,11 +86,11 @@ def orbit(scene, info, quality, options):
     low, high = numpy.array(info["bounds"]["min"]), numpy.array(info["bounds"]["max"])
     target, changes, before = (low + high) / 2, [], None
     for i in range(options.frames):
-        eye = camera_at(30 + i * options.step, target, 1.5 * info["size"])
-        frame = draw(scene, eye, target, options.size, quality)
+        camera = camera_at(30 + i * options.step, target, 1.5 * info["size"])
+        frame = draw(scene, camera, target, options.size, quality)
         if before is not None:
             changes.append(change(before[1], before[0], target, frame, options.size, info["size"]))
-        before = (eye, frame)
+        before = (camera, frame)
     return numpy.mean(changes, axis=0)
 
 
@@ -107,7 +107,7 @@ def main():
         scene = server.new_scene(options.model, options.triangles)
         info = scene.info()
         print(f"{options.model}, {options.frames} frames, {options.step} degrees apart, {options.size} pixels\n")
-        print("| quality | RMS, linear | grey levels | carried, % |\n|---|---|---|---|")
+        print("| quality | RMS, linear | grey levels | reprojected, % |\n|---|---|---|---|")
         for name, quality in SETTINGS:
             rms, levels, share = orbit(scene, info, quality, options)
             print(f"| {name} | {rms:.4f} | {levels:.2f} | {100 * share:.0f} |", flush=True)
