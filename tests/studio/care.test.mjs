@@ -71,3 +71,26 @@ test("the page is light, and what it needs comes from the server alone", async (
   assert.deepEqual(loads.filter(({name}) => name.startsWith("http") && !name.startsWith(server.address)), []);
   await studio.finish();
 });
+
+test("a number field holds what is allowed and gives the keyboard back", async () => {
+  const studio = await openStudio({scene: id});
+  await studio.ready();
+  await studio.panel("Tool");
+  const brush = (name) => studio.page.evaluate((name) => JSON.parse(localStorage.getItem("pelage.brush"))[name], name);
+  const strength = studio.page.getByRole("spinbutton", {name: "Strength, as a number"}).first();
+  await strength.fill("131");
+  await strength.press("Enter");
+  assert.equal(await brush("strength"), 1);
+  assert.equal(await strength.inputValue(), "1");
+  await studio.page.getByText("1 is the nearest number that is allowed.").waitFor();
+  const radius = await brush("radius");
+  await studio.page.keyboard.press("]");
+  assert.ok(await brush("radius") > radius, "a key after Enter is a shortcut");
+  await strength.fill("0.25");
+  await strength.press("Escape");
+  assert.equal(await brush("strength"), 1);
+  assert.equal(await strength.inputValue(), "1");
+  await studio.page.keyboard.press("[");
+  assert.ok(Math.abs(await brush("radius") - radius) < 1e-3, "a key after Escape is a shortcut");
+  await studio.finish();
+});

@@ -67,6 +67,15 @@ test("an OBJ without its materials comes, and says what is missing", async () =>
   await press("Cancel");
 });
 
+test("a lone picture beside an OBJ that names none is its skin texture", async () => {
+  const lone = objFolder(folder, {materials: false});
+  await drop(join(lone, "box.obj"), join(lone, "pictures", "Skin.PNG"));
+  await card().getByText("Its picture comes with it.").waitFor();
+  const scene = await uploaded("box");
+  assert.match(await linesOf(scene.id), /set_skin_texture/);
+  await card().getByText(/Skin\.PNG was dropped beside it/).waitFor();
+});
+
 test("a glTF in pieces is packed; without its pieces it says which", async () => {
   const gltf = gltfFolder(folder);
   await drop(gltf);

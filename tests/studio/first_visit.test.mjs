@@ -119,3 +119,23 @@ test("the panel of files has no violation", async () => {
   await bothColours(studio.page);
   await studio.finish();
 });
+
+test("a browser that keeps nothing gets the studio all the same", async () => {
+  const blocked = () => Object.defineProperty(window, "localStorage", {get() { throw new DOMException("denied", "SecurityError"); }});
+  const {id} = await server.creature("blocked", 2000);
+  const studio = await Studio.open(chrome, server.address, {scene: id, before: blocked});
+  await studio.seen();
+  assert.equal(await studio.page.locator(".message-error").count(), 0);
+  await studio.finish();
+});
+
+test("an answer that is no problem document is said with its status and reason", async () => {
+  const {id} = await server.creature("proxied", 2000);
+  const studio = await Studio.open(chrome, server.address, {scene: id});
+  studio.expected.push(/Failed to load resource/);
+  await studio.seen();
+  await studio.page.route("**/commands", (route) => route.fulfill({status: 403, contentType: "text/html", body: "<html>Forbidden</html>"}));
+  await studio.page.keyboard.press("x");
+  await studio.page.getByText("The request was answered with 403: it is forbidden.").waitFor();
+  await studio.finish();
+});

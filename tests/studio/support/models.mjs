@@ -27,12 +27,12 @@ const corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1
 const quads = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], [1, 2, 6, 5], [3, 0, 4, 7]];
 const uvs = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
-/** box.obj, "the box.mtl" and pictures/Skin.PNG, named in other capitals and with options. */
-export function objFolder(root, {two = false} = {}) {
-  const folder = join(root, two ? "two" : "box");
+/** box.obj, "the box.mtl" and pictures/Skin.PNG, named in other capitals and with options; or an OBJ that names no materials. */
+export function objFolder(root, {two = false, materials = true} = {}) {
+  const folder = join(root, two ? "two" : materials ? "box" : "plain");
   mkdirSync(join(folder, "pictures"), {recursive: true});
   const faces = quads.map((quad) => `f ${quad.map((corner, k) => `${corner + 1}/${k + 1}`).join(" ")}`);
-  writeFileSync(join(folder, "box.obj"), ["mtllib the box.mtl", ...corners.map((c) => `v ${c.join(" ")}`), ...uvs.map((uv) => `vt ${uv.join(" ")}`), "usemtl skin", ...faces, ""].join("\n"));
+  writeFileSync(join(folder, "box.obj"), [...(materials ? ["mtllib the box.mtl"] : []), ...corners.map((c) => `v ${c.join(" ")}`), ...uvs.map((uv) => `vt ${uv.join(" ")}`), "usemtl skin", ...faces, ""].join("\n"));
   writeFileSync(join(folder, "the box.mtl"), `newmtl skin\nKd 1 1 1\nmap_Kd -s 1 1 1 -bm 0.5 pictures\\skin.png\n${two ? "newmtl other\nmap_Kd pictures/other.png\n" : ""}`);
   writeFileSync(join(folder, "pictures", "Skin.PNG"), png(4, [255, 0, 0]));
   if (two) writeFileSync(join(folder, "pictures", "other.png"), png(4, [0, 0, 255]));

@@ -15,9 +15,19 @@ export class Aborted extends Error {}
 
 export interface CallOptions { method?: string; body?: BodyInit | null; json?: unknown; headers?: Record<string, string>; signal?: AbortSignal; keepalive?: boolean }
 
-const no_problem: Problem = {type: "about:blank", title: "The server refused.", status: 500, detail: ""};
+/** For answers that are no problem document: a proxy before the server writes its own. */
+const reasons: Record<number, string> = {
+  401: "it wants a token", 403: "it is forbidden", 404: "there is nothing at this address", 408: "the request took too long", 413: "what was sent is too large",
+  429: "too many requests came at once", 502: "the server behind the proxy does not answer", 503: "the server is not there or too busy",
+  504: "the server behind the proxy took too long",
+};
 
-const problemOf = (status: number, problem: Partial<Problem> | null) => new Refusal(status, {...no_problem, ...problem});
+/** Words for an answer without a problem document, with its first line of plain text where there is one. */
+function unexplained(status: number, text: string): Problem {
+  const line = /^\s*[<{]/.test(text) ? "" : text.trim().split("\n")[0]!.slice(0, 160);
+  const reason = line || reasons[status] || (status >= 500 ? "the server failed" : "no reason was given");
+  return {type: "about:blank", title: "The request failed.", status, detail: `The request was answered with ${status}: ${reason}.`};
+}
 
 /** Headers that every request has. */
 export function commonHeaders(method: string): Record<string, string> {
@@ -30,10 +40,12 @@ export function commonHeaders(method: string): Record<string, string> {
 /** The refusal of an answer that is not of 200 to 304. */
 export function refusalOf(status: number, text: string): Refusal {
   try {
-    return problemOf(status, JSON.parse(text) as Problem);
+    const problem = JSON.parse(text) as Partial<Problem> | null;
+    if (problem?.detail || problem?.title) return new Refusal(status, {...unexplained(status, ""), ...problem});
   } catch {
-    return problemOf(status, null);
+    // not JSON
   }
+  return new Refusal(status, unexplained(status, text));
 }
 
 /** Tries again with another token as long as the server wants one and somebody gives it. */

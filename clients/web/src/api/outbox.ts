@@ -86,17 +86,30 @@ export function send(scene: string, path: string, body: unknown, key = `${page_i
   });
 }
 
+/** What another page left under `name`, which is taken away. */
+function takeLeft(name: string): Change[] {
+  const text = localStorage.getItem(name) ?? "[]";
+  localStorage.removeItem(name);
+  try {
+    const left = JSON.parse(text) as unknown;
+    return Array.isArray(left) ? left as Change[] : [];
+  } catch {
+    return [];  // the browser was killed while it wrote
+  }
+}
+
+/** What pages left in this browser; nothing where it keeps nothing. */
+function leftovers(): Change[] {
+  try {
+    return Object.keys(localStorage).filter((name) => name.startsWith(`${store}.`) && name !== `${store}.${page_id}`).flatMap(takeLeft);
+  } catch {
+    return [];  // the store is forbidden
+  }
+}
+
 /** Sends what a page left that was closed before its answers came; gives how many changes that were. */
 export function sendLeftovers(): number {
-  let count = 0;
-  for (const name of Object.keys(localStorage)) {
-    if (!name.startsWith(`${store}.`) || name === `${store}.${page_id}`) continue;
-    const text = localStorage.getItem(name);
-    localStorage.removeItem(name);
-    for (const left of JSON.parse(text ?? "[]") as Change[]) {
-      ++count;
-      send(left.scene, left.path, left.body, left.key).catch(() => undefined);  // its scene may be gone
-    }
-  }
-  return count;
+  const all = leftovers();
+  for (const left of all) send(left.scene, left.path, left.body, left.key).catch(() => undefined);  // its scene may be gone
+  return all.length;
 }

@@ -5,7 +5,7 @@ import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
-import {hear, listScenes, openScene, run, scene} from "../scene/session";
+import {hear, isOpen, listScenes, openScene, run, scene} from "../scene/session";
 import {panel} from "../shell/places";
 import {PlanError, planOf, type Plan} from "./plan";
 import {stepsOf, type Recipe} from "./recipe";
@@ -84,6 +84,7 @@ async function runFile(main: Taken, all: Taken[]) {
   const steps = stepsOf(await main.file.text(), files, open.bounds);
   let done = 0;
   for (const step of steps) {
+    if (!isOpen(open.id)) break;  // another scene was opened, which the recipe is not for
     const answer = await run(...("commands" in step ? step.commands as Command[] : [step]));
     if (!answer) break;
     ++done;

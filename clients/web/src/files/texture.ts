@@ -3,6 +3,9 @@ import {baseOf, findNamed, type Taken} from "./take";
 
 export interface Texture { picture: Blob | null; notes: string[] }
 
+/** Of pictures that can lie on a skin. */
+export const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
+
 const max_side = 4096;
 const head_bytes = 1 << 20;  // where an OBJ names its materials
 
@@ -43,10 +46,20 @@ async function namesOf(model: Taken, all: Taken[], notes: string[]): Promise<[st
   return found;
 }
 
+/** A picture that came alone with a model whose materials name none, or were not dropped. */
+async function lonePicture(all: Taken[], notes: string[]): Promise<Texture> {
+  const pictures = all.filter(({path}) => skin_endings.test(path));
+  if (pictures.length > 1) notes.push(`${pictures.length} pictures came with it, and no material names one: drop the one for its skin on the model afterwards.`);
+  if (pictures.length !== 1) return {picture: null, notes};
+  const {picture, note} = await fitting(pictures[0]!.file);
+  return {picture, notes: [...notes, note || `${pictures[0]!.file.name} was dropped beside it and is laid on as its skin.`]};
+}
+
 /** The server can lay one picture on a model: the first that is there. */
 export async function textureOf(model: Taken, all: Taken[]): Promise<Texture> {
   const notes: string[] = [];
   const names = await namesOf(model, all, notes);
+  if (names.length === 0) return lonePicture(all, notes);
   const files = names.map(([name, mtl]) => findNamed(all, mtl.path, name));
   const missing = names.filter((_, k) => !files[k]).map(([name]) => baseOf(name));
   if (missing.length) notes.push(`Not there: ${missing.join(", ")}.`);

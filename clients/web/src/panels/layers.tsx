@@ -80,7 +80,7 @@ function Weight({layer}: {layer: EditLayer}) {
     <>
       <input type="range" min={low} max={high} step="0.01" value={shown.value} aria-label={`Weight of ${layer.name}`}
              onInput={(event) => { shown.value = Number(event.currentTarget.value); }} onChange={(event) => send(Number(event.currentTarget.value))} />
-      <NumberField label={`Weight of ${layer.name}, as a number`} title={`${min} to ${max}; below 0 the opposite`} min={min} max={max} value={shown.value} take={send} />
+      <NumberField label={`Weight of ${layer.name}, as a number`} title={`${min} to ${max}; below 0 the opposite`} range={{minimum: min, maximum: max}} value={shown.value} take={send} />
     </>
   );
 }

@@ -19,8 +19,10 @@ export const log_read = signal(false);
 export const settings = signal<Settings | null>(null);
 /** The newest revision that is known of; frames follow it. */
 export const revision = signal(0);
-/** Changes with each new model: camera and proxy mesh start anew. */
+/** Changes with each new model: camera and proxy mesh start anew. Scenes of the same model, such as samples and branches, share it. */
 export const model_id = computed(() => scene.value?.model_id ?? "");
+/** Changes with each scene and with its model: pictures and revisions belong to one. */
+export const shown_model = computed(() => (scene.value ? `${scene.value.id} ${scene.value.model_id}` : ""));
 export const last_scene = kept("last-scene", "");
 export const edit_layer = signal("");  // that tools write to; "" for the groom below all
 
@@ -31,13 +33,16 @@ export const isOwn = (of: number) => own_revisions.has(of);
 
 export function layers(): EditLayer[] { return scene.value?.edit_layers ?? []; }
 
+/** Whether this scene is open still: to ask after each wait for the server. */
+export const isOpen = (id: string) => scene.value?.id === id;
+
 let reading: Promise<void> | null = null;
 let read_again = false;
 
 async function readOnce(id: string) {
   const entries_read = wants_log.value ? api.readLog(id) : null;
   const [description, entries, all] = await Promise.all([api.describeScene(id), entries_read, api.readSettings(id)]);
-  if (scene.value && scene.value.id !== id) return;
+  if (!isOpen(id)) return;
   batch(() => {
     scene.value = description;
     log.value = entries ?? [];
@@ -55,7 +60,7 @@ export function refresh(): Promise<void> {
     read_again = true;
     return reading;
   }
-  reading = readOnce(id).catch(sayError).then(() => {
+  reading = readOnce(id).catch((error) => { if (isOpen(id)) sayError(error); }).then(() => {
     reading = null;
     if (!read_again) return;
     read_again = false;
@@ -64,8 +69,13 @@ export function refresh(): Promise<void> {
   return reading;
 }
 
+let openings = 0;
+
+/** Of several that are opened one soon after the other, the last stays. */
 export async function openScene(id: string) {
+  const opening = ++openings;
   const description = await api.describeScene(id);
+  if (opening !== openings) return;
   batch(() => {
     scene.value = description;
     revision.value = description.revision;
@@ -101,7 +111,7 @@ export async function change(path: string, body: unknown, quiet = false): Promis
   if (!id) return null;
   try {
     const answer = await send(id, path, body);
-    if (scene.value?.id !== id) return answer;
+    if (!isOpen(id)) return answer;
     accept(answer);
     if (!quiet) await refresh();
     return answer;

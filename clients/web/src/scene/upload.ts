@@ -1,39 +1,39 @@
 // Pictures for the scene that is open: the skin of its model and the light from all around. Each is one step.
 import {call, scenePath} from "../api/client";
 import type {CommandAnswer} from "../api/types";
-import {fitting} from "../files/texture";
+import {fitting, skin_endings} from "../files/texture";
 import {say, sayError} from "./messages";
-import {accept, refresh, scene, settings} from "./session";
+import {accept, isOpen, refresh, scene, settings} from "./session";
 
-async function put(path: string, file: Blob) {
-  const id = scene.value?.id;
-  if (!id) return;
+async function put(id: string, path: string, file: Blob) {
   const answer = await call(`${scenePath(id)}/${path}`, {method: "PUT", body: file, headers: {"Content-Type": "application/octet-stream"}});
-  if (scene.value?.id !== id) return;
+  if (!isOpen(id)) return;
   accept(await answer.json() as CommandAnswer);
   await refresh();
 }
 
-async function putSkin(file: File) {
+async function putSkin(id: string, file: File) {
   const {picture, note} = await fitting(file);
   if (!picture) return say(note, "", "error");
-  await put("skin_texture", picture);
+  await put(id, "skin_texture", picture);
   say(`${file.name} lies on the model.`, note);
 }
 
 /** Its strength and turn stay as they were. */
-async function putEnvironment(file: File) {
+async function putEnvironment(id: string, file: File) {
   const {intensity, turn_degrees} = settings.value?.environment ?? {};
   const kept = Object.entries({intensity, turn_degrees}).flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${value}`]));
-  await put(`environment?${kept.join("&")}`, file);
+  await put(id, `environment?${kept.join("&")}`, file);
   say(`${file.name} lights the model.`);
 }
 
 const light_endings = /\.(hdr|exr)$/i;
-const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
 
 export const isPicture = (path: string) => light_endings.test(path) || skin_endings.test(path);
 
-/** By its ending: HDR and EXR are light, others skin. A refusal is said. */
-export const takePicture = (file: File): Promise<void> =>
-  (light_endings.test(file.name) ? putEnvironment(file) : putSkin(file)).catch(sayError);
+/** Into the scene that is open now. By its ending: HDR and EXR are light, others skin. A refusal is said. */
+export async function takePicture(file: File): Promise<void> {
+  const id = scene.value?.id;
+  if (!id) return say("Open a scene first.", "A picture is laid on the model that is open, or lights it.", "error");
+  await (light_endings.test(file.name) ? putEnvironment(id, file) : putSkin(id, file)).catch(sayError);
+}

@@ -4,7 +4,7 @@ import {useId, useRef} from "preact/hooks";
 import {kept} from "../api/identity";
 import {scene} from "../scene/session";
 import {NumberField, shownNumber} from "../tools/number_field";
-import {schemas, words} from "../tools/schema";
+import {schemas, words, type Range} from "../tools/schema";
 import {durationOf, measured, stopOf, type Measure, type Stop} from "../view/measured";
 import {dial, trace_at_rest} from "../view/quality";
 import {dialog} from "./places";
@@ -48,19 +48,17 @@ function StopRow({stop, name, children}: {stop: Stop; name: string; children?: C
 
 /** A number with the contract's limits that chooses its stop. */
 function Limit({stop, value, set, unit}: {stop: "budget" | "error"; value: number; set: (to: number) => void; unit: string}) {
-  const {minimum = 0, maximum = 1} = limitsOf(stop === "budget" ? "budget_ms" : "max_error");
   const take = (typed: number) => {
-    if (typed <= 0) return;
-    set(Math.max(minimum, Math.min(maximum, typed)));
+    set(typed);
     choose(stop);
   };
   return (
     <span class="dial-limit"><NumberField label={stop === "budget" ? "Milliseconds of a picture" : "Error of a picture"}
-      min={minimum} max={maximum} value={value} take={take} /> {unit}</span>
+      range={limitsOf(stop === "budget" ? "budget_ms" : "max_error")} value={value} take={take} /> {unit}</span>
   );
 }
 
-function limitsOf(name: string): {minimum?: number; maximum?: number} {
+function limitsOf(name: string): Range {
   const member = schemas.value["FrameRequest"]?.properties?.[name];
   return typeof member === "object" ? member : {};
 }

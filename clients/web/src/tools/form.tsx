@@ -51,7 +51,8 @@ function NumberRow({member, value, set, units}: {member: Member; value: unknown;
       <label for={id}>{words(member.name)}</label>
       <input id={id} type="range" min="0" max="1" step={step} value={shareOf(number)} aria-valuetext={`${shownNumber(number)} ${unit}`}
              onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
-      <NumberField label={`${words(member.name)}, as a number`} value={number} take={(typed) => set(typed, true)} />
+      <NumberField label={`${words(member.name)}, as a number`} value={number} range={member.schema}
+                   whole={member.kind === "integer"} take={(typed) => set(typed, true)} />
       <span class="unit">{unit}</span>
     </div>
   );
@@ -66,11 +67,12 @@ const options = (member: Member) => (member.kind === "choices" ? resolved(member
 
 function VectorInputs({member, value, set}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void}) {
   const numbers = (Array.isArray(value) ? value : member.fallback ?? [0, 0, 0]) as number[];
+  const range = resolved(member.schema.items ?? {});
   return (
     <div class="row vector" title={plain(member.description)} role="group" aria-label={words(member.name)}>
       <span>{words(member.name)}</span>
       {["x", "y", "z"].map((axis, k) => (
-        <NumberField key={axis} label={`${words(member.name)} ${axis}`} value={numbers[k] ?? 0}
+        <NumberField key={axis} label={`${words(member.name)} ${axis}`} value={numbers[k] ?? 0} range={range}
                      take={(typed) => set(numbers.map((old, j) => (j === k ? typed : old)), true)} />
       ))}
     </div>

@@ -2,7 +2,7 @@
 // is one thing however often it is moved.
 import {signal} from "@preact/signals";
 import type {Command, Vector} from "../api/types";
-import {change, log, log_read, refresh, run} from "../scene/session";
+import {change, isOpen, log, log_read, refresh, run, scene} from "../scene/session";
 import {norm, subtract} from "../view/vector";
 import {commandOf} from "./state";
 
@@ -47,8 +47,10 @@ let editing: Promise<unknown> = Promise.resolve();
 
 /** Lays other guides in place of those that are there; one edit after the other, each on what the one before left. */
 function edit(op: GuideOp, next: (guides: Guide[]) => Guide[]): Promise<unknown> {
+  const of = scene.value?.id ?? "";
   editing = editing.then(async () => {
     if (!log_read.value) await refresh();
+    if (!isOpen(of)) return;  // guides are of the scene that they were drawn on
     const step = stepOf(op);
     const guides = next(guidesOf(op));
     const commands = guides.length ? [commandOf(op, membersFor(op, guides))] : [];

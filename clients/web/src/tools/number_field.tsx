@@ -1,17 +1,40 @@
-// A number to type. What is being typed stays when the scene's news draw the panel again.
+// A number to type. What is being typed stays when the scene's news draw the panel again. Enter takes it and Escape leaves it; both
+// give the keyboard back to the shortcuts.
 import {useSignal} from "@preact/signals";
+import {say} from "../scene/messages";
+import type {Range} from "./schema";
 
 export const shownNumber = (value: number) => (Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(3))));
 
-export function NumberField({label, title, value, min, max, take}: {label: string; title?: string; value: number; min?: number; max?: number; take: (typed: number) => void}) {
+interface NumberFieldProps { label: string; title?: string; value: number; range?: Range; whole?: boolean; take: (typed: number) => void }
+
+/** The nearest number that is allowed; null where there is none. */
+function allowed(typed: number, whole: boolean, {minimum = -Infinity, maximum = Infinity, exclusiveMinimum = -Infinity}: Range): number | null {
+  const held = Math.max(minimum, Math.min(maximum, whole ? Math.round(typed) : typed));
+  return held > exclusiveMinimum ? held : null;
+}
+
+export function NumberField({label, title, value, range = {}, whole = false, take}: NumberFieldProps) {
   const typed = useSignal<string | null>(null);
-  const change = (text: string) => {
+  const accept = (number: number) => {
+    const held = allowed(number, whole, range);
+    if (held === null) return say(`${label}: numbers above ${range.exclusiveMinimum} are allowed.`);
+    if (held !== number) say(`${label}: ${held} is the nearest number that is allowed.`);
+    take(held);
+  };
+  const change = (field: HTMLInputElement) => {
+    const text = field.value, shown = shownNumber(value);
     typed.value = null;
-    if (text !== "" && Number.isFinite(Number(text))) take(Number(text));
+    field.value = shown;  // until what is taken comes back
+    if (text !== "" && text !== shown && Number.isFinite(Number(text))) accept(Number(text));
+  };
+  const key = (event: KeyboardEvent & {currentTarget: HTMLInputElement}) => {
+    if (event.key === "Escape") event.currentTarget.value = shownNumber(value);
+    if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
   };
   return (
-    <input type="number" step="any" aria-label={label} title={title} min={min} max={max} value={typed.value ?? shownNumber(value)}
-           onInput={(event) => { typed.value = event.currentTarget.value; }} onBlur={() => { typed.value = null; }}
-           onChange={(event) => change(event.currentTarget.value)} />
+    <input type="number" step={whole ? 1 : "any"} aria-label={label} title={title} min={range.minimum ?? range.exclusiveMinimum} max={range.maximum}
+           value={typed.value ?? shownNumber(value)} onInput={(event) => { typed.value = event.currentTarget.value; }} onKeyDown={key}
+           onChange={(event) => change(event.currentTarget)} onBlur={() => { typed.value = null; }} />
   );
 }

@@ -2,9 +2,11 @@
 import {signal} from "@preact/signals";
 import {call} from "../api/client";
 
-export interface Schema {
+/** What a number may be. */
+export interface Range { minimum?: number; maximum?: number; exclusiveMinimum?: number }
+export interface Schema extends Range {
   $ref?: string; type?: string | string[]; const?: unknown; enum?: unknown[]; default?: unknown; description?: string;
-  minimum?: number; maximum?: number; "x-unit"?: string; minItems?: number; maxItems?: number; maxLength?: number;
+  "x-unit"?: string; minItems?: number; maxItems?: number; maxLength?: number;
   properties?: Record<string, Schema | boolean>; required?: string[]; items?: Schema;
   oneOf?: Schema[]; anyOf?: Schema[]; allOf?: Schema[]; not?: Schema; if?: Schema; then?: Schema; else?: Schema;
   discriminator?: {mapping: Record<string, string>};

@@ -1,10 +1,11 @@
-// A stroke under way: its samples go to the server in parts, one request at a time, as one undo step.
+// A stroke under way: its samples go to the server in parts, one request at a time, as one undo step. They go to the scene that it
+// began on, whichever is open meanwhile, and end where that scene gets another model.
 import {Refusal} from "../api/client";
 import {send} from "../api/outbox";
 import type {Command, CommandAnswer, Pinhole} from "../api/types";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
-import {accept, scene} from "../scene/session";
+import {accept, isOpen, model_id, scene} from "../scene/session";
 
 export interface StrokeSample { screen: [number, number]; pressure: number; time: number }
 export interface StrokeView { camera: Pinhole; width: number; height: number }
@@ -13,6 +14,8 @@ const max_samples = 9000;  // the contract takes 10000 a stroke
 let serial = 0;
 
 export class Stroke {
+  private readonly scene = scene.value?.id ?? "";
+  private readonly model = model_id.value;
   private id = "";
   private part = 0;
   private count = 0;
@@ -66,14 +69,14 @@ export class Stroke {
   }
 
   private async sendPart(samples: StrokeSample[], last: boolean) {
-    const id = scene.value?.id;
-    if (!id) return;
+    const open = isOpen(this.scene);
+    if (open && model_id.value !== this.model) return this.abandon();
     if (this.count + samples.length > max_samples) this.begin();
     const start = performance.now(), newest = this.newest, part = this.part++;
     try {
-      const answer = send(id, "commands", this.bodyOf(samples, last, part));
+      const answer = send(this.scene, "commands", this.bodyOf(samples, last, part));
       this.count += samples.length;
-      this.sent();
+      if (open) this.sent();
       this.note(await answer, samples, last);
       mark("part", {start, end: performance.now(), newest, revision: (await answer).revision});
     } catch (error) {
@@ -87,8 +90,14 @@ export class Stroke {
 
   private note(answer: CommandAnswer, samples: StrokeSample[], last: boolean) {
     this.last_sent = samples[samples.length - 1]!;
-    accept(answer);
+    if (isOpen(this.scene)) accept(answer);
     this.answered(answer, last);
+  }
+
+  private abandon() {
+    this.answered(null, true);
+    this.waiting = [];
+    this.ended = true;
   }
 
   /** Somebody else's edit, or a restart of the server, ends a live stroke: what is left goes on as a new one. */
@@ -96,10 +105,7 @@ export class Stroke {
     const interrupted = error instanceof Refusal && part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
     if (!interrupted) {
       sayError(error);
-      this.answered(null, true);
-      this.waiting = [];
-      this.ended = true;
-      return;
+      return this.abandon();
     }
     const joined = this.last_sent ? [this.last_sent, ...samples] : samples;
     this.last_sent = samples[samples.length - 1]!;

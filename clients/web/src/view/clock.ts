@@ -1,6 +1,6 @@
 // The moment that pictures show, where it is not the scene's own: for watching fur in the wind.
 import {effect, signal, untracked} from "@preact/signals";
-import {model_id} from "../scene/session";
+import {shown_model} from "../scene/session";
 
 const tick = 40;  // ms between moments that are asked for; a server that draws slower skips some
 
@@ -31,4 +31,4 @@ export function rewind() {
   moment.value = null;
 }
 
-effect(() => { void model_id.value; untracked(rewind); });
+effect(() => { void shown_model.value; untracked(rewind); });

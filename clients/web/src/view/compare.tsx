@@ -1,11 +1,11 @@
 // A wipe between an earlier revision and the present: its picture lies over the present one's, cut at a divider.
-import {computed, effect, signal, untracked, useComputed} from "@preact/signals";
+import {computed, effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Aborted, Offline, Refusal, drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
 import type {FrameRequest} from "../api/types";
 import {sayError} from "../scene/messages";
-import {model_id, revision, scene} from "../scene/session";
+import {revision, scene, shown_model} from "../scene/session";
 import {Icon} from "../tools/icons";
 import {orbit, pinholeOf} from "./camera";
 import {compared} from "./compared";
@@ -181,8 +181,7 @@ function Past() {
 
 /** Lies over the picture and lets the pointer through to it, but for the divider and its header. */
 export function Compare() {
-  const of = useComputed(() => `${scene.value?.id} ${model_id.value}`);
-  useEffect(() => closeCompare, [of.value]);  // a revision is one of this scene and model
+  useEffect(() => closeCompare, [shown_model.value]);  // a revision is one of this scene and model
   if (!compared.value) return null;
   return <div class="compare"><Past /><Divider /><Header /></div>;
 }

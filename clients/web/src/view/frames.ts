@@ -65,7 +65,7 @@ export class FrameLoop {
     this.pump();
   }
 
-  /** Another model: what is seen and what is under way show the one before. */
+  /** Another scene or model: what is seen and what is under way show the one before. */
   forget() {
     for (const ask of this.in_flight) ask.stop.abort();
     this.shown_number = this.asked + 1;

@@ -1,7 +1,7 @@
 // The picture, the brush over it and what the pointer does. The picture comes from the server; all else is drawn here.
 import {effect, signal, untracked, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
-import {model_id, revision, scene, settings} from "../scene/session";
+import {isOpen, model_id, revision, scene, settings, shown_model} from "../scene/session";
 import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
@@ -83,11 +83,12 @@ class View {
     this.picture.transferFromImageBitmap(bitmap);
   }
 
-  /** Another model comes: nothing of the one before is seen or found under the pointer. */
+  /** Another scene or model comes: nothing of the one before is seen, and a stroke on it ends there. */
   forget() {
+    this.hold?.up(true);
+    this.hold = null;
     this.frames.forget();
     this.picture.transferFromImageBitmap(null);
-    proxy.value = null;
   }
 
   projection() { return new Projection(orbit.value, viewport_size.value.width, viewport_size.value.height); }
@@ -159,14 +160,16 @@ class View {
 /** The newest view, for those who change what it shows. */
 export const view = signal<View | null>(null);
 
-async function loadProxy(id: string) {
+async function loadProxy(id: string, model: string): Promise<void> {
   try {
     const {Proxy} = await import("./proxy");
     const loaded = await Proxy.load(id);
-    if (scene.value?.id !== id) return;
+    if (model_id.value !== model) return;
     proxy.value = loaded;
     mark("proxy", {at: performance.now()});
   } catch (error) {
+    if (model_id.value !== model || !scene.value) return;
+    if (!isOpen(id)) return loadProxy(scene.value.id, model);  // a scene that is gone had the same model
     sayError(error);
   }
 }
@@ -179,11 +182,12 @@ const when = (seen: () => unknown, work: () => void) => effect(() => { seen(); u
 function follow(shown: View): () => void {
   const touch = () => shown.frames.touch();
   const stops = [
+    when(() => shown_model.value, () => shown.forget()),
     when(() => model_id.value, () => {
-      shown.forget();
-      if (scene.value) void loadProxy(scene.value.id);
+      proxy.value = null;  // nothing of the model before is found under the pointer
+      if (scene.value) void loadProxy(scene.value.id, model_id.value);
     }),
-    when(() => [revision.value, model_id.value], touch),
+    when(() => [revision.value, shown_model.value], touch),
     when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], () => shown.frames.touch({moving: playing.value})),
     when(() => playing.value, touch),
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
