@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/recipe/places.h"
