@@ -1,6 +1,7 @@
 #include "server/history/codec.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -198,6 +199,38 @@ bool decode_creases_and_flips(std::string_view text, PrepareOptions& options) {
     if (!take_number(text, parts->emplace_back())) return false;
   }
   return true;
+}
+
+namespace {
+
+constexpr int fast_compression = 1;
+constexpr std::uint64_t max_compression_ratio = 1040;  // of zlib: a larger number of bytes is no true one
+
+}  // namespace
+
+std::string compress_bytes(std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  uLongf packed = compressBound(size);
+  std::string stored(sizeof size + packed, '\0');
+  std::memcpy(stored.data(), &size, sizeof size);
+  compress2(reinterpret_cast<Bytef*>(stored.data() + sizeof size), &packed,
+            reinterpret_cast<const Bytef*>(bytes.data()), size, fast_compression);
+  stored.resize(sizeof size + packed);
+  return stored;
+}
+
+Result<std::string> decompress_bytes(std::string_view stored) {
+  const Status damaged = failure(Code::internal, "the journal is damaged: a picture cannot be read");
+  std::uint64_t size = 0;
+  if (stored.size() < sizeof size) return damaged;
+  std::memcpy(&size, stored.data(), sizeof size);
+  stored.remove_prefix(sizeof size);
+  if (size > stored.size() * max_compression_ratio) return damaged;
+  std::string bytes(size, '\0');
+  uLongf unpacked = size;
+  const int result = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &unpacked,
+                                reinterpret_cast<const Bytef*>(stored.data()), stored.size());
+  return result == Z_OK && unpacked == size ? Result<std::string>(std::move(bytes)) : damaged;
 }
 
 }  // namespace pelage

@@ -35,4 +35,11 @@ Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::by
 std::string encode_creases_and_flips(const PrepareOptions& options);
 bool decode_creases_and_flips(std::string_view text, PrepareOptions& options);
 
+// Pictures as they are stored.
+
+/// Their number as 64 bits, then a zlib stream.
+std::string compress_bytes(std::string_view bytes);
+/// Refused (internal) unless they are what compress_bytes made.
+Result<std::string> decompress_bytes(std::string_view stored);
+
 }  // namespace pelage

@@ -26,6 +26,12 @@ std::vector<Command> commands_of(const SceneSettings& settings);
 /// The word of a kind on the wire.
 std::string name_of(EntryKind kind);
 
+/// A request with an Idempotency-Key: what it was, so that its answer is given again to this request alone.
+struct KeyedRequest {
+  std::string path, key;
+  std::string fingerprint;  // of its method, path, query and body
+};
+
 /// One accepted change, as the journal keeps it.
 struct Entry {
   Revision revision = 0;
@@ -37,7 +43,7 @@ struct Entry {
   std::shared_ptr<const SceneSettings> settings;  // after it, where its commands changed any; else null
   std::vector<std::string> pictures = {};         // that its commands name; not read back
   std::string author = {};                        // as in LogEntry
-  std::string request_key = {};                   // Idempotency-Key of the request that made it; not read back
+  std::optional<KeyedRequest> request = {};       // that made it; not read back
 };
 
 /// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back

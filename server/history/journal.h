@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -36,10 +37,18 @@ struct StoredScene {
   std::shared_ptr<const SceneSettings> first_settings = nullptr;  // null: those that a scene of this model begins with
 };
 
-/// What a request made of a scene.
+/// What a request with a key made of a scene.
 struct RequestedChange {
+  std::string fingerprint;  // as in KeyedRequest
+  std::string scene;
   Revision revision = 0;
   FieldsHash fields_hash;
+};
+
+/// The end of a scene's log.
+struct LogTail {
+  Revision revision = 0;
+  std::uint64_t chain = 0;  // of its last entry; first_revision where there is none
 };
 
 class Database;
@@ -83,10 +92,12 @@ class Journal {
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
   Result<StoredScene> scene(const std::string& id) const;
-  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails.
+  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails. Fails (internal) at the
+  /// first entry that is damaged or that does not follow the one before it.
   Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use) const;
-  /// The last change that the request of this Idempotency-Key made; none where there is no such change in the log.
-  Result<std::optional<RequestedChange>> change_of_request(const std::string& scene, const std::string& key) const;
+  /// What a request made that came to this path with this Idempotency-Key; none where it changed nothing, or where the
+  /// scene is gone.
+  Result<std::optional<RequestedChange>> change_of_request(const std::string& path, const std::string& key) const;
   /// All of them.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
   /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is
@@ -99,10 +110,16 @@ class Journal {
  private:
   explicit Journal(std::unique_ptr<Database> database);
   Status copy_into(const StoredScene& stored, const std::string& scene, Journal& to) const;
+  // All of these need the lock.
+  /// All of `work`, which moves the tail of the scene's log, or nothing of it.
+  Status change(const std::string& scene, const std::function<Status(LogTail&)>& work);
+  Status read_tails();
+  Result<std::uint64_t> chain_at(const std::string& scene, Revision revision) const;
   Status use_picture(const std::string& scene, const std::string& picture);
 
   mutable std::mutex mutex_;
   std::unique_ptr<Database> database_;
+  std::map<std::string, LogTail> tails_;  // of all scenes
 };
 
 /// The failure (internal) where an entry does not fit those before it.

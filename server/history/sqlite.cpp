@@ -2,6 +2,8 @@
 
 #include <sqlite3.h>
 
+#include "server/history/checksum.h"
+
 namespace pelage {
 
 namespace {
@@ -81,6 +83,11 @@ std::span<const std::byte> Statement::blob_at(int column) const {
   return {static_cast<const std::byte*>(bytes), bytes != nullptr ? size : 0};
 }
 
+std::string_view Statement::bytes_at(int column) const {
+  const std::span<const std::byte> bytes = blob_at(column);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 bool Statement::null_at(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
 
 Result<Database> Database::open(const std::string& path) {
@@ -93,6 +100,7 @@ Result<Database> Database::open(const std::string& path) {
   sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  add_checksum(raw);
   return Result<Database>(std::move(database));
 }
 

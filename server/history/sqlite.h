@@ -35,6 +35,7 @@ class Statement {
   std::uint64_t number_at(int column) const;
   std::string text_at(int column) const;
   std::span<const std::byte> blob_at(int column) const;
+  std::string_view bytes_at(int column) const;  // of a blob
   bool null_at(int column) const;
 
  private:

@@ -111,10 +111,17 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
 }
 
 /// Whether the request changed the scene before, maybe before a restart; then that is the answer.
-bool answered_before(const Scene& scene, const Request& request, Response& response) {
-  const auto before = scene.answer_of_request(request.get_header_value(idempotency_header));
+bool answered_before(Service& service, const Request& request, Response& response) {
+  const auto keyed = keyed_request_of(request);
+  if (!keyed) return false;
+  const auto before = service.scenes.change_of_request(*keyed);
   if (before && !*before) return false;
-  reply_answer(response, before ? Result<CommandAnswer>(**before) : Result<CommandAnswer>(before.status()));
+  if (!before)
+    reply_problem(response, before.status());
+  else if ((*before)->fingerprint != keyed->fingerprint)
+    reply_problem(response, other_request());
+  else
+    reply_answer(response, CommandAnswer{(*before)->revision, (*before)->fields_hash, {}});
   return true;
 }
 
@@ -126,7 +133,7 @@ void post(httplib::Server& server, Service& service, const char* name, const Sce
     const YieldGate::Turn turn = service.gate.go_first();
     service.idempotency.answer(request, response, [&] {
       with_scene(service, request, response, [&](const auto& scene) {
-        if (!answered_before(*scene, request, response)) handle(*scene, request, response);
+        if (!answered_before(service, request, response)) handle(*scene, request, response);
       });
     });
   });

@@ -2,6 +2,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/http/reply.h"
+#include "server/scene/digest.h"
 
 namespace pelage {
 
@@ -11,27 +12,28 @@ constexpr std::size_t max_cached_answers = 1000;
 constexpr std::size_t max_cached_body_bytes =
     64 * 1024;  // longer answers (large batches) are run once and not repeated
 
-/// FNV-1a.
-std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return hash;
+}  // namespace
+
+std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request) {
+  std::string key = request.get_header_value(idempotency_header);
+  if (key.empty()) return {};
+  return KeyedRequest{request.path, std::move(key),
+                      digest(request.method + "\n" + request.target + "\n" + request.body)};
 }
 
-}  // namespace
+Status other_request() { return failure(Code::invalid, "This Idempotency-Key came with another request before."); }
 
 void IdempotencyCache::answer(const httplib::Request& request, httplib::Response& response,
                               const std::function<void()>& run) {
-  const std::string key = request.get_header_value(idempotency_header);
-  if (key.empty()) return run();
-  if (key.size() > limits::name_bytes) {
+  const std::optional<KeyedRequest> keyed = keyed_request_of(request);
+  if (!keyed) return run();
+  if (keyed->key.size() > limits::name_bytes) {
     return reply_problem(response,
                          failure(Code::malformed, "The Idempotency-Key is too long.", "", "at most 200 bytes"));
   }
-  const std::string name = request.path + "\n" + key;
+  const std::string name = keyed->path + "\n" + keyed->key;
   Entry entry;
-  const std::string sent = request.target + "\n" + request.body;
-  entry.fingerprint[0] = hash_of(sent, 0xcbf29ce484222325ULL);
-  entry.fingerprint[1] = hash_of(sent, 0x9e3779b97f4a7c15ULL);
+  entry.fingerprint = keyed->fingerprint;
   if (!begin(name, entry, response)) return;
   // Destroyed on every way out, a thrown exception included, so that no key stays "running".
   const std::shared_ptr<void> finisher(nullptr, [&](void*) { finish(name, response); });
@@ -43,8 +45,8 @@ bool IdempotencyCache::begin(const std::string& key, const Entry& entry, httplib
   const auto [found, fresh] = entries_.try_emplace(key, entry);
   if (fresh) return true;
   const Entry& known = found->second;
-  if (known.fingerprint[0] != entry.fingerprint[0] || known.fingerprint[1] != entry.fingerprint[1]) {
-    reply_problem(response, failure(Code::invalid, "This Idempotency-Key came with another request before."));
+  if (known.fingerprint != entry.fingerprint) {
+    reply_problem(response, other_request());
   } else if (known.running) {
     reply_problem(response, failure(Code::conflict, "The first request with this Idempotency-Key is still running."));
   } else {

@@ -3,16 +3,25 @@
 
 #include <httplib.h>
 
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+
+#include "protocol/base/status.h"
+#include "server/history/history.h"
 
 namespace pelage {
 
 inline constexpr const char* idempotency_header = "Idempotency-Key";
+
+/// None without an Idempotency-Key.
+std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request);
+
+/// The refusal (invalid) of a key that came with another request.
+Status other_request();
 
 /// Thread-safe. Keeps the answers of the newest requests that succeeded and had an Idempotency-Key.
 class IdempotencyCache {
@@ -23,7 +32,7 @@ class IdempotencyCache {
 
  private:
   struct Entry {
-    std::uint64_t fingerprint[2] = {0, 0};
+    std::string fingerprint;
     bool running = true;
     int status = 0;
     std::string body;

@@ -51,13 +51,12 @@ Result<ExecuteOptions> change_options_of(const httplib::Request& request) {
   const auto if_match = if_match_of(request);
   if (!if_match) return if_match.status();
   // Not get_header_value, which ends a value at a null character. cpp-httplib has decoded the %XX.
-  const std::string request_key = request.get_header_value(idempotency_header);
   const auto [author, end] = request.headers.equal_range(author_header);
-  if (author == end) return ExecuteOptions{.if_match = *if_match, .request_key = request_key};
+  if (author == end) return ExecuteOptions{.if_match = *if_match, .request = keyed_request_of(request)};
   if (std::distance(author, end) > 1)
     return failure(Code::malformed, "There is more than one Pelage-Author.", "", "one");
   if (Status bad = check_author(author->second); !bad.ok()) return bad;
-  return ExecuteOptions{.if_match = *if_match, .author = author->second, .request_key = request_key};
+  return ExecuteOptions{.if_match = *if_match, .author = author->second, .request = keyed_request_of(request)};
 }
 
 namespace {

@@ -40,7 +40,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   Result<Replay> replay = begin_replay(amended->before);
   if (!replay) return replay.status();
   replay->entries.front().author = options.author;
-  replay->entries.front().request_key = options.request_key;
+  replay->entries.front().request = options.request;
   if (Status refused = replay_step(*replay, amended->number, request.commands, options); !refused.ok()) return refused;
   for (auto later = amended + 1; later != steps.end(); ++later) {
     if (Status refused = replay_step(*replay, later->number, later->commands, options); !refused.ok())
@@ -107,7 +107,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
   const std::vector<Command> logged = chosen(resolved, outcome.effective);
   replay.entries.push_back({next, EntryKind::replay, number, encode(logged), std::move(outcome.delta),
                             replay.fields.hash(), outcome.settings, pictures_read_by(logged), options.author,
-                            options.request_key});
+                            options.request});
   return {};
 }
 

@@ -126,20 +126,13 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
                       outcome.settings,
                       pictures_read_by(logged),
                       options.author,
-                      options.request_key};
+                      options.request};
     Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
     if (!written.ok()) return written;
   } else {
     live_ = std::move(live);
   }
   return answer(std::move(outcome.results));
-}
-
-Result<std::optional<CommandAnswer>> Scene::answer_of_request(const std::string& key) const {
-  const auto change = journal_.change_of_request(id_, key);
-  if (!change) return change.status();
-  if (!*change) return std::optional<CommandAnswer>();
-  return std::optional(CommandAnswer{(*change)->revision, (*change)->fields_hash, {}});
 }
 
 // Undo, redo and revert enter the same story with a stored change.
@@ -149,7 +142,7 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
   entry->author = options.author;
-  entry->request_key = options.request_key;
+  entry->request = options.request;
   std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, fields_)};
   const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
   if (!options.dry_run && !stays) {

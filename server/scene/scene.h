@@ -95,7 +95,7 @@ struct ExecuteOptions {
   std::vector<GroomSource> sources = {};  // what retargets take (SceneStore::execute and amend find them)
   Cancel cancel = {};                     // evaluation ends (unavailable) once nobody waits; nothing changes
   std::string author = {};                // LogEntry::author of what is changed; a new model's log has no entry for it
-  std::string request_key = {};           // Idempotency-Key, kept with what is changed
+  std::optional<KeyedRequest> request = {};  // kept with what is changed
 };
 
 /// What has become of a scene.
@@ -138,10 +138,6 @@ class Scene {
   /// bit, no setting) keeps the revision and makes no step.
   Result<CommandAnswer> execute(const std::vector<Command>& commands, const ExecuteOptions& options = {});
   Result<CommandAnswer> move(const HistoryMove& move, const ExecuteOptions& options = {});
-
-  /// What the request of this Idempotency-Key changed here, without results; none where it changed nothing. It knows
-  /// requests from before a restart too.
-  Result<std::optional<CommandAnswer>> answer_of_request(const std::string& key) const;
 
   /// Puts other commands in the place of an earlier step and evaluates the steps after it anew: a revert to before the
   /// step, then an entry for each step that changes anything, all of them or none, and one undo step. Refused (invalid)

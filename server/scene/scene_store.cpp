@@ -214,6 +214,10 @@ Status SceneStore::remove(const std::string& id) {
   return impl_->scenes.remove(id, [&](const std::string& evicted) { return impl_->journal->remove_scene(evicted); });
 }
 
+Result<std::optional<RequestedChange>> SceneStore::change_of_request(const KeyedRequest& request) const {
+  return impl_->journal->change_of_request(request.path, request.key);
+}
+
 std::size_t SceneStore::count() const { return impl_->scenes.count(); }
 
 std::vector<SceneSummary> SceneStore::list() const { return impl_->scenes.list(); }

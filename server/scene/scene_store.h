@@ -9,6 +9,7 @@
 
 #include "protocol/base/status.h"
 #include "protocol/commands/scene.h"
+#include "server/history/journal.h"
 #include "server/scene/moving_model.h"
 #include "server/scene/open_scenes.h"
 #include "server/scene/scene.h"
@@ -40,6 +41,8 @@ class SceneStore {
   /// Opens the scene where it was evicted, by the journal as at the start.
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
+  /// What a request with this path and key made, before a restart too. Its fingerprint may be another.
+  Result<std::optional<RequestedChange>> change_of_request(const KeyedRequest& request) const;
   /// Waits for no scene: each is as it was after its last change.
   std::vector<SceneSummary> list() const;
   std::size_t count() const;

@@ -7,6 +7,7 @@
 
 #include "protocol/json/encode.h"
 #include "server/history/codec.h"
+#include "server/history/schema.h"
 #include "server/history/sqlite.h"
 
 namespace pelage {
@@ -36,6 +37,43 @@ class JournalTest : public ::testing::Test {
     auto database = Database::open(path_);
     ASSERT_TRUE(database.ok());
     ASSERT_TRUE(database->execute(sql).ok());
+  }
+
+  /// Puts the tables in the place that version 9 made.
+  void make_it_version_9() const {
+    execute(R"(
+      ALTER TABLE picture_uses RENAME TO new_picture_uses; ALTER TABLE pictures RENAME TO new_pictures;
+      ALTER TABLE entries RENAME TO new_entries; ALTER TABLE scenes RENAME TO new_scenes; DROP TABLE requests;
+      CREATE TABLE scenes(
+        number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
+        model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
+        first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL,
+        subdivisions BLOB NOT NULL, settings TEXT, creases_and_flips TEXT NOT NULL DEFAULT '');
+      CREATE TABLE entries(
+        scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
+        kind INTEGER NOT NULL, argument INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
+        hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL, author TEXT NOT NULL DEFAULT '',
+        request_key TEXT NOT NULL DEFAULT '', PRIMARY KEY(scene, revision));
+      CREATE INDEX entries_by_request ON entries(scene, request_key) WHERE request_key <> '';
+      CREATE TABLE pictures(name TEXT PRIMARY KEY, bytes BLOB NOT NULL);
+      CREATE TABLE picture_uses(
+        scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
+        PRIMARY KEY(scene, picture));
+      INSERT INTO scenes SELECT number, id, name, model, up, front, source_is_32_bit, first_revision, first_groom, raw,
+        fur_patches, subdivisions, settings, creases_and_flips FROM new_scenes;
+      INSERT INTO entries SELECT scene, revision, kind, argument, commands, settings, hash_low, hash_high, delta,
+        author, 'key' FROM new_entries;
+      INSERT INTO pictures SELECT name, 'picture as it is' FROM new_pictures;
+      INSERT INTO picture_uses SELECT * FROM new_picture_uses;
+      DROP TABLE new_picture_uses; DROP TABLE new_pictures; DROP TABLE new_entries; DROP TABLE new_scenes;
+      PRAGMA user_version = 9)");
+  }
+  /// What a question about the file gives in its first row and column.
+  std::string answer(const char* question) const {
+    auto database = Database::open(path_);
+    Statement statement = database->prepare(question);
+    EXPECT_TRUE(statement.step().ok());
+    return statement.text_at(0);
   }
 
   static StoredScene scene(std::string id) {
@@ -230,6 +268,7 @@ TEST_F(JournalTest, LoggedNamesOfVersionFiveAreTakenOver) {
     logged.commands = R"([{"op":"length","layer":"a \"layer\": b","mode":"least"},{"op":"layer","name":"layer"}])";
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
+  make_it_version_9();
   execute(
       "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
       "request_key; ALTER TABLE scenes DROP COLUMN creases_and_flips; PRAGMA user_version = 5");
@@ -244,17 +283,21 @@ TEST_F(JournalTest, ChangesAreFoundByTheirRequestAfterARestart) {
     const auto journal = open();
     ASSERT_TRUE(journal->add_scene(scene("a")).ok());
     std::vector<Entry> amended{entry(4), entry(5), entry(6)};
-    amended[1].request_key = amended[2].request_key = "k";
+    amended[1].request = amended[2].request = KeyedRequest{"/a/amend", "k", "print"};
     ASSERT_TRUE(journal->append("a", amended).ok());
     ASSERT_TRUE(journal->branch("a", "b", "b", 6).ok());
   }
   const auto journal = open();
-  const auto found = journal->change_of_request("a", "k");
+  const auto found = journal->change_of_request("/a/amend", "k");
   ASSERT_TRUE(found.ok() && *found);
   EXPECT_EQ((*found)->revision, 6u) << "the last of them";
   EXPECT_EQ((*found)->fields_hash, entry(6).fields_hash);
-  for (const char* other : {"", "K", "other"}) EXPECT_FALSE(*journal->change_of_request("a", other)) << other;
-  EXPECT_FALSE(*journal->change_of_request("b", "k")) << "a branch has no requests of its own";
+  EXPECT_EQ((*found)->fingerprint, "print");
+  EXPECT_EQ((*found)->scene, "a");
+  for (const char* other : {"", "K", "other"}) EXPECT_FALSE(*journal->change_of_request("/a/amend", other)) << other;
+  EXPECT_FALSE(*journal->change_of_request("/a/undo", "k"));
+  ASSERT_TRUE(journal->remove_scene("a").ok());
+  EXPECT_FALSE(*journal->change_of_request("/a/amend", "k")) << "nothing that can be answered is left";
 }
 
 TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
@@ -265,6 +308,7 @@ TEST_F(JournalTest, ChangesOfVersionSixHaveNoAuthor) {
     named.author = "Ann";
     ASSERT_TRUE(journal->append("a", named).ok());
   }
+  make_it_version_9();
   execute(
       "DROP INDEX entries_by_request; ALTER TABLE entries DROP COLUMN author; ALTER TABLE entries DROP COLUMN "
       "request_key; ALTER TABLE scenes DROP COLUMN creases_and_flips; PRAGMA user_version = 6");
@@ -294,6 +338,7 @@ TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
     logged.settings = std::make_shared<const SceneSettings>(settings);
     ASSERT_TRUE(journal->append("a", logged).ok());
   }
+  make_it_version_9();
   execute(
       "UPDATE entries SET settings = json_remove(settings, (SELECT fullkey FROM json_each(settings, '$.commands') "
       "WHERE "
@@ -304,6 +349,84 @@ TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
   EXPECT_EQ(entries->at(0).settings->coat.count, 77);
   EXPECT_EQ(entries->at(0).settings->wind, Wind{});
   EXPECT_EQ(journal->scene("a")->first_groom, old.first_groom);
+}
+
+TEST_F(JournalTest, ANewJournalSaysTheVersionThatTheProgramWrites) {
+  open().reset();
+  EXPECT_EQ(answer("PRAGMA user_version"), std::to_string(schema_version));
+}
+
+TEST_F(JournalTest, AnUpgradedJournalIsAsANewOne) {
+  const char* text = "SELECT group_concat(sql, '\n') FROM (SELECT sql FROM sqlite_master ORDER BY name)";
+  const std::string used(32, 'a');
+  {
+    const auto journal = open();
+    ASSERT_TRUE(journal->add_scene(scene("a")).ok());
+    ASSERT_TRUE(journal->add_scene(scene("b")).ok());
+    ASSERT_TRUE(journal->add_picture(used, "x").ok());
+    Entry with_picture = entry(4);
+    with_picture.pictures = {used};
+    ASSERT_TRUE(journal->append("a", std::vector{with_picture, entry(5), entry(6)}).ok());
+    ASSERT_TRUE(journal->append("b", entry(4)).ok());
+  }
+  const std::string fresh = answer(text);
+  const char* chains = "SELECT group_concat(scene || revision || chain) FROM entries";
+  const std::string fresh_chains = answer(chains);
+  make_it_version_9();
+  {
+    const auto journal = open();
+    EXPECT_EQ(journal->entries("a", 0)->size(), 3u);
+    EXPECT_EQ(journal->scene("a")->model.raw, scene("a").model.raw);
+    EXPECT_EQ(*journal->picture(used), "picture as it is");
+    EXPECT_FALSE(journal->append("a", entry(6)).ok());
+    EXPECT_TRUE(journal->append("a", entry(7)).ok());
+    ASSERT_TRUE(journal->remove_scene("b").ok());
+    EXPECT_TRUE(journal->entries("b", 0)->empty());
+  }
+  EXPECT_EQ(answer(text), fresh);
+  EXPECT_EQ(answer("PRAGMA user_version"), std::to_string(schema_version));
+  EXPECT_EQ(answer(chains).substr(0, fresh_chains.find(",b4")), fresh_chains.substr(0, fresh_chains.find(",b4")));
+  EXPECT_EQ(open()->entries("a", 0)->size(), 4u);
+}
+
+TEST_F(JournalTest, AFlippedBitOrAMissingRowIsFoundWhereItIs) {
+  {
+    const auto journal = open();
+    for (const char* id : {"a", "b"}) {
+      ASSERT_TRUE(journal->add_scene(scene(id)).ok());
+      ASSERT_TRUE(journal->append(id, std::vector{entry(4), entry(5), entry(6), entry(7)}).ok());
+    }
+    ASSERT_TRUE(journal->branch("a", "c", "c", 6).ok());
+    ASSERT_TRUE(journal->append("c", entry(7)).ok());
+  }
+  const std::string whole = path_ + ".whole";
+  std::filesystem::copy_file(path_, whole);
+  for (const char* damage : {"UPDATE entries SET argument = 1 WHERE scene = 'a' AND revision = 6",
+                             "UPDATE entries SET commands = commands || ' ' WHERE scene = 'a' AND revision = 6",
+                             "UPDATE entries SET author = 'Eve' WHERE scene = 'a' AND revision = 6",
+                             "UPDATE entries SET delta = CAST(delta AS TEXT) WHERE scene = 'a' AND revision = 6",
+                             "UPDATE entries SET hash_low = 8 WHERE scene = 'a' AND revision = 6",
+                             "UPDATE entries SET chain = chain + 1 WHERE scene = 'a' AND revision = 6",
+                             "DELETE FROM entries WHERE scene = 'a' AND revision = 6"}) {
+    std::filesystem::copy_file(whole, path_, std::filesystem::copy_options::overwrite_existing);
+    execute(damage);
+    const auto journal = open();
+    std::vector<Revision> read;
+    Status status =
+        journal->for_each_entry("a", 3, [&](const Entry& one) { return read.push_back(one.revision), Status{}; });
+    EXPECT_EQ(status.code, Code::internal) << damage;
+    EXPECT_EQ(read, (std::vector<Revision>{4, 5})) << damage;
+    EXPECT_TRUE(journal->scene("a").ok()) << damage;
+    for (const char* other : {"b", "c"}) EXPECT_EQ(journal->entries(other, 0)->size(), 4u) << damage;
+  }
+  for (const char* damage :
+       {"UPDATE scenes SET raw = x'616263' WHERE id = 'a'", "UPDATE scenes SET name = '' WHERE id = 'a'",
+        "UPDATE scenes SET first_revision = 2 WHERE id = 'a'"}) {
+    std::filesystem::copy_file(whole, path_, std::filesystem::copy_options::overwrite_existing);
+    execute(damage);
+    EXPECT_EQ(open()->scene("a").status().code, Code::internal) << damage;
+    EXPECT_TRUE(open()->scene("c").ok()) << damage;
+  }
 }
 
 TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {

@@ -1,0 +1,30 @@
+// Checksums of rows, so that a flipped bit, a lost row or a row of another scene is found when a scene is loaded.
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/base/status.h"
+#include "server/history/sqlite.h"
+
+struct sqlite3;
+
+namespace pelage {
+
+/// The columns of a scene and of an entry that their checksums cover, in order.
+constexpr const char* scene_columns =
+    "name, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, subdivisions, settings, "
+    "creases_and_flips";
+constexpr const char* entry_columns =
+    "revision, kind, argument, commands, settings, hash_low, hash_high, delta, author";
+
+/// Gives statements the functions checksum(value, ...), 64 bits of the values with their types, and
+/// chained(before, value, ...), which is next_chain of that.
+void add_checksum(sqlite3* database);
+
+/// The chain of the entry after one of chain `before`. The first entry follows the chain first_revision.
+std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum);
+
+/// Brings the checksum of a scene's row up to its other columns.
+Status seal_scene(Database& database, std::string_view id);
+
+}  // namespace pelage

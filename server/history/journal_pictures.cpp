@@ -1,0 +1,42 @@
+// The pictures that logs name.
+#include "server/history/codec.h"
+#include "server/history/journal.h"
+#include "server/history/rows.h"
+#include "server/history/sqlite.h"
+
+namespace pelage {
+
+Status Journal::use_picture(const std::string& scene, const std::string& picture) {
+  const std::lock_guard lock(mutex_);
+  return keep_picture(*database_, scene, picture);
+}
+
+Status Journal::add_picture(const std::string& name, const std::string& bytes) {
+  if (has_picture(name)) return {};
+  const std::string stored = compress_bytes(bytes);
+  const std::lock_guard lock(mutex_);
+  return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(stored).run();
+}
+
+bool Journal::has_picture(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  const Result<bool> found = database_->prepare("SELECT 1 FROM pictures WHERE name = ?").text(name).step();
+  return found && *found;
+}
+
+Result<std::string> Journal::picture(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  Statement row = database_->prepare("SELECT bytes FROM pictures WHERE name = ?");
+  const Result<bool> found = row.text(name).step();
+  if (!found) return found.status();
+  if (!*found) return damaged("a picture is missing");
+  return decompress_bytes(row.bytes_at(0));
+}
+
+Result<std::vector<std::string>> Journal::pictures_of(const std::string& scene) const {
+  const std::lock_guard lock(mutex_);
+  Statement rows = database_->prepare("SELECT picture FROM picture_uses WHERE scene = ? ORDER BY picture");
+  return texts_of(rows.text(scene));
+}
+
+}  // namespace pelage

@@ -1,0 +1,28 @@
+// What the journal's rows hold beside numbers and texts, and what several of its files read and write alike.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/settings.h"
+#include "server/history/sqlite.h"
+
+namespace pelage {
+
+Status damaged(const std::string& what);
+
+/// Settings as the commands that set them; NULL for none.
+Statement& bind_settings(Statement& statement, const std::shared_ptr<const SceneSettings>& settings);
+Result<std::shared_ptr<const SceneSettings>> settings_at(const Statement& row, int column);
+
+/// The first column of all rows.
+Result<std::vector<std::string>> texts_of(Statement& rows);
+
+/// The scene's log names the picture from now on.
+Status keep_picture(Database& database, const std::string& scene, const std::string& picture);
+/// The scene's log no longer names pictures; those that only it named go.
+Status leave_pictures(Database& database, const std::string& scene);
+
+}  // namespace pelage

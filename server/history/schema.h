@@ -1,0 +1,45 @@
+// The tables of a journal: their text stands here alone, for new journals and for whoever compares a file with it.
+#pragma once
+
+#include <cstdint>
+
+#include "protocol/base/status.h"
+
+namespace pelage {
+
+class Database;
+
+// Version of the schema that this program writes, and the oldest that it upgrades.
+constexpr std::uint64_t schema_version = 10;
+constexpr std::uint64_t oldest_upgraded_version = 5;
+
+/// The statements that make an empty journal of schema_version, as sqlite_master holds them. `checksum` covers the other
+/// columns of a scene but its number and id, `chain` those of an entry and all entries of the scene before it
+/// (server/history/checksum.h). Pictures are compressed (compress_bytes). A request is one with an Idempotency-Key that
+/// changed something.
+constexpr const char* schema = R"(
+  CREATE TABLE scenes(
+    number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
+    model TEXT NOT NULL, up INTEGER NOT NULL, front INTEGER NOT NULL, source_is_32_bit INTEGER NOT NULL,
+    first_revision INTEGER NOT NULL, first_groom BLOB NOT NULL, raw BLOB NOT NULL, fur_patches INTEGER NOT NULL,
+    subdivisions BLOB NOT NULL, settings TEXT, creases_and_flips TEXT NOT NULL, checksum INTEGER NOT NULL);
+  CREATE TABLE entries(
+    scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
+    kind INTEGER NOT NULL, argument INTEGER NOT NULL, chain INTEGER NOT NULL, commands TEXT NOT NULL, settings TEXT,
+    hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, delta BLOB NOT NULL, author TEXT NOT NULL,
+    PRIMARY KEY(scene, revision));
+  CREATE TABLE pictures(name TEXT PRIMARY KEY, bytes BLOB NOT NULL);
+  CREATE TABLE picture_uses(
+    scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, picture TEXT NOT NULL REFERENCES pictures(name),
+    PRIMARY KEY(scene, picture));
+  CREATE TABLE requests(
+    path TEXT NOT NULL, key TEXT NOT NULL, fingerprint TEXT NOT NULL,
+    scene TEXT NOT NULL REFERENCES scenes(id) ON DELETE CASCADE, revision INTEGER NOT NULL,
+    hash_low INTEGER NOT NULL, hash_high INTEGER NOT NULL, PRIMARY KEY(path, key));
+  CREATE INDEX requests_by_scene ON requests(scene);
+)";
+
+/// Makes the tables of a new journal, upgrades an older one, and refuses (internal) what is none or of another version.
+Status prepare_schema(Database& database);
+
+}  // namespace pelage
