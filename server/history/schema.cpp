@@ -19,8 +19,7 @@ Result<std::uint64_t> number_of(Database& database, const char* question) {
 Status refuse_version(std::uint64_t version, std::uint64_t tables) {
   if (version > schema_version)
     return failure(Code::internal, "the journal comes from a newer version of this program");
-  if (version == 0 && tables > 0)
-    return failure(Code::internal, "the file in the journal's place is another database");
+  if (version == 0 && tables > 0) return failure(Code::internal, "the file in the journal's place is another database");
   if (version == 0 || version >= oldest_upgraded_version) return {};
   return failure(Code::internal,
                  "the journal comes from an older version, whose fields were stored in another way: start that "

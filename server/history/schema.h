@@ -13,8 +13,8 @@ class Database;
 constexpr std::uint64_t schema_version = 10;
 constexpr std::uint64_t oldest_upgraded_version = 5;
 
-/// The statements that make an empty journal of schema_version, as sqlite_master holds them. `checksum` covers the other
-/// columns of a scene but its number and id, `chain` those of an entry and all entries of the scene before it
+/// The statements that make an empty journal of schema_version, as sqlite_master holds them. `checksum` covers the
+/// other columns of a scene but its number and id, `chain` those of an entry and all entries of the scene before it
 /// (server/history/checksum.h). Pictures are compressed (compress_bytes). A request is one with an Idempotency-Key that
 /// changed something.
 constexpr const char* schema = R"(
