@@ -39,8 +39,10 @@ const char* http_title(int http_status) {
     case 401: return "Unauthorized";
     case 403: return "Forbidden";
     case 405: return "Method Not Allowed";
+    case 408: return "Request Timeout";
     case 411: return "Length Required";
     case 416: return "Range Not Satisfiable";
+    case 431: return "Request Header Fields Too Large";
     default: return nullptr;
   }
 }

@@ -1,50 +1,20 @@
 #include "server/http/guard.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 #include <string>
 
 #include "protocol/base/limits.h"
+#include "server/http/transport/http_transport.h"
 
 namespace pelage {
 
-namespace {
-
-bool comes_from(int descriptor, const httplib::Request& request) {
-  sockaddr_storage peer{};
-  socklen_t size = sizeof peer;
-  if (getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return false;
-  char address[INET6_ADDRSTRLEN] = "";
-  int port = -1;
-  if (peer.ss_family == AF_INET) {
-    const auto& v4 = reinterpret_cast<const sockaddr_in&>(peer);
-    inet_ntop(AF_INET, &v4.sin_addr, address, sizeof address);
-    port = ntohs(v4.sin_port);
-  } else if (peer.ss_family == AF_INET6) {
-    const auto& v6 = reinterpret_cast<const sockaddr_in6&>(peer);
-    inet_ntop(AF_INET6, &v6.sin6_addr, address, sizeof address);
-    port = ntohs(v6.sin6_port);
-  }
-  return port == request.remote_port && request.remote_addr == address;
-}
-
-}  // namespace
-
 ClientSocket::ClientSocket(const httplib::Request& request) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
-    const std::string name = entry.path().filename();
-    int descriptor = -1;
-    std::from_chars(name.data(), name.data() + name.size(), descriptor);
-    if (comes_from(descriptor, request)) descriptor_ = descriptor;
-  }
+  if (const Exchange* exchange = exchange_of(request)) descriptor_ = exchange->connection.socket();
 }
 
 bool ClientSocket::gone() const {

@@ -14,8 +14,7 @@
 
 namespace pelage {
 
-/// The connection that a request came on. cpp-httplib does not hand it out, so it is looked up among the sockets of the
-/// process by the client's address and port. Valid while the request is handled.
+/// The connection that a request came on. Valid while the request is handled.
 class ClientSocket {
  public:
   explicit ClientSocket(const httplib::Request& request);

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
 
 #include "protocol/base/limits.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
+#include "server/http/transport/http_transport.h"
 
 namespace pelage {
 
@@ -20,9 +21,16 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr int connection_backlog = 128;  // cpp-httplib's own is 5
-constexpr int keep_alive_seconds = 2;
 constexpr std::size_t requests_per_connection = 10'000;
-constexpr int read_timeout_seconds = 5;
+
+ReceptionLimits reception_limits() {
+  ReceptionLimits limits{.workers = worker_threads};
+  rlimit files{};
+  // A half of the files that the process may open; the journal, the GL and the import worker need some too.
+  if (getrlimit(RLIMIT_NOFILE, &files) == 0)
+    limits.connections = std::min<std::size_t>(limits.connections, files.rlim_cur / 2);
+  return limits;
+}
 
 /// Not SO_REUSEPORT, which cpp-httplib sets: with it two servers bind one port.
 void share_address_with_the_dead_only(socket_t socket) {
@@ -63,8 +71,26 @@ Refusal own_refusal(const Request& request, int http_status) {
   return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
 }
 
-bool is_answered_while_draining(const std::string& path) {
-  return path == "/livez" || path == "/readyz" || path == "/metrics";
+bool is_probe(const std::string& path) { return path == "/livez" || path == "/readyz" || path == "/metrics"; }
+
+Status early_refusal(const ReceptionLimits& limits, int http_status) {
+  if (http_status == 408) {
+    return failure(Code::malformed, "The head of the request came too slowly.", "",
+                   fmt::format("{} s", limits.head_timeout.count() / 1000));
+  }
+  if (http_status == 431) {
+    return failure(Code::too_large, "The head of the request is too long.", "",
+                   fmt::format("at most {} bytes", limits.head_bytes));
+  }
+  return failure(Code::unavailable, "Too many requests wait.", "", fmt::format("{}", limits.waiting_requests));
+}
+
+/// The bytes of an answer that ends its connection, without cpp-httplib.
+std::string bytes_of(const Response& response) {
+  std::string bytes =
+      fmt::format("HTTP/1.1 {} \r\nConnection: close\r\nContent-Length: {}\r\n", response.status, response.body.size());
+  for (const auto& [name, value] : response.headers) bytes += fmt::format("{}: {}\r\n", name, value);
+  return bytes + "\r\n" + response.body;
 }
 
 }  // namespace
@@ -87,10 +113,8 @@ struct HttpServer::Impl {
   }
 
   void set_up_transport() {
-    server.new_task_queue = [] { return new httplib::ThreadPool(worker_threads); };
-    server.set_keep_alive_timeout(keep_alive_seconds);
+    server.set_keep_alive_timeout(std::chrono::duration_cast<std::chrono::seconds>(limits.idle_timeout).count());
     server.set_keep_alive_max_count(requests_per_connection);
-    server.set_read_timeout(read_timeout_seconds);
     server.set_payload_max_length(limits::model_bytes);
     server.set_tcp_nodelay(true);
     server.set_socket_options([this](socket_t socket) {
@@ -126,13 +150,24 @@ struct HttpServer::Impl {
     });
   }
 
+  Status serve() {
+    const auto refusal = [this](Exchange&, int http_status) {
+      service.metrics.count_request("other", http_status);
+      Response response;
+      reply_problem(response, early_refusal(limits, http_status), http_status);
+      return bytes_of(response);
+    };
+    const bool good = server.serve(limits, {refusal, [](const Exchange&) {}, is_probe});
+    return good && service.draining ? Status{} : failure(Code::internal, "The listening socket failed.");
+  }
+
   /// False when the answer is made already.
   bool before_routing(const Request& request, Response& response) {
     if (const auto refusal = guard.refusal(request)) {
       refuse(*refusal, request, response);
       return false;
     }
-    if (service.draining && !is_answered_while_draining(request.path)) {
+    if (service.draining && !is_probe(request.path)) {
       refuse({503, failure(Code::unavailable, "The server is stopping.")}, request, response);
       return false;
     }
@@ -142,10 +177,10 @@ struct HttpServer::Impl {
 
   Service service;
   Guard guard;
-  httplib::Server server;
+  const ReceptionLimits limits = reception_limits();
+  HttpTransport server;
   socket_t listening_socket = -1;
   int port = 0;
-  std::atomic<bool> finished{false};
 };
 
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -172,18 +207,12 @@ Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& option
 
 int HttpServer::port() const { return impl_->port; }
 
-Status HttpServer::run() {
-  impl_->server.listen_after_bind();
-  impl_->finished = true;
-  return impl_->service.draining ? Status{} : failure(Code::internal, "The listening socket failed.");
-}
+Status HttpServer::run() { return impl_->serve(); }
 
 void HttpServer::stop() {
   impl_->service.draining = true;
   impl_->service.traces.stop();
-  // cpp-httplib forgets a stop that comes before it listens.
-  while (!impl_->server.is_running() && !impl_->finished) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  impl_->server.stop();
+  impl_->server.stop_serving();
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 
 import concurrent.futures
 import http.client
+import itertools
 import socket
 import subprocess
 import tempfile
@@ -111,7 +112,10 @@ class Framing(ServedTest):
     def test_long_heads(self):
         received = self.server.raw(head(f"GET /{'x' * 20000} HTTP/1.1"))
         self.assertIn(statuses(received)[0], (400, 404, 414), received)
-        self.server.raw(head("GET /livez HTTP/1.1", "X: " + "y" * 100000))
+        for headers in (["X: " + "y" * 100000], [f"X{k}: {'y' * 1000}" for k in range(100)]):
+            received = self.server.raw(head("GET /livez HTTP/1.1", *headers))
+            self.assertEqual(statuses(received), [431], received)
+            self.assertIn(b"application/problem+json", received)
 
 
 class Senders(ServedTest):
@@ -153,6 +157,42 @@ class Connections(ServedTest):
             with self.assertRaises(BlockingIOError):
                 connection.recv(1)
             connection.close()
+
+    def test_idle_clients_lock_nobody_out(self):
+        idle = [http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=20) for _ in range(130)]
+        for connection in idle:
+            self.addCleanup(connection.close)
+            connection.request("GET", "/livez")
+            self.assertEqual(connection.getresponse().read(), b"alive\n")
+        for path in ("/livez", "/v1/scenes"):
+            self.assertEqual(self.server.get(path, timeout=20).status, 200)
+        idle[0].request("GET", "/livez")  # still there
+        self.assertEqual(idle[0].getresponse().read(), b"alive\n")
+
+    def test_more_clients_than_connections(self):
+        idle = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(600)]
+        for connection in idle:
+            self.addCleanup(connection.close)
+        self.assertEqual(self.server.get("/v1/scenes", timeout=20).status, 200)
+        self.assertEqual(idle[0].recv(1), b"")  # the oldest gave way
+
+    def test_a_slow_head_is_dropped(self):
+        """A byte a second, for as long as the server listens."""
+        with socket.create_connection(("127.0.0.1", self.server.port), timeout=1) as slow:
+            received = b""
+            for byte in itertools.chain(b"GET /livez HTTP/1.1\r\n", itertools.repeat(ord("x"), 100)):
+                try:
+                    slow.sendall(bytes([byte]))
+                    if block := slow.recv(65536):
+                        received += block
+                        continue
+                    break
+                except socket.timeout:
+                    pass
+                except OSError:
+                    break
+        self.assertEqual(statuses(received), [408], received)
+        self.assertIn(b"application/problem+json", received)
 
     def test_many_at_once(self):
         with concurrent.futures.ThreadPoolExecutor(40) as pool:

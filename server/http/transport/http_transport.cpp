@@ -1,0 +1,80 @@
+#include "server/http/transport/http_transport.h"
+
+#include <unistd.h>
+
+#include <exception>
+#include <system_error>
+
+#include "server/http/transport/stream.h"
+
+namespace pelage {
+
+namespace {
+
+/// cpp-httplib leaves `progress` of a request to clients; here it carries the exchange to the handlers.
+struct ExchangeCarrier {
+  Exchange* exchange;
+  bool operator()(std::uint64_t, std::uint64_t) const { return true; }
+};
+
+}  // namespace
+
+Exchange* exchange_of(const httplib::Request& request) {
+  const auto* carrier = request.progress.target<ExchangeCarrier>();
+  return carrier ? carrier->exchange : nullptr;
+}
+
+bool HttpTransport::serve(const ReceptionLimits& limits, Hooks hooks) {
+  hooks_ = std::move(hooks);
+  const auto urgent = [this](const RequestLine& line) {
+    return (line.method == "GET" || line.method == "HEAD") &&
+           hooks_.is_probe(line.target.substr(0, line.target.find('?')));
+  };
+  const auto refusal = [this](const Connection& connection, int http_status) {
+    Exchange exchange(connection, std::chrono::steady_clock::now());
+    exchange.status = http_status;
+    std::string answer = hooks_.refusal(exchange, http_status);
+    exchange.bytes = answer.size();
+    hooks_.ended(exchange);
+    return answer;
+  };
+  const auto one = [this](Connection& connection, auto begin) { return serve_one(connection, begin); };
+  bool good = false;
+  {
+    Reception reception(svr_sock_, limits, {one, refusal, urgent});
+    {
+      const std::lock_guard lock(mutex_);
+      reception_ = &reception;
+      if (stopped_) reception.stop();
+    }
+    good = reception.run();
+    const std::lock_guard lock(mutex_);
+    reception_ = nullptr;
+  }
+  ::close(svr_sock_.exchange(INVALID_SOCKET));
+  return good;
+}
+
+void HttpTransport::stop_serving() {
+  const std::lock_guard lock(mutex_);
+  stopped_ = true;
+  if (reception_) reception_->stop();
+}
+
+bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock::time_point begin) {
+  Exchange exchange(connection, begin);
+  ConnectionStream stream(connection, exchange);
+  bool client_ends = false, stays = false;
+  try {
+    const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
+    stays = process_request(stream, last, client_ends,
+                            [&](httplib::Request& request) { request.progress = ExchangeCarrier{&exchange}; });
+    stays = stays && !last && !client_ends && !stream.broken();
+  } catch (const std::exception& error) {  // handlers' own are answered; this came from one that writes as it goes
+    exchange.problem = error.what();
+  }
+  hooks_.ended(exchange);
+  return stays;
+}
+
+}  // namespace pelage

@@ -1,0 +1,57 @@
+#include "server/http/transport/workers.h"
+
+#include <system_error>
+
+namespace pelage {
+
+Workers::Workers(int threads, std::size_t max_waiting) : max_waiting_(max_waiting) {
+  threads_.reserve(static_cast<std::size_t>(threads) + 1);
+  try {
+    for (int k = 0; k <= threads; ++k) threads_.emplace_back([this, kept = k == 0] { work(kept); });
+  } catch (const std::system_error&) {
+    if (threads_.size() >= 2) return;
+    end();
+    throw;
+  }
+}
+
+Workers::~Workers() { end(); }
+
+bool Workers::give(Task task, bool urgent) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::deque<Task>& queue = urgent ? urgent_ : common_;
+    if (queue.size() >= max_waiting_) return false;
+    queue.push_back(std::move(task));
+  }
+  came_.notify_one();
+  if (urgent) urgent_came_.notify_one();
+  return true;
+}
+
+void Workers::work(bool kept) {
+  while (const Task task = next(kept)) task();
+}
+
+Workers::Task Workers::next(bool kept) {
+  std::unique_lock lock(mutex_);
+  (kept ? urgent_came_ : came_).wait(lock, [&] { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); });
+  std::deque<Task>& queue = urgent_.empty() && !kept ? common_ : urgent_;
+  if (queue.empty()) return {};
+  Task task = std::move(queue.front());
+  queue.pop_front();
+  return task;
+}
+
+void Workers::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  came_.notify_all();
+  urgent_came_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+}
+
+}  // namespace pelage

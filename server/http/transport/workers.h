@@ -1,0 +1,43 @@
+// Threads that answer requests.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace pelage {
+
+/// Threads that run tasks in the order that they came, urgent ones first. One more thread is kept for urgent tasks, so
+/// that these run while all others are busy. Thread-safe.
+class Workers {
+ public:
+  using Task = std::function<void()>;  // throws nothing
+
+  /// Starts `threads` and the one that is kept; fewer where the machine has no more (one at least, or
+  /// std::system_error). Up to `max_waiting` tasks of each kind wait.
+  Workers(int threads, std::size_t max_waiting);
+  /// Runs what waits, and ends the threads.
+  ~Workers();
+
+  /// False when as many tasks wait already as may.
+  [[nodiscard]] bool give(Task task, bool urgent);
+
+ private:
+  void work(bool kept);
+  /// The next task; an empty one at the end.
+  Task next(bool kept);
+  void end();
+
+  const std::size_t max_waiting_;
+  std::mutex mutex_;
+  std::condition_variable came_, urgent_came_;  // for common threads, for the one that is kept
+  std::deque<Task> urgent_, common_;
+  bool ending_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace pelage
