@@ -272,11 +272,11 @@ class Stopping(unittest.TestCase):
         self.addCleanup(server.close)
         scene = server.new_scene("creature", 5000)
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            frame = pool.submit(scene.frame, width=400, height=400, quality="detailed")
+            frame = pool.submit(scene.frame, width=160, height=160, quality="detailed")
             waiting = pool.submit(server.get, f"{scene.path}/frame.png?after=0&wait=20")
             time.sleep(0.3)
             self.assertEqual(server.terminate(), 0)
-            self.assertEqual(frame.result().image.shape[:2], (400, 400))
+            self.assertEqual(frame.result().image.shape[:2], (160, 160))
             self.assertEqual(waiting.result().status, 304)
 
 

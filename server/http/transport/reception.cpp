@@ -18,9 +18,9 @@ namespace pelage {
 
 namespace {
 
-constexpr int check_milliseconds = 100;           // how often timeouts are checked
-constexpr std::size_t block_bytes = 16 * 1024;   // that are received at once
-constexpr int no_room_microseconds = 10'000;     // pause where the machine gives no socket
+constexpr int check_milliseconds = 100;         // how often timeouts are checked
+constexpr std::size_t block_bytes = 16 * 1024;  // that are received at once
+constexpr int no_room_microseconds = 10'000;    // pause where the machine gives no socket
 
 int or_throw(int descriptor) {
   if (descriptor < 0) throw std::system_error(errno, std::generic_category());
@@ -46,9 +46,7 @@ bool client_left_early(int error) {
   return error == ECONNABORTED || error == EPROTO || error == EINTR || error == EPERM;
 }
 
-bool machine_is_full(int error) {
-  return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM;
-}
+bool machine_is_full(int error) { return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM; }
 
 }  // namespace
 

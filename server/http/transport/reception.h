@@ -23,14 +23,14 @@ struct ReceptionLimits {
   std::size_t waiting_requests = 256;    // that wait for a worker
   std::size_t connections = 512;         // beyond it the one that is idle longest gives way
   std::size_t head_bytes = 32 * 1024;    // of a request's first line and headers
-  Milliseconds head_timeout{10'000};        // from the first byte of a head to its last
-  Milliseconds idle_timeout{60'000};        // without a request
-  Milliseconds linger_timeout{1'000};       // for a client to read the last answer
-  Milliseconds stopping_timeout{8'000};     // for requests that run when the server stops; then their clients are cut off
+  Milliseconds head_timeout{10'000};     // from the first byte of a head to its last
+  Milliseconds idle_timeout{60'000};     // without a request
+  Milliseconds linger_timeout{1'000};    // for a client to read the last answer
+  Milliseconds stopping_timeout{8'000};  // for requests that run when the server stops; then their clients are cut off
 };
 
-/// Idle and slow clients take memory here and no thread: a connection takes a worker once the head of a request is whole,
-/// and comes back after the answer. One more worker is kept for urgent requests.
+/// Idle and slow clients take memory here and no thread: a connection takes a worker once the head of a request is
+/// whole, and comes back after the answer. One more worker is kept for urgent requests.
 class Reception {
  public:
   struct Calls {
@@ -42,8 +42,8 @@ class Reception {
     std::function<bool(const RequestLine&)> urgent;
   };
 
-  /// Takes connections of a socket that listens, which stays the caller's. Throws std::system_error when the machine has
-  /// no room for a thread or a file.
+  /// Takes connections of a socket that listens, which stays the caller's. Throws std::system_error when the machine
+  /// has no room for a thread or a file.
   Reception(int listening, const ReceptionLimits& limits, Calls calls);
   ~Reception();
 

@@ -52,7 +52,8 @@ class Client {
   int socket_;
 };
 
-/// A reception whose requests answer with their targets; those of "/hold..." wait until release(), "/end" ends the connection.
+/// A reception whose requests answer with their targets; those of "/hold..." wait until release(), "/end" ends the
+/// connection.
 class Served {
  public:
   explicit Served(ReceptionLimits limits) : listening_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -173,7 +174,8 @@ TEST(Reception, RequestsBeyondThoseThatMayWaitAreRefused) {
 }
 
 TEST(Reception, HeadsAreBoundedInBytesAndTime) {
-  Served served({.workers = 1, .head_bytes = 1000, .head_timeout = milliseconds(50), .idle_timeout = std::chrono::minutes(1)});
+  Served served(
+      {.workers = 1, .head_bytes = 1000, .head_timeout = milliseconds(50), .idle_timeout = std::chrono::minutes(1)});
   const Client whole(served.port), endless(served.port), slow(served.port), good(served.port);
   whole.say(head("/" + std::string(1000, 'x')));
   EXPECT_EQ(whole.hear(3), "431");
@@ -241,7 +243,8 @@ TEST(Reception, AHeadEndsAtItsFirstEmptyLine) {
   EXPECT_EQ(head_size("GET / HTTP/1.1\r\n\r\nbody"), 18u);
   EXPECT_EQ(head_size("GET / HTTP/1.1\r\nA: b\n\n"), std::nullopt);
   const std::string whole = "GET / HTTP/1.1\r\nA: b\r\n\r\n";
-  for (std::size_t searched = 0; searched < whole.size(); ++searched) EXPECT_EQ(head_size(whole, searched), whole.size());
+  for (std::size_t searched = 0; searched < whole.size(); ++searched)
+    EXPECT_EQ(head_size(whole, searched), whole.size());
 }
 
 }  // namespace
