@@ -1,6 +1,5 @@
 // pelaged: the render server.
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,9 +9,9 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <thread>
 
+#include "protocol/base/caught.h"
 #include "protocol/base/limits.h"
 #include "renderer/picture_files/picture_files.h"
 #include "server/calibration/calibrate.h"
@@ -21,6 +20,7 @@
 #include "server/frames/scene_tracer.h"
 #include "server/http/http_server.h"
 #include "server/import/import.h"
+#include "server/process/signals.h"
 #include "server/scene/scene_memory.h"
 #include "server/scene/scene_store.h"
 
@@ -98,16 +98,6 @@ bool write_port(const std::string& path, int port) {
   return std::rename(temporary.c_str(), path.c_str()) == 0;
 }
 
-/// Blocked in every thread that is started from here on; one thread waits for them.
-sigset_t block_stop_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
-}
-
 /// As the client reports a refusal.
 void complain(const Status& status) {
   fmt::print(stderr, "pelaged: {}\n", status.message);
@@ -142,15 +132,12 @@ void plan_frames(FrameService& frames, const Options& options) {
 
 /// While no client waits: the first frame that is a JPEG or an EXR would take .3 s longer.
 void load_picture_files() {
-  try {
-    picture_files();
-  } catch (const std::runtime_error& error) {
-    complain(with_next(failure(Code::internal, error.what()), "build or install all programs in one folder"));
-  }
+  const Status loaded = caught([] { return picture_files(), Status{}; });
+  if (!loaded.ok()) complain(with_next(loaded, "build or install all programs in one folder"));
 }
 
 int serve(const Options& options, const HttpOptions& http) {
-  const sigset_t signals = block_stop_signals();
+  const StopSignals signals;
   YieldGate gate;
   const auto frames = FrameService::start(options.gl, options.threads, gate, options.device);
   if (!frames) return fail(no_gl, frames.status());
@@ -173,10 +160,9 @@ int serve(const Options& options, const HttpOptions& http) {
     return fail(failed, failure(Code::internal, "Cannot write " + options.port_file + "."));
   }
   std::thread stopper([&] {
-    siginfo_t signal{};
-    sigwaitinfo(&signals, &signal);
-    if (signal.si_pid != getpid()) {
-      fmt::print("pelaged: stopping, process {} sent signal {}\n", signal.si_pid, signal.si_signo);
+    const StopSignals::Stop stop = signals.wait();
+    if (stop.sender != getpid()) {
+      fmt::print("pelaged: stopping, process {} sent signal {}\n", stop.sender, stop.signal);
       std::fflush(stdout);
     }
     (*server)->stop();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
+
 namespace pelage {
 
 namespace {
@@ -10,9 +12,9 @@ namespace {
 /// One pixel more on each side for what was rounded.
 glm::ivec2 pixels_of(float low, float high, int pixels) {
   const auto pixel = [&](float clip) {
-    return std::clamp((clip * 0.5f + 0.5f), 0.0f, 1.0f) * static_cast<float>(pixels);
+    return clamped_index((clip * 0.5f + 0.5f) * static_cast<float>(pixels), 0, pixels);
   };
-  return {std::max(0, static_cast<int>(pixel(low)) - 1), std::min(pixels, static_cast<int>(pixel(high)) + 2)};
+  return {std::max(0, pixel(low) - 1), std::min(pixels, pixel(high) + 2)};
 }
 
 /// Where a range of pixels lies among `to` in place of `from`, with what resizing reads beside it: the cubic of Catmull

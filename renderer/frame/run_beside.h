@@ -22,8 +22,13 @@ auto run_beside(const Pause& pause, const Work& work)
   std::atomic<bool> wanted = true;
   const std::function<bool()> go_on = [&] { return wanted.load(); };
   auto answer = std::async(std::launch::async | std::launch::deferred, [&] { return work(go_on); });
-  while (answer.wait_for(between_pauses) == std::future_status::timeout) {
-    if (wanted && !pause()) wanted = false;
+  try {
+    while (answer.wait_for(between_pauses) == std::future_status::timeout) {
+      if (wanted && !pause()) wanted = false;
+    }
+  } catch (...) {  // of the pause: nobody wants the answer, and the future's end waits for the work
+    wanted = false;
+    throw;
   }
   auto result = answer.get();
   if (!wanted) return {};

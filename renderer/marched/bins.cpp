@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "renderer/marched/near_plane.h"
 #include "renderer/visibility/shell_lod.h"
 
@@ -28,7 +29,7 @@ Facing facing_of(const MarchScene& scene, const glm::uvec3& t) {
 
 /// Held to what 16 bits can count.
 std::int16_t tile_at(float pixel) {
-  return static_cast<std::int16_t>(std::floor(std::clamp(pixel / static_cast<float>(Tile::side), -1.0f, 32000.0f)));
+  return static_cast<std::int16_t>(clamped_index(std::floor(pixel / static_cast<float>(Tile::side)), -1, 32000));
 }
 
 }  // namespace

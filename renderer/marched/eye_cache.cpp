@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "protocol/base/clamped_index.h"
+
 namespace pelage {
 
 namespace {
@@ -55,7 +57,7 @@ PixelBox box_of(const EyeEntry& eye, const MarchScene& scene) {
     const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(scene.width, scene.height);
     low = glm::min(low, at), high = glm::max(high, at);
   }
-  const auto held = [](float at, int size) { return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(size))); };
+  const auto held = [](float at, int size) { return clamped_index(at, 0, size); };
   return {held(std::floor(low.x) - 1, scene.width), held(std::floor(low.y) - 1, scene.height),
           held(std::ceil(high.x) + 1, scene.width), held(std::ceil(high.y) + 1, scene.height)};
 }

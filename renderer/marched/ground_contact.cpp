@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/parallel.h"
 #include "renderer/marched/depth_map.h"
 
@@ -38,8 +39,8 @@ std::array<Tap, taps> make_taps() {
 float between(const DepthMap& map, glm::vec2 at) {
   const glm::vec2 low = glm::floor(at - 0.5f), share = at - 0.5f - low;
   const auto texel = [&](int x, int y) {
-    return map.at(std::clamp(static_cast<int>(low.x) + x, 0, map.side - 1),
-                  std::clamp(static_cast<int>(low.y) + y, 0, map.side - 1));
+    return map.at(clamped_index(low.x + static_cast<float>(x), 0, map.side - 1),
+                  clamped_index(low.y + static_cast<float>(y), 0, map.side - 1));
   };
   return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x), share.y);
 }

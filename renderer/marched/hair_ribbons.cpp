@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/lean_curve.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
@@ -73,7 +74,7 @@ float strength_of(const Hair& hair, const MarchScene& scene) {
 glm::vec3 strand_colour(const MarchScene& scene, glm::vec2 tile, float height) {
   constexpr int level = 5, side = slice_texels >> level;
   const auto texel = [](float at) { return static_cast<int>((at - std::floor(at)) * side) & (side - 1); };
-  const int slice = std::clamp(static_cast<int>(height * slice_count), 0, slice_count - 1);
+  const int slice = clamped_index(height * slice_count, 0, slice_count - 1);
   const auto at = static_cast<std::size_t>(scene.atlas->first[level] +
                                            (texel(tile.y) * side + texel(tile.x)) * slice_count + slice);
   const auto word = static_cast<std::uint32_t>(scene.atlas->colours[at]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/base/clamped_index.h"
 #include "renderer/marched/fur_hull.h"
 #include "renderer/marched/plain_overlay.h"
 #include "renderer/marched/shadow_width.h"
@@ -18,19 +19,21 @@ struct Greys {
   std::vector<float> values;
   float black = 0, white = 1;
 
-  float at(int x, int y) const {
-    x = std::clamp(x, 0, side - 1), y = std::clamp(y, 0, side - 1);
-    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x)];
+  /// The texel that a place lies in, in texels; beyond an edge the nearest.
+  float at(float x, float y) const {
+    const auto column = static_cast<std::size_t>(clamped_index(x, 0, side - 1)),
+               row = static_cast<std::size_t>(clamped_index(y, 0, side - 1));
+    return values[row * static_cast<std::size_t>(side) + column];
   }
   float shade(float value) const { return std::clamp((value - black) / (white - black), 0.0f, 1.0f); }
   float nearest(glm::vec2 place) const {
-    const glm::ivec2 texel(glm::floor(place * static_cast<float>(side)));
+    const glm::vec2 texel = place * static_cast<float>(side);
     return shade(at(texel.x, texel.y));
   }
   /// Between four texels, as shadows read widths.
   float between(glm::vec2 place) const {
     const glm::vec2 texel = place * static_cast<float>(side) - 0.5f, low = glm::floor(texel), share = texel - low;
-    const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
+    const float x = low.x, y = low.y;
     return shade(glm::mix(glm::mix(at(x, y), at(x + 1, y), share.x), glm::mix(at(x, y + 1), at(x + 1, y + 1), share.x),
                           share.y));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "protocol/base/clamped_index.h"
 #include "renderer/marched/march_scene.h"
 
 namespace pelage {
@@ -88,7 +89,7 @@ void Ribbons::sort_into_tiles(const MarchScene& scene) {
     const RibbonEnd &a = ribbons_[i].root, &b = ribbons_[i].tip;
     const float reach = std::max(a.reach, b.reach) + 1.5f;
     const auto tile_at = [&](float pixel, int first, int count) {
-      return std::clamp(static_cast<int>(std::floor(std::clamp(pixel / Tile::side, -1.0f, 1e6f))) - first, -1, count);
+      return std::clamp(clamped_index(std::floor(pixel / Tile::side), -1, 1'000'000) - first, -1, count);
     };
     const glm::vec2 low = glm::min(a.at, b.at) - reach, high = glm::max(a.at, b.at) + reach;
     const int bottom = std::min(tile_at(high.y, begin.y, tiles.y), tiles.y - 1),

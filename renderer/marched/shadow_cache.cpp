@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "renderer/marched/fur_hull.h"
 #include "renderer/marched/shadow_width.h"
 
@@ -30,10 +31,10 @@ std::vector<glm::vec2> curve_map(const CurveStrips& strips, const LightView& lig
   const RibbonCamera camera{light.world_to_clip, light.viewpoint, light.texel, glm::vec2(static_cast<float>(side))};
   for (const Ribbon& ribbon : ribbons_of(strips, camera)) {
     const float reach = std::max(ribbon.root.reach, ribbon.tip.reach) + 1.5f;
-    const glm::vec2 low = glm::max(glm::min(ribbon.root.at, ribbon.tip.at) - reach, 0.0f),
-                    high = glm::min(glm::max(ribbon.root.at, ribbon.tip.at) + reach, static_cast<float>(side));
-    for (int y = static_cast<int>(low.y); y < static_cast<int>(high.y); ++y) {
-      for (int x = static_cast<int>(low.x); x < static_cast<int>(high.x); ++x) {
+    const glm::vec2 low = glm::min(ribbon.root.at, ribbon.tip.at) - reach,
+                    high = glm::max(ribbon.root.at, ribbon.tip.at) + reach;
+    for (int y = clamped_index(low.y, 0, side); y < clamped_index(high.y, 0, side); ++y) {
+      for (int x = clamped_index(low.x, 0, side); x < clamped_index(high.x, 0, side); ++x) {
         const OnRibbon on = on_ribbon(ribbon, {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
         if (on.opacity < 0.004f) continue;
         const glm::vec3 place = glm::mix(ribbon.root.place, ribbon.tip.place, on.share);
@@ -58,15 +59,16 @@ void ShadowCache::add(const FurFrame& frame, std::uint64_t changes, const CurveS
   Key key{frame.model,  changes,      frame.coat.root_share,        frame.coat.lean_curve,
           frame.lights, frame.curves, frame.knobs.shadow_resolution};
   if (key != key_) {
-    key_ = std::move(key);
+    key_ = {};  // of nothing, should memory end while they are made
     make_maps(frame, curves, threads, scene);
+    key_ = std::move(key);
   }
   scene.optics.casters = casters_;
 }
 
 void ShadowCache::make_maps(const FurFrame& frame, const CurveStrips& curves, int threads, const MarchScene& scene) {
   const MarchMesh& mesh = scene.mesh;
-  const int side = key_.resolution;
+  const int side = frame.knobs.shadow_resolution;
   const float radius = radius_of_fur(mesh);
   casters_.assign(frame.lights.size(), {});
   maps_.assign(frame.lights.size(), {});

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "renderer/marched/march_scene.h"
 
 namespace pelage {
@@ -24,7 +25,7 @@ PlainRaster::Box PlainRaster::box_of(const glm::dmat3& corners, int width, int h
     const glm::dvec2 at = glm::dvec2(corners[k]) / corners[k].z;
     low = glm::min(low, at), high = glm::max(high, at);
   }
-  const auto pixel = [](double at, int count) { return static_cast<int>(std::clamp(at, 0.0, double(count))); };
+  const auto pixel = [](double at, int count) { return clamped_index(at, 0, count); };
   return {pixel(std::floor(low.x), width), pixel(std::floor(low.y), height), pixel(std::ceil(high.x), width),
           pixel(std::ceil(high.y), height)};
 }

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/colour_space.h"
 #include "renderer/light/environment.h"
 #include "renderer/shaders/constants.h"
@@ -187,8 +188,8 @@ EnvironmentSample StrandLights::sample_environment(glm::vec2 u) const {
 float StrandLights::environment_pdf(glm::vec3 direction) const {
   const float turn = std::atan2(direction.z, direction.x) / (2 * glm::pi<float>());
   const float across = turn < 0 ? turn + 1 : turn, up = (direction.y + 1) / 2;
-  const int column = std::clamp(static_cast<int>(across * columns), 0, columns - 1);
-  const int row = std::clamp(static_cast<int>(up * rows), 0, rows - 1);
+  const int column = clamped_index(across * columns, 0, columns - 1);
+  const int row = clamped_index(up * rows, 0, rows - 1);
   return cell_share(row, column) * (rows * columns / (4 * glm::pi<float>()));
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -57,9 +59,21 @@ bool for_each_piece(const Workers& workers, std::size_t count, const std::functi
     run_on_threads(static_cast<int>(threads), run);
     return whole;
   }
-  std::vector<std::thread> team = start_idle_threads(threads, run);
-  if (team.empty()) run();  // the machine has no thread to give: the caller's own, which cannot yield
+  std::mutex mutex;
+  std::exception_ptr failure;  // the first; an exception that leaves a thread ends the process
+  const auto guarded = [&] {
+    try {
+      run();
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      whole = false;
+    }
+  };
+  std::vector<std::thread> team = start_idle_threads(threads, guarded);
+  if (team.empty()) guarded();  // the machine has no thread to give: the caller's own, which cannot yield
   for (std::thread& member : team) member.join();
+  if (failure) std::rethrow_exception(failure);
   return whole;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 #include "renderer/coat/slices.h"
@@ -37,7 +38,7 @@ int strand_segments(const Coat& coat, bool curled) {
     segments = std::max(segments, coat.curl_turns * segments_of_turn(coat, coat.curl * nominal_length));
   if (coat.wave > 0)
     segments = std::max(segments, coat.wave_turns * segments_of_turn(coat, coat.wave * nominal_length));
-  return std::min(static_cast<int>(std::ceil(segments)), max_segments);
+  return clamped_index(std::ceil(segments), min_segments, max_segments);
 }
 
 TileStrands::TileStrands(const Coat& coat, int segments) : segments_(segments), strands_(make_strands(coat)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/colour_space.h"
 #include "renderer/strands/sampling.h"
 
@@ -52,8 +53,8 @@ float TraceScene::pixel_at(float distance) const {
 BackplatePixel TraceScene::backplate_at(glm::vec2 place) const {
   const FloatImage& beauty = base_.beauty;
   const auto scale = static_cast<float>(beauty.width) / static_cast<float>(frame_.width);
-  const int x = std::clamp(static_cast<int>(place.x * scale), 0, beauty.width - 1);
-  const int y = std::clamp(static_cast<int>(place.y * scale), 0, beauty.height - 1);
+  const int x = clamped_index(place.x * scale, 0, beauty.width - 1);
+  const int y = clamped_index(place.y * scale, 0, beauty.height - 1);
   const glm::vec4 light = texel(beauty, x, y);
   const float over = texel(base_.depth, x, y).x;
   if (!(light.a > 0.5f) || !(over > 0)) return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <new>
 #include <optional>
 #include <vector>
 
@@ -125,6 +126,7 @@ Status no_memory() {
 
 struct World::Impl {
   explicit Impl(std::size_t memory) : budget(memory), device(rtcNewDevice(device_settings)) {
+    if (!device) throw std::bad_alloc();
     rtcSetDeviceMemoryMonitorFunction(device.get(), count_memory, &budget);
   }
 

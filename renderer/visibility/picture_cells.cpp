@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "protocol/base/clamped_index.h"
+
 namespace pelage {
 
 namespace {
 
-/// -1 and cells_a_side outside of the picture.
-float place_of(float clip) {
-  constexpr float side = cells_a_side;
-  return std::clamp((clip * 0.5f + 0.5f) * side, -1.0f, side + 1);
-}
+float place_of(float clip) { return (clip * 0.5f + 0.5f) * cells_a_side; }
 
-int cell_of(float clip) { return static_cast<int>(std::floor(std::min(place_of(clip), float{cells_a_side}))); }
+/// -1 and cells_a_side outside of the picture.
+int cell_of(float clip) { return clamped_index(std::floor(place_of(clip)), -1, cells_a_side); }
 
 /// That a box ending here reaches.
-int last_cell_of(float clip) { return static_cast<int>(std::ceil(place_of(clip))) - 1; }
+int last_cell_of(float clip) { return clamped_index(std::ceil(place_of(clip)), -1, cells_a_side + 1) - 1; }
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 // pelage-render: the farm node. Draws the frames of a job into files, without a server.
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <new>
@@ -14,6 +14,7 @@
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/batch/render_job.h"
+#include "server/process/signals.h"
 #include "server/scene/scene_memory.h"
 
 namespace {
@@ -69,15 +70,10 @@ void declare(CLI::App& app, Options& options) {
 /// Set once SIGTERM or SIGINT came; several may come.
 std::atomic<bool> stop_asked{false};
 
-/// Waits for the signals that ask to stop; they are blocked in all threads that start after it.
+/// For as long as the program lives.
 void watch_stop_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([signals] {
-    for (int signal = 0; sigwait(&signals, &signal) == 0;) stop_asked = true;
+  std::thread([signals = StopSignals()] {
+    for (;;) signals.wait(), stop_asked = true;
   }).detach();
 }
 
@@ -198,5 +194,7 @@ int main(int argc, char** argv) {
     return render(options, log);
   } catch (const std::bad_alloc&) {
     return fail(log, failure(Code::too_large, "there is not enough memory for this job"), out_of_memory);
+  } catch (const std::exception& error) {
+    return fail(log, failure(Code::internal, error.what()), failed);
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/colour_space.h"
 #include "protocol/base/random.h"
 
@@ -71,8 +72,8 @@ class Lock {
 
   /// What a stretch of a row covers of each texel, over what is there.
   void draw_row(int y, double middle, double half, double lightness) {
-    const int first = std::max(0, static_cast<int>(std::floor(middle - half)));
-    const int last = std::min(lock_width - 1, static_cast<int>(std::floor(middle + half)));
+    const int first = clamped_index(middle - half, 0, lock_width);
+    const int last = clamped_index(std::floor(middle + half), -1, lock_width - 1);
     for (int x = first; x <= last; ++x) {
       const double cover = std::min(middle + half, x + 1.0) - std::max(middle - half, static_cast<double>(x));
       const std::size_t at = index(x, y);

@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "protocol/base/clamped_index.h"
+
 namespace pelage {
 
 namespace {
@@ -22,7 +24,8 @@ int facing_of(glm::vec3 normal) {
 
 CellKey key_of(glm::vec3 root, glm::vec3 normal, double cell) {
   const glm::dvec3 cube = glm::floor(glm::dvec3(root) / cell);
-  return {static_cast<int>(cube.x), static_cast<int>(cube.y), static_cast<int>(cube.z), facing_of(normal)};
+  const auto held = [](double at) { return clamped_index(at, -(1 << 30), 1 << 30); };
+  return {held(cube.x), held(cube.y), held(cube.z), facing_of(normal)};
 }
 
 /// Calls use(set, number of the strand in it, its first point) for each strand of the fur.

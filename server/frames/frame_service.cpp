@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "protocol/base/caught.h"
 #include "protocol/base/stopwatch.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/image/cropped.h"
@@ -66,6 +67,8 @@ struct FrameService::Impl {
 
   void run(GlChoice choice, int asked_threads, std::optional<int> device, std::promise<Status>& started);
   void serve(Renderer& renderer);
+  /// Waits for something to do and does it; false at the end.
+  bool serve_next(Renderer& renderer);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
   /// Draws a job that was taken and answers it.
@@ -99,30 +102,34 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<i
 }
 
 void FrameService::Impl::serve(Renderer& renderer) {
-  for (;;) {
-    std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken> job;
-    Task task;
-    bool forgot = false;
-    {
-      std::unique_lock lock(mutex);
-      wake.wait(lock, [&] {
-        return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
-      });
-      forgot = forget_gone(renderer);
-      if (stopping) break;
-      job = jobs.take();
-      if (!job && !tasks.empty()) {
-        task = std::move(tasks.front());
-        tasks.pop_front();
-      }
-    }
-    if (forgot) give_memory_back();
-    if (job) finish(renderer, std::move(*job));
-    if (task) task(&renderer);
-  }
+  // What is thrown beside a frame's drawing has lost one job, whose client is told so; the others are served.
+  for (Result<bool> go_on = true; !go_on || *go_on;) go_on = caught([&] { return Result<bool>(serve_next(renderer)); });
   while (auto job = jobs.take()) job->job->answer.set_value(server_stopping());
   for (const Task& task : tasks) task(nullptr);
   tasks.clear();
+}
+
+bool FrameService::Impl::serve_next(Renderer& renderer) {
+  std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken> job;
+  Task task;
+  bool forgot = false;
+  {
+    std::unique_lock lock(mutex);
+    wake.wait(lock, [&] {
+      return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
+    });
+    forgot = forget_gone(renderer);
+    if (stopping) return false;
+    job = jobs.take();
+    if (!job && !tasks.empty()) {
+      task = std::move(tasks.front());
+      tasks.pop_front();
+    }
+  }
+  if (forgot) give_memory_back();
+  if (job) finish(renderer, std::move(*job));
+  if (task) task(&renderer);
+  return true;
 }
 
 bool FrameService::Impl::forget_gone(Renderer& renderer) {
@@ -142,10 +149,11 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
     const std::lock_guard lock(mutex);
     running.push_back(&job);
   }
-  Result<DrawnFrame> frame = draw(renderer, job);
+  const auto drawn_or_status = [&] { return caught([&] { return draw(renderer, job); }); };
+  Result<DrawnFrame> frame = drawn_or_status();
   for (; !frame && job.outdated; ++job.restarts) {
     job.outdated = job.given_up = false;
-    frame = draw(renderer, job);
+    frame = drawn_or_status();
   }
   {
     const std::lock_guard lock(mutex);
@@ -232,8 +240,9 @@ Result<T> FrameService::Impl::run_task(const std::function<Result<T>(Renderer&)>
   {
     const std::lock_guard lock(mutex);
     if (stopping) return server_stopping();
-    tasks.push_back(
-        [&](Renderer* renderer) { promise.set_value(renderer ? work(*renderer) : Result<T>(server_stopping())); });
+    tasks.push_back([&](Renderer* renderer) {
+      promise.set_value(caught([&] { return renderer ? work(*renderer) : Result<T>(server_stopping()); }));
+    });
     wake.notify_one();
   }
   return answer.get();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/base/caught.h"
 #include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 
@@ -211,7 +212,7 @@ TraceQueue::Clock::time_point TraceQueue::next_event() const {
 void TraceQueue::run() {
   while (const JobPtr job = next()) {
     const Stopwatch passed;
-    Status status = trace_job(job);
+    Status status = caught([&] { return trace_job(job); });
     end(job, std::move(status), passed.seconds());
   }
 }

@@ -5,23 +5,12 @@
 #include "protocol/base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/reach.h"
 #include "server/patches/patches.h"
 
 namespace pelage {
 
 namespace {
-
-Status out_of_reach(std::string pointer) {
-  return failure(Code::invalid, "too far from the model", std::move(pointer), "at most 1e6 sizes of the model");
-}
-
-bool reachable(glm::dvec3 internal) {
-  const glm::dvec3 distance = glm::abs(internal);
-  return distance.x <= limits::command_coordinate_sizes && distance.y <= limits::command_coordinate_sizes &&
-         distance.z <= limits::command_coordinate_sizes;  // false for NaN
-}
-
-bool reachable_length(double internal) { return internal <= limits::command_coordinate_sizes; }
 
 std::string sample_pointer(std::size_t sample, const char* field) {
   return "/stroke/samples/" + std::to_string(sample) + "/" + field;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/base/parallel.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
@@ -150,8 +151,12 @@ struct Repeats {
 
   Repeats(const UvCorners& uvs, glm::uvec3 t) {
     const glm::vec2 a = uvs.corners[t.x].uv, b = uvs.corners[t.y].uv, c = uvs.corners[t.z].uv;
-    first = glm::ivec2(glm::floor(glm::min(a, glm::min(b, c))));
-    last = glm::max(glm::ivec2(glm::ceil(glm::max(a, glm::max(b, c)))) - 1, first);
+    const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    constexpr int farthest = 1 << 24;  // beyond it 32 bits have no fraction, so there is no place in a picture
+    for (int k = 0; k < 2; ++k) {
+      first[k] = clamped_index(std::floor(low[k]), -farthest, farthest);
+      last[k] = std::max(clamped_index(std::ceil(high[k]), -farthest, farthest) - 1, first[k]);
+    }
     last = glm::min(last, first + max_repeats - 1);
   }
 };

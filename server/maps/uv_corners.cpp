@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "protocol/base/clamped_index.h"
 #include "protocol/commands/map.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
@@ -191,7 +192,9 @@ constexpr int udims_of_row = 10;
 
 glm::ivec2 square_of(const UvCorners& uvs, glm::uvec3 t) {
   const auto uv = [&](std::uint32_t k) { return dvec2(uvs.corners[k].uv); };
-  return glm::ivec2(glm::floor((uv(t.x) + uv(t.y) + uv(t.z)) / 3.0));
+  const dvec2 square = glm::floor((uv(t.x) + uv(t.y) + uv(t.z)) / 3.0);
+  constexpr int farthest = 1 << 24;  // of what 32 bits can name a square
+  return {clamped_index(square.x, -farthest, farthest), clamped_index(square.y, -farthest, farthest)};
 }
 
 glm::ivec2 square_of(int udim) { return {(udim - first_udim) % udims_of_row, (udim - first_udim) / udims_of_row}; }

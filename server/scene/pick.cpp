@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/groom/evaluate.h"
+#include "server/groom/reach.h"
 #include "server/groom/vertex_frame.h"
 #include "server/scene/farthest_place.h"
 
@@ -55,10 +56,23 @@ std::optional<SurfacePoint> place_of(const Surface& surface, const PickRequest& 
   return under_pixel(surface, wanted.view, wanted.pixel);
 }
 
+Status check_reach(const Mesh& mesh, const PickRequest& wanted) {
+  const auto check = [&](glm::dvec3 place, const char* pointer) {
+    return reachable(mesh.to_internal(place)) ? Status{} : out_of_reach(pointer);
+  };
+  if (wanted.ray) return check(wanted.ray->origin, "/ray/origin");
+  if (wanted.nearest) return check(*wanted.nearest, "/nearest");
+  const Camera& camera = wanted.view.camera;
+  if (wanted.farthest || camera.automatic != AutoView::none) return {};
+  if (Status far = check(camera.position, "/view/camera/position"); !far.ok()) return far;
+  return check(camera.target, "/view/camera/target");
+}
+
 }  // namespace
 
-PickAnswer pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted) {
+Result<PickAnswer> pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted) {
   const Mesh& mesh = surface.mesh();
+  if (Status far = check_reach(mesh, wanted); !far.ok()) return far;
   const std::optional<SurfacePoint> point = place_of(surface, wanted);
   PickAnswer answer;
   if (!point) return answer;

@@ -1,6 +1,7 @@
 // Which place of the surface is meant, and the fur there.
 #pragma once
 
+#include "protocol/base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/pick.h"
 #include "server/fields/field_set.h"
@@ -9,7 +10,7 @@
 namespace pelage {
 
 /// The place, with the fields between the corners of its triangle. No hit where a ray passes by, or no part of the
-/// surface lies in the box.
-PickAnswer pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted);
+/// surface lies in the box. Refuses places that lie too far from the model, as commands do.
+Result<PickAnswer> pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted);
 
 }  // namespace pelage

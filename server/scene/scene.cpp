@@ -349,8 +349,8 @@ void Scene::read(const std::function<void(const SceneView&)>& use) const {
 
 void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
   const std::lock_guard lock(mutex_);
-  const std::vector<VertexRange> dirty = merge_ranges(std::exchange(dirty_, {}));
-  use(view(), dirty);
+  use(view(), merge_ranges(dirty_));
+  dirty_.clear();  // once all of it was read: what is thrown meanwhile leaves it to the next
 }
 
 Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,

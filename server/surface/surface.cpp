@@ -7,7 +7,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
 
 #include "protocol/base/parallel.h"
@@ -130,7 +132,7 @@ void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
   auto* triangles = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), mesh.triangles.size()));
-  assert(positions && triangles);
+  if (!positions || !triangles) throw std::bad_alloc();
   std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
   std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
   rtcCommitGeometry(geometry);
@@ -139,6 +141,7 @@ void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
 /// `bytes` is what the device has at any time.
 Device make_device(std::atomic<std::ptrdiff_t>& bytes) {
   Device device(rtcNewDevice(device_settings));
+  if (!device) throw std::bad_alloc();
   const auto count = [](void* counter, std::ptrdiff_t change, bool) {
     *static_cast<std::atomic<std::ptrdiff_t>*>(counter) += change;
     return true;
@@ -163,7 +166,9 @@ Scene make_scene(RTCDevice device, const Mesh& mesh) {
   rtcAttachGeometry(scene.get(), geometry);
   rtcReleaseGeometry(geometry);
   run_on_this_thread([&] { rtcCommitScene(scene.get()); });
-  assert(rtcGetDeviceError(device) == RTC_ERROR_NONE);
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (error != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot index the model");
   return scene;
 }
 
@@ -193,11 +198,21 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-/// The part of the ray near the model begins here: moved along the ray in double, because Embree's rays are 32-bit.
-glm::dvec3 start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
+/// Where the part of the ray near the model begins: moved along the ray in double, because Embree's rays are 32-bit and
+/// end the process where a square overflows. None where the ray passes by.
+std::optional<glm::dvec3> start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
   // The model's box lies in the ball of radius 1/2 around the origin of the internal coordinates.
   const double closest = -glm::dot(origin, direction);
-  return closest > 1 ? origin + direction * (closest - 1) : origin;
+  const glm::dvec3 start = closest > 1 ? origin + direction * (closest - 1) : origin;
+  if (glm::length(start) <= 2) return start;  // not so where a number is none either
+  return std::nullopt;
+}
+
+/// Of length 1; none where there is no direction.
+std::optional<glm::dvec3> unit_of(glm::dvec3 direction) {
+  const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (!is_finite(direction) || largest == 0) return std::nullopt;
+  return glm::normalize(direction / largest);  // whose square neither overflows nor vanishes
 }
 
 }  // namespace
@@ -233,10 +248,10 @@ std::size_t Surface::bytes() const {
 }
 
 std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direction) const {
-  const double length = glm::length(direction);
-  if (!is_finite(origin) || !std::isfinite(length) || length == 0) return std::nullopt;
-  const glm::dvec3 unit = direction / length;
-  const glm::vec3 start(start_near_model(origin, unit)), towards(unit);
+  const std::optional<glm::dvec3> unit = unit_of(direction);
+  const std::optional<glm::dvec3> near = unit ? start_near_model(origin, *unit) : std::nullopt;
+  if (!near) return std::nullopt;
+  const glm::vec3 start(*near), towards(*unit);
   RTCRayHit query{};
   query.ray = {start.x, start.y, start.z, 0, towards.x, towards.y, towards.z, 0, std::numeric_limits<float>::infinity(),
                ~0u,     0,       0};

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 
 namespace pelage::run_beside_test {
@@ -28,6 +29,18 @@ TEST(RunBeside, EndsTheWorkOnceThePauseGivesUp) {
                                  return 7;
                                });
   EXPECT_FALSE(done);
+}
+
+TEST(RunBeside, EndsTheWorkOnceThePauseThrows) {
+  const auto pause = []() -> bool { throw std::runtime_error("no memory for who was let in"); };
+  std::atomic<bool> ended = false;
+  const auto work = [&](const auto& go_on) {
+    while (go_on()) std::this_thread::yield();
+    ended = true;
+    return 7;
+  };
+  EXPECT_THROW(run_beside(pause, work), std::runtime_error);
+  EXPECT_TRUE(ended);
 }
 
 }  // namespace

@@ -1,9 +1,14 @@
 #include "server/surface/surface.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <thread>
 
@@ -45,6 +50,41 @@ TEST(Surface, RaysThatMissOrAreNone) {
   EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, 0, 0}));
   EXPECT_FALSE(cube.raycast({0, nan, 0}, {0, -1, 0}));
   EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, nan, 0}));
+}
+
+TEST(Surface, RaysFromFarBeyondWhatEmbreeTakesPassBy) {
+  const Surface cube = surface_of(shapes::cube());
+  for (const double far : {1e7, 1e19, 1e30, 1e200, std::numeric_limits<double>::max()}) {
+    EXPECT_FALSE(cube.raycast({far, 0, 0}, {0, 1, 0})) << far;
+    EXPECT_FALSE(cube.raycast({far, far, far}, {1, 0, 0})) << far;
+    cube.raycast({0.1, far, 0.05}, {0, -1, 0});  // towards it, but too far to tell
+  }
+}
+
+TEST(Surface, ADirectionMayHaveAnyLength) {
+  const Surface cube = surface_of(shapes::cube());
+  for (const double length : {1e-300, 1e-20, 1.0, 1e20, 1e300})
+    EXPECT_TRUE(cube.raycast({0.1, 1, 0.05}, {0, -length, 0})) << length;
+}
+
+/// A child whose memory ends: what Embree cannot have it says, in a release too.
+TEST(SurfaceDeathTest, MemoryThatDoesNotDoIsSaid) {
+  const auto starved = [] {
+    const Result<Mesh> mesh = shapes::prepared(shapes::ball(300));
+    std::ifstream pages("/proc/self/statm");
+    std::size_t used = 0;
+    pages >> used;
+    const rlim_t room = used * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (std::size_t{24} << 20);
+    const rlimit limit{room, room};
+    setrlimit(RLIMIT_AS, &limit);
+    try {
+      const Surface surface(*mesh);
+    } catch (const std::bad_alloc&) {
+      std::_Exit(0);
+    }
+    std::_Exit(1);
+  };
+  EXPECT_EXIT(starved(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Surface, RaysThroughEdgesAndVerticesDoNotSlipThrough) {
