@@ -20,6 +20,7 @@
 #include "server/frames/scene_tracer.h"
 #include "server/http/http_server.h"
 #include "server/import/import.h"
+#include "server/log/server_log.h"
 #include "server/process/signals.h"
 #include "server/scene/scene_memory.h"
 #include "server/scene/scene_store.h"
@@ -46,20 +47,29 @@ struct Options {
   std::vector<std::string> hosts;
   bool calibrate = false;
   std::string calibration;
+  LogFormat log_format = LogFormat::text;
+  LogLevel log_level = LogLevel::info;
 
   std::string calibration_file() const { return calibration.empty() ? data + "/calibration.json" : calibration; }
 };
 
+template <class T>
+CLI::Option* add_choice(CLI::App& app, const char* name, T& choice, const std::map<std::string, T>& words,
+                        const char* description) {
+  return app
+      .add_option_function<std::string>(
+          name, [&choice, words](const std::string& word) { choice = words.at(word); }, description)
+      ->check(CLI::IsMember(words));
+}
+
 void declare(CLI::App& app, Options& options) {
-  static const std::map<std::string, GlChoice> gl_names{
-      {"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
   app.add_option("--listen", options.listen, "ADDRESS:PORT; port 0 picks a free one")->capture_default_str();
   app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();
-  app.add_option_function<std::string>(
-         "--gl", [&options](const std::string& name) { options.gl = gl_names.at(name); },
-         "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]")
-      ->check(CLI::IsMember(gl_names));
+  add_choice(
+      app, "--gl", options.gl,
+      {{"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}},
+      "what draws: auto (a GPU, else the CPU), none (the CPU), egl or osmesa [auto]");
   app.add_option("--device", options.device, "Number of the EGL device that draws, where there are several GPUs")
       ->check(CLI::Range(0, 31));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
@@ -75,6 +85,12 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--calibrate", options.calibrate,
                "Measure what frames cost on this machine, store it for the next start, and end");
   app.add_option("--calibration", options.calibration, "File of that [calibration.json in the folder of --data]");
+  add_choice(app, "--log-format", options.log_format, {{"text", LogFormat::text}, {"json", LogFormat::json}},
+             "Form of the lines on the standard error, one for each request: text or json [text]");
+  add_choice(
+      app, "--log-level", options.log_level,
+      {{"info", LogLevel::info}, {"warning", LogLevel::warning}, {"error", LogLevel::error}, {"off", LogLevel::off}},
+      "Lowest level of those lines: info, warning (refusals), error (failures) or off [info]");
   app.add_option("--host", options.hosts, "Name that requests may address beside the loopback ones; may be repeated");
 }
 
@@ -148,8 +164,9 @@ int serve(const Options& options, const HttpOptions& http) {
   (*scenes)->count_copies([&](std::uint64_t copy) { return (*frames)->copy_bytes(copy); });
   (*scenes)->on_close([&](std::uint64_t copy) { (*frames)->forget(copy); });
   const auto trace_memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
+  const ServerLog log(options.log_format, options.log_level, STDERR_FILENO);
   TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate);
-  const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate});
+  const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate, log});
   if (!server) return fail(usage, server.status());
 
   const int port = (*server)->port();

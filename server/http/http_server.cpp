@@ -8,8 +8,10 @@
 #include <algorithm>
 
 #include "protocol/base/limits.h"
+#include "server/http/failures.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
+#include "server/http/request_log.h"
 #include "server/http/routes.h"
 #include "server/http/transport/http_transport.h"
 
@@ -48,29 +50,6 @@ void settle_framing(const Request& request) {
   if (takes_body && !request.has_header("Content-Length")) owned.headers.emplace("Content-Length", "0");
 }
 
-void refuse(const Refusal& refusal, const Request& request, Response& response) {
-  auto& owned = const_cast<Request&>(request);
-  owned.ranges.clear();
-  // No body is written for a HEAD, so that close_after would not close; it is answered as a GET.
-  if (request.method == "HEAD") owned.method = "GET";
-  reply_problem(response, refusal.status, refusal.http_status);
-  if (refusal.http_status == 401) response.set_header("WWW-Authenticate", "Bearer");
-  if (refusal.http_status == 405) response.set_header("Allow", "GET, HEAD, POST, PUT, DELETE");
-  close_after(response);
-}
-
-/// Refusals of cpp-httplib itself, which have no body. What it did not read may follow, so the connection ends.
-Refusal own_refusal(const Request& request, int http_status) {
-  const RouteInfo route = route_of(request.path);
-  if (http_status == 404 && !route.methods.empty()) {
-    return {405, failure(Code::malformed, "This address does not take the method.", "", route.methods)};
-  }
-  if (http_status == 404) return {404, failure(Code::not_found, "There is nothing at this address.")};
-  if (http_status == 413) return {413, failure(Code::too_large, "The body is too large.")};
-  if (http_status == 500) return {500, failure(Code::internal, "The server failed.")};
-  return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
-}
-
 bool is_probe(const std::string& path) { return path == "/livez" || path == "/readyz" || path == "/metrics"; }
 
 Status early_refusal(const ReceptionLimits& limits, int http_status) {
@@ -85,6 +64,12 @@ Status early_refusal(const ReceptionLimits& limits, int http_status) {
   return failure(Code::unavailable, "Too many requests wait.", "", fmt::format("{}", limits.waiting_requests));
 }
 
+/// Tells the client what the log calls its request, and the log why it was refused.
+void say_id(Exchange& exchange, Response& response) {
+  response.set_header(request_id_header, exchange.id);
+  if (exchange.problem.empty()) exchange.problem = response.reason;
+}
+
 /// The bytes of an answer that ends its connection, without cpp-httplib.
 std::string bytes_of(const Response& response) {
   std::string bytes =
@@ -97,9 +82,10 @@ std::string bytes_of(const Response& response) {
 
 struct HttpServer::Impl {
   Impl(const HttpOptions& options, const ServedParts& parts)
-      : service(parts), guard(options.token, options.hosts, !is_loopback_name(options.host)) {
+      : log(parts.log), service(parts), guard(options.token, options.hosts, !is_loopback_name(options.host)) {
     set_up_transport();
     set_up_handlers();
+    answer_failures(server);
     add_scene_routes(server, service);
     add_upload_routes(server, service);
     add_map_routes(server, service);
@@ -135,29 +121,26 @@ struct HttpServer::Impl {
       return before_routing(request, response) ? httplib::Server::HandlerResponse::Unhandled
                                                : httplib::Server::HandlerResponse::Handled;
     });
-    server.set_error_handler([](const Request& request, Response& response) {
-      const bool ours = !response.body.empty() || response.content_length_ > 0;
-      if (!ours) refuse(own_refusal(request, response.status), request, response);
-    });
-    // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is httplib's
-    server.set_exception_handler([](const Request& request, Response& response, std::exception_ptr) {
-      fmt::print(stderr, "pelaged: an exception reached {}\n", route_of(request.path).path);
-      response.headers.clear();
-      refuse(own_refusal(request, 500), request, response);
-    });
     server.set_post_routing_handler([this](const Request& request, Response& response) {
       service.metrics.count_request(route_of(request.path).path, response.status);
+      if (Exchange* exchange = exchange_of(request)) say_id(*exchange, response);
     });
   }
 
   Status serve() {
-    const auto refusal = [this](Exchange&, int http_status) {
+    const auto begun = [](const Request& request, Exchange& exchange) {
+      exchange.id = new_request_id(request.get_header_value("traceparent"));
+    };
+    const auto refusal = [this](Exchange& exchange, int http_status) {
+      exchange.id = new_request_id("");
       service.metrics.count_request("other", http_status);
       Response response;
       reply_problem(response, early_refusal(limits, http_status), http_status);
+      say_id(exchange, response);
       return bytes_of(response);
     };
-    const bool good = server.serve(limits, {refusal, [](const Exchange&) {}, is_probe});
+    const auto ended = [this](const Exchange& exchange) { log_exchange(log, exchange); };
+    const bool good = server.serve(limits, {begun, refusal, ended, is_probe});
     return good && service.draining ? Status{} : failure(Code::internal, "The listening socket failed.");
   }
 
@@ -175,6 +158,7 @@ struct HttpServer::Impl {
     return true;
   }
 
+  const ServerLog& log;
   Service service;
   Guard guard;
   const ReceptionLimits limits = reception_limits();

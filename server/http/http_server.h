@@ -9,6 +9,7 @@
 #include "server/frames/frame_service.h"
 #include "server/frames/trace_queue.h"
 #include "server/frames/yield_gate.h"
+#include "server/log/server_log.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {
@@ -26,6 +27,7 @@ struct ServedParts {
   FrameService& frames;
   TraceQueue& traces;
   YieldGate& gate;  // commands go first
+  const ServerLog& log;
 };
 
 class HttpServer {

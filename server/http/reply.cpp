@@ -46,8 +46,16 @@ void reply_uncompressed(httplib::Response& response, const char* content_type, s
       [whole](size_t from, size_t size, httplib::DataSink& sink) { return sink.write(whole->data() + from, size); });
 }
 
+/// What is wrong and where, in one line.
+static std::string words_of(const Status& status) {
+  std::string words = status.message;
+  for (const std::string& more : {status.pointer, status.limit}) words += (more.empty() ? "" : " ") + more;
+  return words;
+}
+
 void reply_problem(httplib::Response& response, const Status& status, int http_status) {
   response.status = http_status;
+  response.reason = words_of(status);
   response.set_content(encode_problem(status, http_status), "application/problem+json");
   if (http_status == 429 || http_status == 503) response.set_header("Retry-After", "1");
 }

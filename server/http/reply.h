@@ -21,7 +21,8 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
 /// A long answer as it is: cpp-httplib compresses texts, and its brotli takes minutes for a log of 8 MB.
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body);
 
-/// A problem document; with Retry-After where trying again helps.
+/// A problem document; with Retry-After where trying again helps. Its words stand in `reason` too, which cpp-httplib
+/// does not send: the log has them.
 void reply_problem(httplib::Response& response, const Status& status, int http_status);
 void reply_problem(httplib::Response& response, const Status& status);
 

@@ -64,15 +64,22 @@ void HttpTransport::stop_serving() {
 bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock::time_point begin) {
   Exchange exchange(connection, begin);
   ConnectionStream stream(connection, exchange);
+  exchange.problem = "It is not what HTTP says.";  // until its head is parsed
   bool client_ends = false, stays = false;
   try {
     const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
-    stays = process_request(stream, last, client_ends,
-                            [&](httplib::Request& request) { request.progress = ExchangeCarrier{&exchange}; });
+    stays = process_request(stream, last, client_ends, [&](httplib::Request& request) {
+      exchange.problem.clear();
+      request.progress = ExchangeCarrier{&exchange};
+      hooks_.begun(request, exchange);
+    });
     stays = stays && !last && !client_ends && !stream.broken();
   } catch (const std::exception& error) {  // handlers' own are answered; this came from one that writes as it goes
     exchange.problem = error.what();
+  } catch (...) {
+    exchange.problem = "Something was thrown that is no exception.";
   }
+  if (stream.broken() && exchange.problem.empty()) exchange.problem = "The client left before the answer ended.";
   hooks_.ended(exchange);
   return stays;
 }

@@ -17,6 +17,8 @@ namespace pelage {
 class HttpTransport : public httplib::Server {
  public:
   struct Hooks {
+    /// Before the handlers of a request, whose head is parsed.
+    std::function<void(const httplib::Request&, Exchange&)> begun;
     /// The whole answer to a request that reaches no handler: 408, 431 or 503.
     std::function<std::string(Exchange&, int http_status)> refusal;
     /// After each answer, on any thread.
