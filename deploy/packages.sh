@@ -7,7 +7,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev zlib1g-dev libtinyobjloader-dev libassimp-dev libzip-dev libembree-dev libtbb-dev libeigen3-dev libmeshoptimizer-dev libhwy-dev
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 demo=("${build[@]}" glmark2-data openimageio-tools)
-test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip python3-setuptools python3-wheel curl
+test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip curl
   slurm-wlm munge ffmpeg
   clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 chromium)
 

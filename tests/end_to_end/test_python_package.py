@@ -6,7 +6,6 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,6 +16,7 @@ from support.server import BIN, REPOSITORY
 SOURCE = REPOSITORY / "clients" / "python"
 sys.path.insert(0, str(SOURCE))
 import pelage  # noqa: E402
+import wheel_backend  # noqa: E402
 from pelage.commands import Commands  # noqa: E402
 
 CONTRACT = json.loads((BIN / "openapi.json").read_text())
@@ -160,18 +160,17 @@ class Words(unittest.TestCase):
 
 
 class Installing(unittest.TestCase):
-    """Without a network, from a copy, for building writes beside the sources."""
+    """Into an empty environment, without a registry, as docs/python.md says it."""
 
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-        self.copy = shutil.copytree(SOURCE, self.folder / "checkout", ignore=shutil.ignore_patterns("build", "*.egg-info", "__pycache__"))
         environment = self.folder / "environment"
         run(sys.executable, "-m", "venv", "--without-pip", environment)
         self.python = environment / "bin" / "python"
 
     def pip(self, *arguments):
-        return run(sys.executable, "-m", "pip", "--no-input", "--disable-pip-version-check", *arguments,
-                   env={**os.environ, "PIP_NO_INDEX": "1", "PIP_ROOT_USER_ACTION": "ignore"})
+        return run(sys.executable, "-m", "pip", "--no-input", "--disable-pip-version-check", *arguments, cwd=REPOSITORY,
+                   env={**os.environ, "PIP_NO_INDEX": "1", "PIP_ROOT_USER_ACTION": "ignore", "PYTHONDONTWRITEBYTECODE": "1"})
 
     def assert_it_works(self):
         program = (f"import pelage, sys\nassert {str(self.folder)!r} in pelage.__file__, pelage.__file__\n"
@@ -186,7 +185,8 @@ class Installing(unittest.TestCase):
         self.assertRegex(printed, "png has no array; .*npy.*\nArrays need NumPy: pip install numpy")
 
     def test_a_wheel(self):
-        self.pip("wheel", "--no-deps", "--no-build-isolation", "-w", self.folder, self.copy)
+        self.assertIn("pip wheel --no-deps clients/python ", (REPOSITORY / "docs" / "python.md").read_text())
+        self.pip("wheel", "--no-deps", "-w", self.folder, "clients/python")
         wheel = self.folder / f"pelage-{pelage.__version__}-py3-none-any.whl"
         self.pip("--python", self.python, "install", "--no-deps", wheel)
         self.assert_it_works()
@@ -195,6 +195,20 @@ class Installing(unittest.TestCase):
         self.assertIn("py.typed", installed)
 
     def test_a_checkout(self):
-        packages = run(self.python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip()
-        self.pip("install", "--no-deps", "--no-build-isolation", "--target", packages, self.copy)
+        for page in (SOURCE / "README.md", REPOSITORY / "docs" / "python.md"):
+            self.assertIn("    pip install clients/python\n", re.sub(" +#.*", "", page.read_text()))
+        before = sorted(SOURCE.rglob("*"))
+        self.pip("--python", self.python, "install", "clients/python")
         self.assert_it_works()
+        self.assertEqual(sorted(SOURCE.rglob("*")), before, "it leaves nothing beside the sources")
+
+    def test_a_checkout_that_is_edited(self):
+        self.pip("--python", self.python, "install", "--editable", "clients/python")
+        self.assertEqual(run(self.python, "-c", "import pelage; print(pelage.__file__)", cwd=self.folder).strip(),
+                         str(SOURCE / "pelage" / "__init__.py"))
+
+    def test_a_source_archive_makes_the_same_wheel(self):
+        archive = wheel_backend.build_sdist(self.folder)
+        self.pip("wheel", "--no-deps", "-w", self.folder / "second", self.folder / archive)
+        wheel = wheel_backend.build_wheel(self.folder)
+        self.assertEqual((self.folder / "second" / wheel).read_bytes(), (self.folder / wheel).read_bytes())
