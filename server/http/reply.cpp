@@ -84,10 +84,10 @@ void set_etag(httplib::Response& response, Revision revision, int passes) {
   response.set_header("ETag", etag_of(revision, passes));
 }
 
-Result<bool> is_dry_run(const httplib::Request& request) {
-  if (!request.has_param("dry_run")) return false;
-  const std::string value = request.get_param_value("dry_run");
-  if (value != "0" && value != "1") return failure(Code::invalid, "dry_run is 0 or 1.", "/dry_run", "0 | 1");
+Result<bool> flag_of(const httplib::Request& request, const std::string& name) {
+  if (!request.has_param(name)) return false;
+  const std::string value = request.get_param_value(name);
+  if (value != "0" && value != "1") return failure(Code::invalid, name + " is 0 or 1.", "/" + name, "0 | 1");
   return value == "1";
 }
 

@@ -38,8 +38,9 @@ void set_etag(httplib::Response& response, Revision revision, int passes = 0);
 /// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of
 /// ours.
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
-/// The parameter dry_run, 0 where there is none; refused (invalid) unless it is 0 or 1.
-Result<bool> is_dry_run(const httplib::Request& request);
+/// A parameter that is 0 or 1, 0 where there is none; refused (invalid) for anything else.
+Result<bool> flag_of(const httplib::Request& request, const std::string& name);
+inline Result<bool> is_dry_run(const httplib::Request& request) { return flag_of(request, "dry_run"); }
 
 /// Whether If-None-Match is * or names the entity tag, which has its quotes; weak ones count (RFC 9110 13.1.2).
 bool none_match_names(const httplib::Request& request, std::string_view etag);

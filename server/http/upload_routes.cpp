@@ -10,6 +10,7 @@
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 #include "server/scene/load_guides.h"
+#include "server/scene/model.h"
 
 namespace pelage {
 
@@ -19,13 +20,41 @@ using httplib::Request;
 using httplib::Response;
 using Bytes = std::span<const std::byte>;
 
+/// Refuses (conflict, "/discard") a new model for a scene with a groom.
+Status check_loss(const Scene& scene) {
+  std::size_t commands = 0;
+  for (const std::vector<Command>& step : scene.effective_log()) commands += step.size();
+  std::string lost = commands == 0 ? "" : fmt::format("{} {}", commands, commands == 1 ? "command" : "commands");
+  if (!scene.model()->subdivisions.empty())  // which begin a log of their own with the groom that was there
+    lost += fmt::format("{}what was there before it was subdivided", lost.empty() ? "" : " and ");
+  if (lost.empty()) return {};
+  return failure(Code::conflict, "A new model would lose the scene's groom: " + lost + ".", "/discard",
+                 "1, where the groom may be lost");
+}
+
+/// Loads the model only where that loses no groom, not even one of commands that come while its bytes are read.
+Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const ImportOptions& options, Bytes bytes,
+                                         std::optional<Revision> if_match) {
+  const Revision seen = scene.revision();
+  if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
+  auto summary = service.scenes.load_model(scene, options, bytes, {.if_match = if_match.value_or(seen)});
+  if (summary || summary.status().code != Code::precondition || if_match) return summary;
+  if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
+  return summary;
+}
+
 void load_model(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
-  const auto options = decode_import_query(query_of(request));
+  Query query = query_of(request);
+  std::erase_if(query, [](const auto& parameter) { return parameter.first == "discard"; });
+  const auto options = decode_import_query(query);
   if (!options) return reply_problem(response, options.status());
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
+  const auto discard = flag_of(request, "discard");
+  if (!discard) return reply_problem(response, discard.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const auto summary = service.scenes.load_model(scene, *options, bytes, {.if_match = *if_match});
+  const auto summary = *discard ? service.scenes.load_model(scene, *options, bytes, {.if_match = *if_match})
+                                : load_into_ungroomed(service, scene, *options, bytes, *if_match);
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);

@@ -188,7 +188,7 @@ class Events(ServedTest):
             finer = stream.next()
             self.assertEqual((finer.name, finer.id, finer.data["first_revision"], finer.data["undo_steps"]), ("scene", "2", 2, 0))
             ids.append(finer.data["model_id"])
-            self.server.call("PUT", f"{self.scene.path}/model?format=obj", TRIANGLE)
+            self.server.call("PUT", f"{self.scene.path}/model?format=obj&discard=1", TRIANGLE)
             other = stream.next()
             self.assertEqual((other.name, other.id, other.data["first_revision"]), ("scene", "3", 3))
             ids.append(other.data["model_id"])

@@ -154,7 +154,7 @@ class Difference(ServedTest):
         scene = self.server.new_scene("sphere", 500)
         scene.run(flood([0, -1, 0]))
         model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj&discard=1", model).status, 200)
         self.assert_problem(scene.post("frames", {"overlay": "difference", "overlay_from": 1}), 422, "/overlay_from")
         self.assertEqual(scene.frame(overlay="difference", overlay_from=2).status, 200)
 

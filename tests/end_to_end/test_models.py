@@ -79,6 +79,31 @@ class Uploads(ServedTest):
             answer = self.upload(shared_folder() / "meshes" / "spot_control_mesh.obj", query)
             self.assertEqual(answer.status, status, (query, answer))
 
+    def test_a_groom_is_lost_only_where_that_is_said(self):
+        scene = self.server.new_scene("sphere", 500)
+        scene.run({"op": "comb", "flood": True, "direction": [1, 0, 0]}, {"op": "noise", "flood": True})
+        before = scene.info()
+        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+        put = f"{scene.path}/model?format=obj"
+        for query in ("", "&discard=0"):
+            answer = self.server.call("PUT", f"{put}{query}", model)
+            self.assert_problem(answer, 409, "/discard")
+            self.assertIn("would lose the scene's groom: 2 commands", answer.json["detail"])
+        self.assert_problem(self.server.call("PUT", f"{put}&discard=yes", model), 422, "/discard")
+        self.assertEqual(scene.info(), before)
+        path = self.server.folder / "triangle.obj"
+        path.write_bytes(model)
+        refused = self.pelage("load", scene.id, path, code=1).stderr
+        self.assertIn("2 commands", refused)
+        self.assertIn("flag:    --discard", refused)
+        self.assertEqual(scene.info(), before)
+        self.pelage("load", scene.id, path, "--discard")
+        self.assertEqual((scene.info()["triangles"], scene.info()["undo_steps"]), (1, 0))
+        self.assertEqual(self.server.call("PUT", put, model).status, 200, "there is no groom to lose")
+        scene.run({"op": "length", "flood": True, "value": 0.1})
+        self.assertIn("1 command.", self.server.call("PUT", put, model).json["detail"])
+        self.assertEqual(self.server.call("PUT", f"{put}&discard=1", model).status, 200)
+
     def test_a_groomed_upload_is_drawn(self):
         scene = self.server.new_scene("plane", 2)
         model = (shared_folder() / "meshes" / "spot.glb").read_bytes()

@@ -128,7 +128,7 @@ class PastFrames(ServedTest):
         scene.run(flood([0, -1, 0]))
         scene.frame(**VIEW, revision=0)
         model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj&discard=1", model).status, 200)
         for revision in (0, 1):
             self.assert_problem(scene.post("frames", {**VIEW, "revision": revision}), 422, "/revision")
         first = scene.frame(**VIEW, revision=2).body

@@ -350,6 +350,16 @@ class Files(PackageTest):
             self.scene.load(self.folder / "m.xyz")
         self.assertEqual(caught.exception.pointer, "/format")
 
+    def test_load_keeps_a_groom_unless_told_otherwise(self):
+        (self.folder / "m.obj").write_text(TRIANGLE + "f 1 2 3\n")
+        self.scene.noise(flood=True)
+        before = self.scene.info()
+        with self.assertRaisesRegex(pelage.Conflict, "1 command") as caught:
+            self.scene.load(self.folder / "m.obj")
+        self.assertEqual((caught.exception.status, caught.exception.pointer), (409, "/discard"))
+        self.assertEqual(self.scene.info(), before)
+        self.assertEqual(self.scene.load(self.folder / "m.obj", discard=True)["triangles"], 1)
+
     def test_progress_of_an_upload(self):
         reports = []
         (self.folder / "m.obj").write_text(TRIANGLE + "f 1/1 2/2 3/3\n" + "# filler\n" * 100_000)

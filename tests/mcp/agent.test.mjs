@@ -100,6 +100,11 @@ test("a model is loaded from a file", async () => {
     const {data, text} = await agent.call("load_model", {scene: "box", path, up: "z", front: "x", length: 0.1});
     assert.deepEqual([data.model, data.vertices, data.triangles, data.up, data.front], ["obj", 8, 12, "z", "x"]);
     assert.match(text, /8 vertices, 12 triangles/);
+    await agent.call("noise", {scene: "box", flood: true});
+    const refused = await agent.refused("load_model", {scene: "box", path});
+    assert.match(refused.text, /would lose the scene's groom: 1 command\./);
+    assert.equal((await agent.call("describe_scene", {scene: "box"})).data.undo_steps, 1);
+    assert.equal((await agent.call("load_model", {scene: "box", path, discard: true})).data.undo_steps, 0);
   } finally {
     rmSync(folder, {recursive: true});
   }

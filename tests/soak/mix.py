@@ -58,9 +58,9 @@ class Client:
 
     def upload(self, scene):
         for name, content in bodies.MODELS.items():
-            self.expect(self.server.call("PUT", f"{scene.path}/model?format={name}", content, headers=BINARY), 200, 429)
+            self.expect(self.server.call("PUT", f"{scene.path}/model?format={name}&discard=1", content, headers=BINARY), 200, 429)
         self.expect(self.server.call("PUT", f"{scene.path}/skin_texture", bodies.PICTURES[0], headers=BINARY), 200, 429)
-        self.expect(self.server.call("PUT", f"{scene.path}/model?format=ply", b"ply\nbroken", headers=BINARY), 422, 429)
+        self.expect(self.server.call("PUT", f"{scene.path}/model?format=ply&discard=1", b"ply\nbroken", headers=BINARY), 422, 429)
 
     def export(self, scene):
         saved = self.server.get(f"{scene.path}/export/pelage")

@@ -87,10 +87,13 @@ Result<HttpAnswer> load_into(Session& session, const std::string& scene_path) {
   if (const auto checked = decode_import_query(import_query(options, format)); !checked) return checked.status();
   const auto model = packed(options, format);
   if (!model) return model.status();
-  const Query query = import_query(options, model->is_zip ? "zip" : format);
+  Query query = import_query(options, model->is_zip ? "zip" : format);
+  if (options.discard) query.emplace_back("discard", "1");
   auto answer = put_bytes(session, scene_path, "model", query, model->bytes);
   if (answer) return answer;
   const Status& status = answer.status();
+  if (status.pointer == "/discard")
+    return with_next(status, "keep it with `pelage export` or `pelage branch`, then load with --discard");
   const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
   return about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status;
 }

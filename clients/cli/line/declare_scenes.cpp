@@ -54,6 +54,7 @@ void declare_load(CLI::App& app, Options& options) {
                               "Give a scene a model from a file, with the files that it names; its log starts empty");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
+  load->add_flag("--discard", options.discard, "Load it though the groom that the scene has is lost");
   add_import(load, options);
   add_fur(load, options);
 }

@@ -9,6 +9,9 @@ OPTIONS = {
 }
 
 AUTHOR = ("author", "Optional[str]", "None", "Who makes the change, for the log; at most 200 bytes of UTF-8.")
+DISCARD = ("discard", "bool", "False",
+           "Loads it though the groom that the scene has is lost. Unless given `Conflict` is raised for such a scene; it "
+           "says how many commands that is.")
 IF_MATCH = ("if_match", "Optional[int]", "None", "A revision. At another one nothing is done, and `Conflict` is raised.")
 PROGRESS = ("progress", "Optional[ReportProgress]", "None",
             "Called about once a second, on another thread, with how far the frame is.")
@@ -60,7 +63,7 @@ REQUESTS = (
             "Gives the scene a model from a file; its log starts empty. An OBJ's or a .gltf's files that it names go with "
             "it; one that is not there gives a UserWarning. Not repeated when the connection is lost on the way.",
             optional=("format",),
-            parameters=((*PATH, "Of the model. `format` follows from its ending unless given."), IF_MATCH, UPLOADED)),
+            parameters=((*PATH, "Of the model. `format` follows from its ending unless given."), DISCARD, IF_MATCH, UPLOADED)),
     Request("upload_environment", "EnvironmentUpload", "CommandAnswer",
             "Lights the scene from all around with an EXR or a Radiance HDR, as one undo step.",
             parameters=(PICTURE, AUTHOR, IF_MATCH, UPLOADED)),

@@ -54,7 +54,7 @@ class NotFound(Refused):
 
 
 class Conflict(Refused):
-    """The scene is at another revision than `if_match` (412), or a newer frame took the view (409)."""
+    """The scene is at another revision than `if_match` (412), a newer frame took the view, or a groom would be lost (409)."""
 
 
 class Busy(Problem):

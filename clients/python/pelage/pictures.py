@@ -117,10 +117,15 @@ class Pictures(Requests):
     # Models and maps
 
     def _load(
-        self, members: Dict[str, Any], path: Path, if_match: Optional[int], progress: Optional[ReportProgress]
+        self,
+        members: Dict[str, Any],
+        path: Path,
+        discard: bool,
+        if_match: Optional[int],
+        progress: Optional[ReportProgress],
     ) -> SceneInfo:
         model = pack_model(path, members["format"])
-        query = {**members, "format": model.format}
+        query = {**members, "format": model.format, "discard": int(discard)}
         return self._described(self._upload("model", model.content, query, Options(None, False, if_match), progress))
 
     def _upload_environment(

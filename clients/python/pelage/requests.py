@@ -600,6 +600,7 @@ class Requests:
         inclination: Optional[float] = None,
         form: Optional[Literal["even", "animal"]] = None,
         fur_patches: Optional[FurPatches] = None,
+        discard: bool = False,
         if_match: Optional[int] = None,
         progress: Optional[ReportProgress] = None,
     ) -> SceneInfo:
@@ -627,6 +628,8 @@ class Requests:
         fur_patches: How the sample tile of fur is laid on the surface, once: patches with soft overlaps; the same
             with hard borders, where nothing is drawn twice; or by the model's own texture coordinates, which of the
             built-in models torus, knot, plane and cloth have. Default "overlapping".
+        discard: Loads it though the groom that the scene has is lost. Unless given `Conflict` is raised for such a
+            scene; it says how many commands that is.
         if_match: A revision. At another one nothing is done, and `Conflict` is raised.
         progress: Called with how much of the file is sent.
         """
@@ -637,6 +640,7 @@ class Requests:
                 "fur_patches": fur_patches,
             },
             path,
+            discard,
             if_match,
             progress,
         )
@@ -965,6 +969,7 @@ class Requests:
         self,
         members: Dict[str, Any],
         path: Path,
+        discard: bool,
         if_match: Optional[int],
         progress: Optional[ReportProgress],
     ) -> SceneInfo:

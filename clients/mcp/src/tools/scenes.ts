@@ -38,15 +38,19 @@ function createScene({service, schemas}: Context): Tool {
 
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
+  const discard = {type: "boolean", default: false, description: "Load it though the groom that the scene has is lost."};
   const path = {type: "string", description: "Path of the file on the machine where pelage-mcp runs. A model with files of its own comes as a zip archive."};
   return {
     name: "load_model", annotations: destroys,
-    description: "Gives a scene the model of a file, with a first fur on it. The fur, settings and undo steps that the scene had are gone.",
-    inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Unless given, the ending of the path."}, ...options}, ["scene", "path"]),
+    description: "Gives a scene the model of a file, with a first fur on it. Its undo steps start anew. A scene with a groom is refused, "
+      + "with the number of commands that would be lost, unless `discard` is true. `create_scene` makes another scene for the model.",
+    inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Unless given, the ending of the path."}, ...options, discard}, ["scene", "path"]),
     run: async (input, caller) => {
       const file = textIn(input, "path");
       const at = await scenePath(service, textIn(input, "scene"), caller);
-      const query = queryOf({format: extname(file).slice(1).toLowerCase(), ...without(input, "scene", "path")});
+      const query = queryOf({
+        format: extname(file).slice(1).toLowerCase(), ...without(input, "scene", "path", "discard"), discard: Number(input["discard"] ?? false),
+      });
       const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
       const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];

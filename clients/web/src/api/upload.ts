@@ -1,11 +1,11 @@
 // Uploads of files: XMLHttpRequest, since fetch does not say how far an upload has come.
 import {Aborted, Offline, commonHeaders, refusalOf, withToken} from "./client";
 
-function put<T>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal): Promise<T> {
+function put<T>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal, headers: Record<string, string>): Promise<T> {
   return new Promise((done, failed) => {
     const request = new XMLHttpRequest();
     request.open("PUT", path);
-    for (const [name, value] of Object.entries({...commonHeaders("PUT"), "Content-Type": "application/octet-stream"})) request.setRequestHeader(name, value);
+    for (const [name, value] of Object.entries({...commonHeaders("PUT"), ...headers, "Content-Type": "application/octet-stream"})) request.setRequestHeader(name, value);
     request.upload.onprogress = ({loaded, total}) => progress(loaded / Math.max(total, 1));
     request.upload.onload = () => progress(1);
     request.onerror = () => failed(new Offline("the connection broke"));
@@ -21,5 +21,5 @@ function put<T>(path: string, body: Blob, progress: (share: number) => void, sto
 }
 
 /** PUTs the bytes. `progress` hears the share that is sent; at 1 the server works. */
-export const upload = <T,>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal): Promise<T> =>
-  withToken(() => put<T>(path, body, progress, stop));
+export const upload = <T,>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal, headers: Record<string, string> = {}): Promise<T> =>
+  withToken(() => put<T>(path, body, progress, stop, headers));

@@ -11,11 +11,14 @@ import {PlanError, planOf, type Plan} from "./plan";
 import {stepsOf, type Recipe} from "./recipe";
 import {baseOf, endingOf, type Taken} from "./take";
 
+/** What a new model takes from its scene: what the server says of the groom; or up to a revision, only what an upload made. */
+export type Loss = {says: string} | {revision: number};
+
 export type Import =
   | {stage: "reading"}
-  | {stage: "asking"; plan: Plan; into: string}     // into: id of the scene that gets it; "" for a new one
+  | {stage: "asking"; plan: Plan; into: string; loss?: Loss}     // into: id of the scene that gets it; "" for a new one
   | {stage: "sending" | "preparing"; plan: Plan; what: string; share: number; stop: AbortController}
-  | {stage: "done"; plan: Plan; into: string; triangles: number; repairs: Repair[]; notes: string[]}
+  | {stage: "done"; plan: Plan; into: string; revision: number; triangles: number; repairs: Repair[]; notes: string[]}
   | {stage: "failed"; says: string; next: string; plan: Plan | null; into: string};
 
 export const importing = signal<Import | null>(null);
@@ -39,11 +42,15 @@ function nameOf(plan: Plan): string {
   return name;
 }
 
-async function send(plan: Plan, id: string, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
+/** The user knows what the scene loses. */
+const accepting = (loss: Loss | undefined): Record<string, string> => (loss ? {discard: "1"} : {});
+const atRevision = (loss: Loss | undefined): Record<string, string> => (loss && "revision" in loss ? {"If-Match": `"${loss.revision}"`} : {});
+
+async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
   const show = (what: string) => (share: number) => { importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop}; };
-  const query = new URLSearchParams(Object.entries({format: plan.format, ...plan.options}).map(([name, value]) => [name, String(value)]));
+  const query = new URLSearchParams(Object.entries({format: plan.format, ...plan.options, ...accepting(loss)}).map(([name, value]) => [name, String(value)]));
   show("the model")(0);
-  let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal);
+  let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal, atRevision(loss));
   const notes = [...plan.notes];
   if (plan.texture) {
     try {
@@ -57,21 +64,29 @@ async function send(plan: Plan, id: string, stop: AbortController): Promise<{des
   return {description, notes};
 }
 
+/** After an upload that was refused or given up. */
+function asideFrom(error: unknown, plan: Plan, into: string): Import {
+  if (error instanceof Aborted) return {stage: "asking", plan, into};
+  if (error instanceof Refusal && error.problem.pointer === "/discard") return {stage: "asking", plan, into, loss: {says: error.message}};
+  const says = error instanceof Offline ? "The connection to the server broke." : (error as Error).message;
+  return {stage: "failed", says, next: nextOf(error), plan, into};
+}
+
 /** Uploads the plan; a new scene is taken away again where the model is refused. */
-export async function startImport(plan: Plan, into: string) {
+export async function startImport(plan: Plan, into: string, loss?: Loss): Promise<void> {
   const stop = new AbortController();
   let made = "";
   importing.value = {stage: "sending", plan, what: "the model", share: 0, stop};
   try {
     const id = into || (made = (await createScene({name: nameOf(plan), model: {builtin: "plane", triangles: 2}})).id);
-    const {description, notes} = await send(plan, id, stop);
+    const {description, notes} = await send(plan, id, loss, stop);
     await Promise.all([openScene(id), listScenes()]);
     hear(description.revision);
-    importing.value = {stage: "done", plan, into: id, triangles: description.triangles, repairs: description.repairs, notes};
+    importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
-    importing.value = error instanceof Aborted ? {stage: "asking", plan, into}
-      : {stage: "failed", says: error instanceof Offline ? "The connection to the server broke." : (error as Error).message, next: nextOf(error), plan, into};
+    if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: the server says what would be lost
+    importing.value = asideFrom(error, plan, into);
   }
 }
 

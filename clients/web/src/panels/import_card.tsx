@@ -1,5 +1,5 @@
 // A model on its way to the server: the question about its axes, how far it is, what was repaired.
-import {leave, startImport, type Import, importing} from "../files/import";
+import {leave, startImport, type Import, type Loss, importing} from "../files/import";
 import type {Repair} from "../api/types";
 import type {Plan} from "../files/plan";
 import {Form} from "../tools/form";
@@ -12,19 +12,20 @@ const repair_words: Record<string, string> = {
   one_sided_edges: "edges stand between faces that disagree which side is out",
 };
 
-function Asking({plan, into}: {plan: Plan; into: string}) {
+function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | undefined}) {
   const members = membersOf(schemas.value["ImportOptions"] ?? {}, ["format"]);
-  const set = (name: string, value: unknown) => { importing.value = {stage: "asking", plan: {...plan, options: {...plan.options, [name]: value}}, into}; };
+  const set = (name: string, value: unknown) => { importing.value = {stage: "asking", plan: {...plan, options: {...plan.options, [name]: value}}, into, ...(loss && {loss})}; };
+  const lost = loss && "says" in loss ? loss.says : "";
   return (
     <>
       <h3>{into ? "Upload again" : "Upload"}: {plan.name} ({plan.format})</h3>
       <Notes notes={plan.notes} />
       {plan.texture && <p class="help">Its picture comes with it.</p>}
-      {into && <p class="help">The scene's groom starts anew.</p>}
       <p class="help">Tools and looks expect an animal on its feet that faces +z. The axes are a guess: if it comes out lying, upload it again with others.</p>
       <Form members={members} values={plan.options} set={set} />
+      {lost && <p role="alert">{lost} Download it first to keep it.</p>}
       <div class="pair">
-        <button type="button" class="primary" onClick={() => void startImport(plan, into)}>Upload</button>
+        <button type="button" class="primary" onClick={() => void startImport(plan, into, loss)}>{lost ? "Discard it and upload" : "Upload"}</button>
         <button type="button" onClick={leave}>Cancel</button>
       </div>
     </>
@@ -62,7 +63,7 @@ function Done({now}: {now: Extract<Import, {stage: "done"}>}) {
       <Repairs repairs={now.repairs} />
       <Notes notes={now.notes} />
       <div class="pair">
-        <button type="button" onClick={() => { importing.value = {stage: "asking", plan: now.plan, into: now.into}; }}>Other axes…</button>
+        <button type="button" onClick={() => { importing.value = {stage: "asking", plan: now.plan, into: now.into, loss: {revision: now.revision}}; }}>Other axes…</button>
         <button type="button" onClick={leave}>Good</button>
       </div>
     </>
@@ -87,7 +88,7 @@ export function ImportCard({now}: {now: Import}) {
   return (
     <div class={`card${now.stage === "failed" ? " card-bad" : ""}`} role="group" aria-label="Upload">
       {now.stage === "reading" && <p role="status">Reading the files…</p>}
-      {now.stage === "asking" && <Asking plan={now.plan} into={now.into} />}
+      {now.stage === "asking" && <Asking plan={now.plan} into={now.into} loss={now.loss} />}
       {(now.stage === "sending" || now.stage === "preparing") && <Underway now={now} />}
       {now.stage === "done" && <Done now={now} />}
       {now.stage === "failed" && <Failed now={now} />}
