@@ -13,6 +13,7 @@
 
 #include "protocol/base/caught.h"
 #include "protocol/base/limits.h"
+#include "protocol/base/temporary_name.h"
 #include "renderer/picture_files/picture_files.h"
 #include "server/calibration/calibrate.h"
 #include "server/frames/frame_planner.h"
@@ -109,7 +110,7 @@ bool split_address(const std::string& text, HttpOptions& http) {
 
 /// Readers see no file or the whole of it.
 bool write_port(const std::string& path, int port) {
-  const std::string temporary = fmt::format("{}.{}", path, getpid());
+  const std::string temporary = temporary_beside(path);
   std::ofstream(temporary) << port << "\n" << std::flush;
   return std::rename(temporary.c_str(), path.c_str()) == 0;
 }

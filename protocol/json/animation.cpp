@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -62,6 +63,11 @@ Status in_section(Status status, const Section* section) {
                            "/" + std::string(section->name));
   return status;
 }
+template <class T>
+Status status_of(const Result<T>& result) {
+  return result ? Status{} : result.status();
+}
+
 Status at_frame(Status status, double frame) {
   std::string number = json(frame).dump();
   if (frame == std::floor(frame)) number = std::to_string(static_cast<std::int64_t>(frame));
@@ -69,14 +75,41 @@ Status at_frame(Status status, double frame) {
   return status;
 }
 
+/// A crop as large as the largest tile of a frame; null where the frame has one, or no size.
+json crop_of_tiles(const json& frame, const TileGrid& tiles) {
+  if (!frame.is_object() || frame.contains("crop")) return nullptr;
+  const json width = frame.value("width", json(FrameRequest().width));
+  const json height = frame.value("height", json(FrameRequest().height));
+  if (!width.is_number() || !height.is_number()) return nullptr;
+  return {{"left", 0},
+          {"top", 0},
+          {"width", std::ceil(width.get<double>() / tiles.columns)},
+          {"height", std::ceil(height.get<double>() / tiles.rows)}};
+}
+
 }  // namespace
 
 struct Animation::Impl {
   json document;  // "frame", and the settings by their parts
+  std::optional<TileGrid> tiles;
   std::map<std::string, std::vector<std::pair<json::json_pointer, KeyCurve>>> curves;  // by section
 
   Status add(const ParameterKeys& keys, const std::string& pointer, bool time_lapse);
+  bool takes(const std::string& parameter, const json::json_pointer& path, const json& value) const;
 };
+
+/// Whether the parameter, in its place, is not what is refused.
+bool Animation::Impl::takes(const std::string& parameter, const json::json_pointer& path, const json& value) const {
+  json changed = document;
+  changed[path] = value;
+  const std::string name = section_of(parameter);
+  const Section* section = find_section(name);
+  const auto refusal = [&]() -> Status {
+    if (!section) return status_of(decode_frame_request(changed[name].dump()));
+    return status_of(decode_commands(command_of(*section, changed[name]).dump()));
+  };
+  return in_section(refusal(), section).pointer != parameter;
+}
 
 Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointer, bool time_lapse) {
   const std::string parameter = pointer + "/parameter", section = section_of(keys.parameter);
@@ -96,6 +129,9 @@ Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointe
   }
   Result<KeyCurve> curve = KeyCurve::create(keys, pointer);
   if (!curve) return curve.status();
+  const std::optional<json> between = curve->between_whole_keys();
+  if (between && takes(keys.parameter, path, curve->first()) && !takes(keys.parameter, path, *between))
+    curve->keep_whole();
   curves[section].emplace_back(std::move(path), std::move(curve).value());
   return {};
 }
@@ -103,6 +139,7 @@ Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointe
 Result<Animation> Animation::create(const RenderJob& job, const SceneSettings& settings) {
   auto impl = std::make_shared<Impl>();
   impl->document = json::parse(encode(SettingsAnswer{.settings = settings}));
+  impl->tiles = job.tiles;
   json& frame = impl->document[frame_section] = json::parse(job.frame);
   if (frame.is_object() && job.output.ends_with(".exr") && !frame.contains("format")) frame["format"] = "exr";
   for (std::size_t k = 0; k < job.keyframes.size(); ++k) {
@@ -112,11 +149,17 @@ Result<Animation> Animation::create(const RenderJob& job, const SceneSettings& s
   return Animation(std::move(impl));
 }
 
+bool Animation::limits_seconds() const { return impl_->document.at(frame_section).contains("max_seconds"); }
+
 Result<AnimatedFrame> Animation::at(double frame) const {
   json document = impl_->document;
   for (const auto& [name, curves] : impl_->curves)
     for (const auto& [path, curve] : curves) document[path] = curve.at(frame);
+  // Limits are of what is drawn at once.
+  const json tile = impl_->tiles ? crop_of_tiles(document[frame_section], *impl_->tiles) : nullptr;
+  if (!tile.is_null()) document[frame_section]["crop"] = tile;
   Result<FrameRequest> request = decode_frame_request(document[frame_section].dump());
+  if (request && !tile.is_null()) request->crop.reset();
   if (!request) {
     const Status refused = in_section(request.status(), nullptr);
     return impl_->curves.contains(std::string(frame_section)) ? at_frame(refused, frame) : refused;

@@ -13,12 +13,15 @@ namespace pelage {
 class Animation {
  public:
   /// Refused (invalid, with the pointer into the job): a parameter that is not there, keys whose values cannot be
-  /// interpolated as asked, settings in a time lapse.
+  /// interpolated as asked, settings in a time lapse. A parameter that takes whole numbers alone is rounded between
+  /// keys.
   static Result<Animation> create(const RenderJob& job, const SceneSettings& settings);
 
   /// The request, and the commands that set what keyframes change. Refused (invalid) as decoding does, with the pointer
   /// of the parameter ("/lights/0/intensity") and the frame in the message.
   Result<AnimatedFrame> at(double frame) const;
+  /// Whether the job itself says the requests' max_seconds.
+  bool limits_seconds() const;
 
  private:
   struct Impl;

@@ -69,6 +69,19 @@ Result<KeyCurve> KeyCurve::create(const ParameterKeys& keys, const std::string& 
   return curve;
 }
 
+std::optional<nlohmann::json> KeyCurve::between_whole_keys() const {
+  bool moves = false;
+  std::vector<double> between;
+  for (const std::vector<double>& values : numbers_) {
+    if (!std::ranges::all_of(values, [](double value) { return value == std::floor(value); })) return {};
+    const auto [low, high] = std::ranges::minmax(values);
+    between.push_back(low < high ? low + 0.5 : low);
+    moves = moves || low < high;
+  }
+  if (!moves) return {};
+  return is_list_ ? nlohmann::json(between) : nlohmann::json(between.front());
+}
+
 nlohmann::json KeyCurve::at(double frame) const {
   const auto after = std::ranges::upper_bound(frames_, frame);
   if (after == frames_.begin()) return values_.front();
@@ -80,6 +93,7 @@ nlohmann::json KeyCurve::at(double frame) const {
     const double t = (frame - frames_[left]) / (frames_[left + 1] - frames_[left]);
     result.push_back(interpolation_ == KeyInterpolation::spline ? monotone_cubic(frames_, values, left, frame)
                                                                 : values[left] + t * (values[left + 1] - values[left]));
+    if (whole_) result.back() = std::round(result.back());
   }
   if (is_list_) return result;
   return result.front();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,15 @@ class KeyCurve {
   /// Colours are lists of linear red, green and blue between keys.
   nlohmann::json at(double frame) const;
 
+  const nlohmann::json& first() const { return values_.front(); }
+  /// A value with fractions between keys that are whole numbers; none where they are not, or never change.
+  std::optional<nlohmann::json> between_whole_keys() const;
+  /// From now on values are rounded.
+  void keep_whole() { whole_ = true; }
+
  private:
   KeyInterpolation interpolation_ = KeyInterpolation::step;
-  bool is_list_ = false;
+  bool is_list_ = false, whole_ = false;
   std::vector<double> frames_;
   std::vector<nlohmann::json> values_;
   std::vector<std::vector<double>> numbers_;  // of each component, its keys; unless it steps

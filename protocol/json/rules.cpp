@@ -44,9 +44,12 @@ void check_size(const Value& value, const FrameRequest& request) {
                        "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
   }
   const bool sorted = request.knobs.order == FragmentOrder::sorted;
-  if (sorted && width * height * request.knobs.shells > limits::sorted_fragments) {
-    value.refuse_below("quality", "The frame is too large to be sorted.",
-                       "drawn pixels x shells at most " + std::to_string(limits::sorted_fragments));
+  const Crop drawn = request.crop.value_or(Crop{.width = request.width, .height = request.height});
+  const double pixels = request.knobs.scale * drawn.width * request.knobs.scale * drawn.height;
+  if (sorted && pixels * request.knobs.shells > limits::sorted_fragments) {
+    value.refuse_below("quality", "The frame is too large to be sorted at once.",
+                       "drawn pixels x shells at most " + std::to_string(limits::sorted_fragments) +
+                           "; a crop or the tiles of a job draw fewer");
   }
 }
 

@@ -11,9 +11,8 @@ namespace {
 constexpr int max_number = 1'000'000;
 constexpr std::size_t max_frames = 1'000'000;
 
-Status unreadable_part(std::string_view part) {
-  return failure(Code::invalid, "\"" + std::string(part) + "\" is no range of frames.", "/frames",
-                 "as 1-100, 1-100x5 or 1,4,9");
+Status refused_part(std::string_view part, const char* why = "is no range of frames") {
+  return failure(Code::invalid, "\"" + std::string(part) + "\" " + why + ".", "/frames", "as 1-100, 1-100x5 or 1,4,9");
 }
 
 /// Takes a number off the front of the text.
@@ -33,11 +32,13 @@ bool take(std::string_view& text, std::string_view any_of) {
 Status add_part(std::string_view part, std::vector<int>& frames) {
   std::string_view rest = part;
   int first = 0, last = 0, step = 1;
-  if (!take_number(rest, first)) return unreadable_part(part);
+  if (!take_number(rest, first)) return refused_part(part);
   last = first;
-  if (take(rest, "-") && !take_number(rest, last)) return unreadable_part(part);
-  if (take(rest, "x:") && !take_number(rest, step)) return unreadable_part(part);
-  if (!rest.empty() || step < 1 || last < first) return unreadable_part(part);
+  if (take(rest, "-") && !take_number(rest, last)) return refused_part(part);
+  if (take(rest, "x:") && !take_number(rest, step)) return refused_part(part);
+  if (!rest.empty()) return refused_part(part);
+  if (last < first) return refused_part(part, "ends before it begins");
+  if (step < 1) return refused_part(part, "has a step below 1");
   for (int frame = first; frame <= last && frames.size() <= max_frames; frame += step) frames.push_back(frame);
   if (frames.size() > max_frames)
     return failure(Code::invalid, "There are too many frames.", "/frames", "at most 1000000");

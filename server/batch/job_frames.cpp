@@ -135,6 +135,8 @@ class Planner {
     if (Status format = take_format(animated->request); !format.ok()) return format;
     if (job_.turntable) turn(*animated, share);
     JobMoment made{.request = std::move(animated->request), .settings = std::move(animated->settings), .model = {}};
+    if (animation_.limits_seconds()) made.max_seconds = made.request.max_seconds;
+    made.request.max_seconds = FrameRequest().max_seconds;  // so that a picture's fingerprint does not have it
     if (!moments_) return made;
     Result<ModelMoment> model = moments_->at(number);
     if (!model) return model.status();
@@ -236,7 +238,11 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   const Result<std::vector<int>> all = parse_frames(job.frames);
   if (!all) return all.status();
   const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);
-  if (!wanted) return wanted.status();
+  if (!wanted) {  // parse_frames points at the job's
+    Status refused = wanted.status();
+    refused.pointer = "--frames";
+    return refused;
+  }
   Result<OutputPattern> pattern =
       OutputPattern::create(job.output, part.output.empty() ? folder : ".", all->size() > 1);
   if (!pattern) return pattern.status();

@@ -27,6 +27,9 @@ struct JobMoment {
   FrameRequest request;
   std::vector<Command> settings;     // run before it is drawn
   std::optional<ModelMoment> model;  // where the model moves
+  // The job's limit on drawing a file. The request has none of its own: what a machine expects refuses no frame of a
+  // job.
+  std::optional<double> max_seconds = {};
 };
 
 struct JobFrame {

@@ -1,14 +1,9 @@
 #include "server/batch/job_scene.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <span>
 
-#include "protocol/base/limits.h"
+#include "server/batch/input_file.h"
 #include "server/export/export_file.h"
 #include "server/import/import.h"
 
@@ -29,7 +24,7 @@ Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& jo
   auto scene = store.create(empty);
   if (!scene) return scene;
   const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(bytes)));
-  if (!loaded) return loaded.status();
+  if (!loaded) return in_file(path, loaded.status());
   return scene;
 }
 
@@ -50,27 +45,12 @@ Result<std::shared_ptr<Scene>> open_scene(SceneStore& store, const RenderJob& jo
   if (saved && job.options)
     return failure(Code::invalid, "Options are of a model's file; a scene has its model.", "/options",
                    "without .pelage");
-  return saved ? open_saved(store, *bytes, {}) : load_model(store, job, path, *bytes);
+  if (!saved) return load_model(store, job, path, *bytes);
+  auto opened = open_saved(store, *bytes, {});
+  return opened ? std::move(opened) : in_file(path, opened.status());
 }
 
 }  // namespace
-
-Result<ModelFormat> format_of_file(const std::string& path, const std::string& pointer) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  const auto found = std::ranges::find(worker_format_names, ending.empty() ? ending : ending.substr(1));
-  if (found != worker_format_names.end()) return static_cast<ModelFormat>(found - worker_format_names.begin());
-  return failure(
-      Code::invalid, "The file is no model by its ending.", pointer,
-      std::string(pointer == "/scene" ? ".pelage, " : "") + ".obj, .ply, .stl, .off, .gltf, .glb, .3ds or .zip");
-}
-
-Result<std::string> read_file(const std::string& path) {
-  std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, error))
-    return failure(Code::not_found, path + " cannot be read: " + std::strerror(file ? EISDIR : errno) + ".");
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
 
 Result<JobScene> JobScene::open(const RenderJob& job, const std::string& folder) {
   Result<TemporaryFolder> data = TemporaryFolder::make();

@@ -31,10 +31,4 @@ class JobScene {
   std::shared_ptr<Scene> scene_;
 };
 
-/// By the ending of a model's file; refused (invalid, `pointer`) for others.
-Result<ModelFormat> format_of_file(const std::string& path, const std::string& pointer);
-
-/// All bytes of a file; not_found, with what the system says.
-Result<std::string> read_file(const std::string& path);
-
 }  // namespace pelage

@@ -13,6 +13,9 @@
 
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
+#include "server/batch/input_file.h"
+#include "server/batch/model_files.h"
+#include "server/batch/output_file.h"
 #include "server/batch/render_job.h"
 #include "server/process/signals.h"
 #include "server/scene/scene_memory.h"
@@ -22,7 +25,8 @@ namespace {
 using namespace pelage;
 
 // Exit codes that farms read (docs/farm.md).
-constexpr int done = 0, failed = 1, usage = 2, bad_input = 3, no_gl = 4, out_of_memory = 33, stopped_by_signal = 143;
+constexpr int done = 0, failed = 1, usage = 2, bad_input = 3, no_gl = 4, too_slow = 5, out_of_memory = 33,
+              stopped_by_signal = 143;
 
 struct Options {
   std::string job, scene;
@@ -63,8 +67,8 @@ void declare(CLI::App& app, Options& options) {
       "  pelage-render fox.json --scene fox.pelage --skip-existing\n"
       "  pelage-render fox.json --frames 12 --tile 3\n"
       "  pelage-render fox.json --check --measure 3\n"
-      "Exit codes: 0 done, 1 failed, 2 wrong use, 3 the job or its scene was refused, 4 no GL, 33 out of memory, "
-      "143 stopped.");
+      "Exit codes: 0 done, 1 failed, 2 wrong use, 3 the job or its scene was refused, 4 no GL, 5 a frame passed the "
+      "job's max_seconds, 33 out of memory, 143 stopped.");
 }
 
 /// Set once SIGTERM or SIGINT came; several may come.
@@ -81,6 +85,7 @@ bool stopped() { return stop_asked; }
 
 int code_of(const Status& status) {
   if (stopped()) return stopped_by_signal;
+  if (status.code == Code::unavailable && status.pointer == limit_pointer) return too_slow;
   switch (status.code) {
     case Code::malformed:
     case Code::not_found:
@@ -138,6 +143,7 @@ std::string text_of(const JobFrame& frame) {
 
 int print_check(const RenderJob& job, const Options& options, const JobScene& scene,
                 const std::vector<JobFrame>& frames, FarmLog& log) {
+  if (Status refused = check_models(scene, frames, stopped); !refused.ok()) return fail(log, refused);
   std::optional<double> seconds;
   if (options.measure > 0) {
     const auto renderer = JobRenderer::start(scene, job.fps, options.draw);
@@ -153,17 +159,23 @@ int print_check(const RenderJob& job, const Options& options, const JobScene& sc
   return done;
 }
 
+/// A refusal that points into the job names its file.
+Status in_job(const Options& options, const Status& status) {
+  return status.pointer.starts_with('/') ? in_file(options.job, status) : status;
+}
+
 int render(const Options& options, FarmLog& log) {
   const std::string folder = std::filesystem::path(options.job).parent_path().string();
   const Result<std::string> text = read_file(options.job);
   if (!text) return fail(log, text.status());
   Result<RenderJob> job = decode_job(*text);
-  if (!job) return fail(log, job.status());
+  if (!job) return fail(log, in_file(options.job, job.status()));
   if (!options.scene.empty()) job->builtin.reset(), job->scene = std::filesystem::absolute(options.scene).string();
   const Result<JobScene> scene = JobScene::open(*job, folder);
-  if (!scene) return fail(log, scene.status());
+  if (!scene) return fail(log, in_job(options, scene.status()));
   const auto frames = plan_job(*job, options.part, folder, *scene->scene());
-  if (!frames) return fail(log, frames.status());
+  if (!frames) return fail(log, in_job(options, frames.status()));
+  if (Status refused = try_folder_of(frames->front().file); !refused.ok()) return fail(log, refused);
   if (options.check) return print_check(*job, options, *scene, *frames, log);
   DrawOptions draw = options.draw;
   draw.tile = options.part.tile;

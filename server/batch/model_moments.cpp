@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "server/batch/job_scene.h"
+#include "server/batch/input_file.h"
 #include "server/batch/pose_history.h"
 #include "server/scene/digest.h"
 
@@ -71,6 +71,18 @@ Result<std::string> ModelMoments::name_of(int frame) const {
   const Result<ModelMoment> moment = at(frame);
   if (!moment) return moment.status();
   return moment->digest + " " + moment->pose;
+}
+
+Result<std::vector<ModelMoment>> ModelMoments::swing(int frame) const {
+  std::vector<ModelMoment> moments;
+  if (!(motion_.inertia > 0)) return moments;
+  for (int k = frame - PoseHistory::frames_before(fps_) - 1; k <= frame + 1; ++k) {
+    if (!is_there(k)) continue;
+    Result<ModelMoment> moment = at(k);
+    if (!moment) return moment.status();
+    moments.push_back(std::move(*moment));
+  }
+  return moments;
 }
 
 Result<std::string> ModelMoments::identity_of_swing(int frame) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "protocol/base/status.h"
 #include "protocol/commands/job.h"
@@ -34,7 +35,9 @@ class ModelMoments {
   /// Of the bytes and the pose; "" where there is no file.
   Result<std::string> name_of(int frame) const;
 
-  /// All of the moments that a frame's fur swings by; "" without inertia.
+  /// The moments that a frame's fur swings by; none without inertia, and none where there is no file.
+  Result<std::vector<ModelMoment>> swing(int frame) const;
+  /// All of them; "" without inertia.
   Result<std::string> identity_of_swing(int frame) const;
   double inertia() const { return motion_.inertia; }
 

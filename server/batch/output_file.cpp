@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -15,10 +14,11 @@
 #include <span>
 
 #include "protocol/base/limits.h"
+#include "protocol/base/temporary_name.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
 #include "renderer/picture_files/picture_files.h"
-#include "server/batch/job_scene.h"
+#include "server/batch/input_file.h"
 
 namespace pelage {
 
@@ -31,7 +31,7 @@ Status cannot_write(const std::string& path, int error) {
 
 /// All bytes, on the disk; errno where that fails, else 0.
 int write_synced(const std::string& path, std::string_view bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return errno;
   int error = 0;
   while (!bytes.empty() && error == 0) {
@@ -42,11 +42,6 @@ int write_synced(const std::string& path, std::string_view bytes) {
   if (error == 0 && ::fsync(file) != 0) error = errno;
   if (::close(file) != 0 && error == 0) error = errno;
   return error;
-}
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 std::string text_of(const Camera& camera) {
@@ -68,13 +63,23 @@ Status write_whole(const std::string& path, std::string_view bytes) {
   const std::filesystem::path target(path);
   std::error_code error;
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
-  const std::string temporary =
-      (target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), getpid())).string();
+  const std::string temporary = temporary_beside(path);
   int failed = write_synced(temporary, bytes);
   if (failed == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failed = errno;
   if (failed == 0) return {};
   ::unlink(temporary.c_str());
   return cannot_write(path, failed);
+}
+
+Status try_folder_of(const std::string& path) {
+  const std::filesystem::path target = std::filesystem::absolute(path);
+  std::filesystem::path folder = target.parent_path();
+  std::error_code error;
+  while (!std::filesystem::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
+  const std::string temporary = temporary_beside((folder / target.filename()).string());
+  const int failed = write_synced(temporary, {});
+  if (failed == 0) ::unlink(temporary.c_str());
+  return failed == 0 ? Status{} : cannot_write(path, failed);
 }
 
 bool is_drawn(const std::string& path, const std::string& fingerprint) {

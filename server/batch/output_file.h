@@ -15,6 +15,10 @@ namespace pelage {
 /// (internal, with what the system says) leaves nothing.
 Status write_whole(const std::string& path, std::string_view bytes);
 
+/// Whether a file can be made in the path's folder, or in the one where that will be made. Leaves nothing; fails as
+/// write_whole.
+Status try_folder_of(const std::string& path);
+
 /// Whether the file is a whole picture with this fingerprint.
 bool is_drawn(const std::string& path, const std::string& fingerprint);
 

@@ -1,11 +1,14 @@
 #include "server/batch/render_job.h"
 
+#include <fmt/format.h>
+
 #include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
+#include "server/batch/input_file.h"
+#include "server/batch/model_files.h"
 #include "server/batch/output_file.h"
 #include "server/batch/tiles.h"
 #include "server/frames/scene_tracer.h"
-#include "server/import/import.h"
 
 namespace pelage {
 
@@ -14,6 +17,12 @@ namespace {
 constexpr std::size_t trace_memory = std::size_t{16} << 30;
 
 Status stopped_status() { return failure(Code::unavailable, "stopped before the job was done"); }
+
+Status passed_limit(int frame, double seconds) {
+  return with_next(failure(Code::unavailable, fmt::format("frame {} takes longer than the job allows", frame),
+                           limit_pointer, fmt::format("{} seconds", seconds)),
+                   "draw it on a faster node, or allow it more seconds");
+}
 
 }  // namespace
 
@@ -36,43 +45,20 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }
 
-Result<RawModel> JobRenderer::load(const std::string& file, const ModelMoment& moment) const {
-  const Result<std::string> bytes = read_file(file);
-  if (!bytes) return bytes.status();
-  return import_shape(program_folder() + "/pelage-import", moment.format, std::as_bytes(std::span(*bytes)),
-                      moment.pose);
-}
-
-Result<RawModel> JobRenderer::load(const ModelMoment& moment) const {
-  Result<RawModel> model = load(moment.file, moment);
-  if (!model || moment.next.empty()) return model;
-  const Result<RawModel> next = load(moment.next, moment);
-  if (!next) return next;
-  if (model->positions.size() != next->positions.size())
-    return failure(Code::invalid, moment.next + " has another number of vertices.");
-  for (std::size_t v = 0; v < model->positions.size(); ++v)
-    model->positions[v] = glm::mix(model->positions[v], next->positions[v], moment.share);
-  return model;
-}
-
-/// What goes wrong is of the job's model at that moment.
 Status JobRenderer::stand(const JobFrame& frame, const ModelMoment& model) {
-  const auto refused = [&](const Status& status) {
-    return failure(status.code, model.file + ": " + status.message, "/motion/model", status.limit);
-  };
   if (!moving_) {
     Result<MovingModel> moving = job_scene_.moving_model();
     if (!moving) return moving.status();
     moving_ = std::move(*moving);
   }
-  const Result<RawModel> raw = load(model);
-  if (!raw) return refused(raw.status());
+  const Result<RawModel> raw = read_model(*moving_, model);
+  if (!raw) return raw.status();
   const std::uint64_t id = job_scene_.new_model_id();
   Result<ScenePose> pose = moving_->pose(*raw, scene_->settings()->settings, id);
-  if (!pose) return refused(pose.status());
+  if (!pose) return in_file(model.file, failure(pose.status().code, pose.status().message, "/motion/model"));
   if (frame.motion->inertia() > 0) {
     Result<BodySwing> swing = swing_of(frame);
-    if (!swing) return refused(swing.status());
+    if (!swing) return swing.status();
     pose->swing = std::move(*swing);
   }
   scene_->pose(std::move(*pose));
@@ -87,7 +73,7 @@ Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
     const auto model = [this, moments = frame.motion](int number) -> Result<RawModel> {
       const Result<ModelMoment> moment = moments->at(number);
       if (!moment) return moment.status();
-      return load(*moment);
+      return read_model(*moving_, *moment);
     };
     history_.emplace(*moving_, fps_, frame.motion->inertia(), PoseHistory::Source{name, model});
   }
@@ -168,8 +154,14 @@ bool JobRenderer::is_there(const Piece& piece) const {
 }
 
 Status JobRenderer::draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped) {
-  const Result<FrameAnswer> answer = picture(piece, stopped);
-  if (!answer) return stopped() ? stopped_status() : answer.status();
+  const Stopwatch passed;
+  const std::optional<double>& limit = piece.frame.moment.max_seconds;
+  const auto too_slow = [&] { return limit && passed.seconds() > *limit; };
+  const Result<FrameAnswer> answer = picture(piece, [&] { return stopped() || too_slow(); });
+  if (!answer && stopped()) return stopped_status();
+  if (!answer && answer.status().code == Code::unavailable && too_slow())
+    return passed_limit(piece.frame.number, *limit);
+  if (!answer) return answer.status();
   if (Status written = write_whole(piece.file, answer->bytes); !written.ok()) return written;
   log.saved(piece.file);
   return {};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "protocol/base/limits.h"
 #include "protocol/base/status.h"
 #include "protocol/commands/job.h"
 #include "renderer/gl/context/context.h"
@@ -25,6 +26,9 @@ struct DrawOptions {
   int tile = 0;                    // of each frame; 0 for all
 };
 
+/// Of the failure of a frame that took too long.
+inline constexpr const char* limit_pointer = "/frame/max_seconds";
+
 /// Files: of frames, or of their tiles.
 struct JobOutcome {
   std::size_t drawn = 0, skipped = 0;
@@ -37,8 +41,8 @@ class JobRenderer {
   static Result<std::unique_ptr<JobRenderer>> start(const JobScene& scene, double fps, const DrawOptions& options);
 
   /// Draws all frames, or their tiles, and says so in the log. Whoever draws the last tile of a frame writes its file
-  /// (merge_tiles). Ends at the first failure, and (unavailable) once `stopped` says so:
-  /// every file that was begun is whole or not there.
+  /// (merge_tiles). Ends at the first failure, (unavailable, limit_pointer) at a file that takes longer than the job
+  /// allows, and (unavailable) once `stopped` says so: every file that was begun is whole or not there.
   Result<JobOutcome> draw(const std::vector<JobFrame>& frames, FarmLog& log, const std::function<bool()>& stopped);
 
   /// The same of one frame, without a file: the seconds that it took. Of one with tiles by the one in the middle.
@@ -56,7 +60,7 @@ class JobRenderer {
 
     FrameRequest request_at(const JobMoment& moment) const {
       FrameRequest request = moment.request;
-      request.crop = crop;
+      request.crop = crop, request.max_seconds = limits::frame_seconds;
       return request;
     }
   };
@@ -72,8 +76,6 @@ class JobRenderer {
   /// Brings the scene to a moment of the frame.
   Status prepare(const JobFrame& frame, const JobMoment& moment);
   Status stand(const JobFrame& frame, const ModelMoment& model);
-  Result<RawModel> load(const std::string& file, const ModelMoment& moment) const;
-  Result<RawModel> load(const ModelMoment& moment) const;
   Result<BodySwing> swing_of(const JobFrame& frame);
 
   const JobScene& job_scene_;

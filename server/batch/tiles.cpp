@@ -9,7 +9,7 @@
 #include <span>
 
 #include "renderer/picture_files/picture_files.h"
-#include "server/batch/job_scene.h"
+#include "server/batch/input_file.h"
 #include "server/batch/output_file.h"
 #include "server/scene/digest.h"
 

@@ -1,12 +1,11 @@
 #include "server/frames/frame_planner.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 
+#include "protocol/base/temporary_name.h"
 #include "protocol/json/calibration.h"
 #include "renderer/quality/planner.h"
 
@@ -36,7 +35,7 @@ Result<Calibration> read_calibration(const std::string& path, const std::string&
 }
 
 Status write_calibration(const std::string& path, const Calibration& calibration) {
-  const std::string temporary = path + "." + std::to_string(getpid());
+  const std::string temporary = temporary_beside(path);
   std::ofstream file(temporary, std::ios::binary);
   file << encode(calibration) << std::flush;
   if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return {};

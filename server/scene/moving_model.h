@@ -30,13 +30,14 @@ class MovingModel {
   /// that are not finite or further than 1,000 sizes from the model at rest.
   Result<ScenePose> pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const;
 
+  /// The refusals of `pose` alone.
+  Status check(const RawModel& raw) const;
   /// The mesh alone. Refused as `pose`.
   Result<Mesh> mesh(const RawModel& raw) const;
   const Mesh& rest() const { return rest_->surface.mesh(); }
 
  private:
   MovingModel(RawModel raw, StoredModel how, LaidModel laid, std::shared_ptr<const SceneModel> rest);
-  Status check(const RawModel& raw) const;
   Result<LaidMesh> laid(const RawModel& raw) const;
 
   RawModel raw_;  // positions and faces only

@@ -171,7 +171,7 @@ class Client(ServedTest):
             self.assertIn("Cannot write", self.pelage(*line, code=1).stderr)
         self.assertIn("Cannot write", self.pelage("compare", "no.png", "no.png", "--map", "/nonexistent/m.png", code=1).stderr)
         self.pelage("frame", "none", "-o", self.server.folder / "looked.png", code=3)
-        self.assertEqual(list(self.server.folder.glob("looked.png*")), [])
+        self.assertEqual(list(self.server.folder.glob("*looked.png*")), [])
 
     def test_completions_and_the_manual_know_each_command(self):
         helped = self.pelage("--help").stdout

@@ -1,26 +1,20 @@
 """pelage-render: jobs to files, as a farm runs it."""
-import hashlib
 import json
-import math
 import os
 import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 import zlib
-from pathlib import Path
 
 from PIL import Image
 
+from support.jobs import JOB, JobTest
 from support.server import BIN, REPOSITORY, ServedTest, flood, shared_folder
 
 sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
 from pelage.farm.exr import read_header  # noqa: E402
-
-JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
-       "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
 
 
 def chunks_of(path):
@@ -41,27 +35,7 @@ def texts_of(path):
     return dict(body.decode().split("\0", 1) for name, body in chunks_of(path) if name == b"tEXt")
 
 
-class RenderTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(tempfile.mkdtemp())
-        self.addCleanup(lambda: subprocess.run(["rm", "-rf", self.folder], check=True))
-
-    def job(self, **more):
-        path = self.folder / "job.json"
-        path.write_text(json.dumps({**JOB, **more}))
-        return path
-
-    def render(self, *arguments, code=0):
-        run = subprocess.run([BIN / "pelage-render", *map(str, arguments)], capture_output=True, text=True, timeout=120)
-        self.assertEqual(run.returncode, code, run)
-        return run
-
-    def frames(self):
-        return sorted((self.folder / "out").glob("*"))
-
-    def hashes(self):
-        return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in self.frames()}
-
+class RenderTest(JobTest):
     def test_frames_are_drawn_and_said_in_the_words_of_farms(self):
         run = self.render(self.job())
         names = [f"ball.{k:03}.png" for k in range(1, 7)]
@@ -279,29 +253,8 @@ class RenderTest(unittest.TestCase):
         self.render(self.job(**still, commands=[wind], keyframes=grow))
         self.assertNotEqual(self.hashes()["ball.004.png"], moved["ball.004.png"])
 
-    def write_ball(self, name, stretch=0.0, sides=12):
-        """A ball of quads and triangles as an OBJ, bent to the side by the height."""
-        lines, rings = [], sides // 2
-        for ring in range(rings + 1):
-            for side in range(sides):
-                up, round = math.pi * ring / rings, 2 * math.pi * side / sides
-                y = -math.cos(up)
-                lines.append(f"v {math.sin(up) * math.sin(round) + stretch * (y + 1) ** 2:.6f} {y:.6f} {math.sin(up) * math.cos(round):.6f}")
-        for ring in range(rings):
-            for side in range(sides):
-                a, b = ring * sides + side + 1, ring * sides + (side + 1) % sides + 1
-                lines.append(f"f {a} {b} {b + sides} {a + sides}")
-        (self.folder / name).write_text("\n".join(lines) + "\n")
-
     def pixels(self):
         return {path.name: b"".join(body for name, body in chunks_of(path) if name == b"IDAT") for path in self.frames()}
-
-    def moving(self, **more):
-        still = {"turntable": {"degrees": 0, "turns": "camera"}, "frames": "1-3", "builtin": None, "scene": "ball.obj",
-                 "options": {"format": "obj"}, **more}
-        path = self.job(**still)
-        path.write_text(json.dumps({name: value for name, value in json.loads(path.read_text()).items() if value is not None}))
-        return path
 
     def test_a_model_moves_by_numbered_files_with_its_groom(self):
         for number, stretch in (("", 0), (".01", 0), (".02", 0.1), (".03", 0.2)):

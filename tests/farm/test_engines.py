@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import unittest
@@ -167,6 +168,25 @@ class Engines(FarmTest):
         folder, _ = self.written("slurm", "submit.sbatch")
         self.assertFalse((folder / "sent.json").exists())
         self.assertEqual({chunk["state"] for chunk in self.status(folder)["chunks"]}, {"unsent"})
+
+    def test_the_line_that_a_dry_run_prints_has_its_options(self):
+        environment = {"PELAGE_RENDER": str(self.renderer())}
+        words = ("--engine", "kubernetes", "--max-parallel", 3, "--chunk-seconds", 2, "--threads", 5, "--image", "my pelage", "--claim", "shared")
+        printed = self.farm("submit", self.write_job(), *words, "--dry-run", environment=environment).stdout
+        line = shlex.split(re.search("Submit it with: (.*)", printed)[1])
+        self.assertEqual(line[:3], ["pelage", "farm", "submit"])
+        names = ("chunks.txt", "chunk.sh", "kubernetes.yaml")
+        before = [(self.folder / "ball.farm" / name).read_text() for name in names]
+        self.farm(*line[2:], environment=environment)
+        self.assertEqual([(self.folder / "ball.farm" / name).read_text() for name in names], before)
+        self.assertIn('"my pelage"', before[2])
+
+    def test_a_job_that_is_a_pipe_is_refused(self):
+        os.mkfifo(self.folder / "pipe.json")
+        self.assertIn("pipe.json", self.farm("submit", "pipe.json", "--dry-run", code=3).stderr)
+        os.mkfifo(self.folder / "pipe.pelage")
+        job = self.write_job(builtin=None, scene="pipe.pelage")
+        self.assertIn("pipe.pelage", self.farm("submit", job, "--dry-run", code=3).stderr)
 
 
 if __name__ == "__main__":

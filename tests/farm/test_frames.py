@@ -1,6 +1,7 @@
 """The checker of frames, clips and contact sheets, on files that are made here."""
 
 import json
+import os
 import shutil
 import subprocess
 import unittest
@@ -58,6 +59,11 @@ class Frames(FarmTest):
         said = self.farm("check", self.made.path, code=1).stdout
         self.assertIn("8 frames, 7 with faults: 1-7", said)
         self.assertIn("ball.0001.png: missing", said)
+
+    def test_a_pipe_is_no_frame(self):
+        self.path(2).unlink()
+        os.mkfifo(self.path(2))
+        self.assertEqual(self.kinds(), {2: "short"})
 
     def test_how_dark_is_black(self):
         self.path(5).write_bytes(png(colour=(20, 20, 20), fingerprint="f5"))

@@ -1,11 +1,12 @@
 #include "clients/cli/terminal/files.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+
+#include "protocol/base/temporary_name.h"
 
 namespace pelage {
 
@@ -51,7 +52,7 @@ Status write_file(const std::string& path, const std::string& bytes) {
 }
 
 NewFile::NewFile(std::string path)
-    : path_(std::move(path)), temporary_(fmt::format("{}.{}", path_, getpid())), file_(temporary_, std::ios::binary) {}
+    : path_(std::move(path)), temporary_(temporary_beside(path_)), file_(temporary_, std::ios::binary) {}
 
 NewFile::~NewFile() {
   if (!temporary_.empty()) std::remove(temporary_.c_str());

@@ -50,6 +50,41 @@ TEST(Keyframes, GoStraightOrStepOrAlongACurve) {
   EXPECT_EQ(exposure("spline", 7), 4);  // flat between equal keys: no overshoot
 }
 
+TEST(Tiles, AreTakenWhereTheWholeFrameIsTooLarge) {
+  const auto frame_in = [](const std::string& tiles) {
+    const auto job = decode_job(R"({"builtin": {}, "output": "#.png",
+        "frame": {"width": 4096, "height": 2160, "quality": "detailed"})" +
+                                tiles + "}");
+    EXPECT_TRUE(job.ok()) << job.status().message;
+    return Animation::create(*job, SceneSettings())->at(1);
+  };
+  const auto whole = frame_in("");
+  ASSERT_FALSE(whole.ok());
+  EXPECT_EQ(whole.status().pointer, "/frame/quality");
+  EXPECT_NE(whole.status().limit.find("tiles"), std::string::npos) << whole.status().limit;
+  const auto cut = frame_in(R"(, "tiles": {"columns": 2})");
+  ASSERT_TRUE(cut.ok()) << cut.status().message;
+  EXPECT_EQ(cut->request.width, 4096);
+  EXPECT_EQ(cut->request.crop, std::nullopt);
+}
+
+TEST(Keyframes, OfWholeNumbersAreWholeBetweenFrames) {
+  const std::string keys = R"({"frame": 1, "value": 4}, {"frame": 5, "value": 6})";
+  const auto job =
+      decode_job(R"({"builtin": {}, "output": "#.png", "frame": {"quality": {"shells": 4}}, "keyframes": )" +
+                 keys_of("/frame/quality/shells", keys) + "}");
+  const auto shells = Animation::create(*job, SceneSettings());
+  EXPECT_EQ(frame_of(shells, 2.5).request.knobs.shells, 5);
+  EXPECT_EQ(frame_of(shells, 1.25).request.knobs.shells, 4);
+  EXPECT_EQ(frame_of(animate(keys_of("/frame/width", R"({"frame": 1, "value": 1}, {"frame": 2, "value": 8192})")), 1.5)
+                .request.width,
+            4097);
+  EXPECT_DOUBLE_EQ(frame_of(animate(keys_of("/frame/exposure", keys)), 2).request.exposure, 4.5);
+  const auto coat =
+      frame_of(animate(keys_of("/coat/count", R"({"frame": 1, "value": 10}, {"frame": 4, "value": 20})")), 1.5);
+  EXPECT_EQ(std::get<SetCoat>(coat.settings[0]).coat.count, 12);
+}
+
 TEST(Keyframes, SplinesStayBetweenTheirKeysWhereverTheyTurn) {
   std::string keys;
   for (int k = 0; k < 40; ++k)

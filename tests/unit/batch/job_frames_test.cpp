@@ -2,14 +2,17 @@
 #include "server/batch/job_frames.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
 
+#include "protocol/base/temporary_name.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
+#include "server/batch/input_file.h"
 #include "server/batch/job_scene.h"
 #include "server/batch/output_file.h"
 #include "server/batch/turntable.h"
@@ -135,6 +138,13 @@ TEST_F(JobFrames, ThatHaveNoMeanAreNotBlurred) {
             "/frame/quality/trace/shutter");
 }
 
+TEST_F(JobFrames, HaveTheJobsLimitAndNoOther) {
+  EXPECT_EQ(plan(job_of("")).front().moment.max_seconds, std::nullopt);
+  const RenderJob limited = job_of(R"(, "frame": {"max_seconds": 60})");
+  EXPECT_EQ(plan(limited).front().moment.max_seconds, 60);
+  EXPECT_EQ(plan(job_of("")).front().fingerprint, plan(limited).front().fingerprint);
+}
+
 TEST_F(JobFrames, OfOneTurnCloseTheCircle) {
   const auto frames = plan(job_of(R"(, "turntable": {"turns": "camera"})"));
   const glm::dvec3 first = frames[0].moment.request.camera.position, target = frames[0].moment.request.camera.target;
@@ -210,6 +220,35 @@ TEST(OutputFiles, AreWholeOrNotThere) {
     EXPECT_EQ(entry.path().filename().string().front() == '.', false) << entry.path();
   }
   EXPECT_EQ(files, 2u);  // deep, taken
+}
+
+TEST(OutputFiles, HaveNamesOfTheirOwnWhileTheyAreWritten) {
+  std::set<std::string> names;
+  for (int k = 0; k < 1000; ++k) names.insert(temporary_beside("out/fox.0001.png"));
+  EXPECT_EQ(names.size(), 1000u);
+  EXPECT_TRUE(names.begin()->starts_with("out/.fox.0001.png." + host_name().substr(0, 40) + "-")) << *names.begin();
+  EXPECT_TRUE(names.begin()->ends_with(".tmp"));
+}
+
+TEST(OutputFiles, AreTriedWithoutATrace) {
+  const auto folder = TemporaryFolder::make();
+  EXPECT_TRUE(try_folder_of(folder->file("deep/er/frame.png")).ok());
+  EXPECT_TRUE(std::filesystem::is_empty(folder->file(".")));
+  std::ofstream(folder->file("taken")) << "x";
+  EXPECT_EQ(try_folder_of(folder->file("taken/frame.png")).code, Code::internal);
+  EXPECT_EQ(try_folder_of(folder->file("taken/deeper/frame.png")).code, Code::internal);
+}
+
+TEST(InputFiles, AreNoPipesAndNoFolders) {
+  const auto folder = TemporaryFolder::make();
+  const std::string pipe = folder->file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, folder->file("."), folder->file("none"), std::string("/dev/null")}) {
+    const auto bytes = read_file(path);
+    ASSERT_FALSE(bytes.ok()) << path;
+    EXPECT_EQ(bytes.status().code, Code::not_found);
+    EXPECT_NE(bytes.status().message.find(path), std::string::npos);
+  }
 }
 
 TEST(OutputFiles, AreKnownByTheirFingerprint) {

@@ -33,6 +33,12 @@ TEST(FrameRanges, RefuseWhatIsNone) {
   }
 }
 
+TEST(FrameRanges, SayWhatIsWrong) {
+  EXPECT_EQ(parse_frames("10-1").status().message, "\"10-1\" ends before it begins.");
+  EXPECT_EQ(parse_frames("1-9x0").status().message, "\"1-9x0\" has a step below 1.");
+  EXPECT_EQ(parse_frames("ten").status().message, "\"ten\" is no range of frames.");
+}
+
 TEST(OutputPatterns, NameEachFrame) {
   const auto pattern = OutputPattern::create("out/fox.####.exr", "/job", true);
   ASSERT_TRUE(pattern.ok());

@@ -43,14 +43,15 @@ def add_pack(action: argparse.ArgumentParser) -> None:
 
 def add_submit(action: argparse.ArgumentParser) -> None:
     action.add_argument("job")
-    action.add_argument("--engine", choices=ENGINES, default="slurm")
-    action.add_argument("--folder", default="")
-    action.add_argument("--chunk-seconds", type=float, default=120.0)
-    for name in ("--max-parallel", "--threads"):
-        action.add_argument(name, type=int, default=0)
-    action.add_argument("--image", default="pelage")
-    action.add_argument("--claim", default="farm")
-    action.add_argument("--dry-run", action="store_true")
+    given = action.add_argument
+    given("--engine", choices=ENGINES)
+    given("--chunk-seconds", type=float)
+    given("--max-parallel", type=int, dest="at_once")
+    given("--threads", type=int)
+    for name in ("--folder", "--image", "--claim"):
+        given(name)
+    given("--dry-run", action="store_true")
+    action.set_defaults(**Options._field_defaults)
 
 
 def add_status(action: argparse.ArgumentParser) -> None:
@@ -105,8 +106,7 @@ def run_pack(line: argparse.Namespace) -> int:
 
 
 def run_submit(line: argparse.Namespace) -> int:
-    names = ("job", "engine", "folder", "chunk_seconds", "max_parallel", "threads", "image", "claim", "dry_run")
-    return 0 if submit(Options(*(getattr(line, name) for name in names))) else FAILED
+    return 0 if submit(Options(*(getattr(line, name) for name in Options._fields))) else FAILED
 
 
 def run_status(line: argparse.Namespace) -> int:

@@ -159,7 +159,7 @@ class FarmFolder:
 def read_job(path: pathlib.Path) -> Dict[str, Any]:
     """Raises FarmError for what cannot be read or is no object."""
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
+        document = json.loads(bytes_of(path))
     except (OSError, ValueError) as error:
         step = "name a job's file, as docs/farm.md shows one"
         raise FarmError(f"{path} cannot be read: {error}", step, BAD_INPUT) from error
@@ -179,10 +179,17 @@ def numbered_files(pattern: pathlib.Path) -> List[pathlib.Path]:
     return found
 
 
+def bytes_of(path: pathlib.Path) -> bytes:
+    """Raises OSError for what cannot be read, and for a pipe or a device, for which it would wait."""
+    if path.exists() and not path.is_file():
+        raise OSError(f"{path} is a folder, a pipe or a device")
+    return path.read_bytes()
+
+
 def copy_changed(source: pathlib.Path, target: pathlib.Path, member: str) -> bool:
     """Copies a file that a member of the job names unless the target has the same bytes. Raises FarmError."""
     try:
-        content = source.read_bytes()
+        content = bytes_of(source)
     except OSError as error:
         step = f"correct the job's `{member}`" + (", or export one with `pelage farm pack`" if member == "scene" else "")
         raise FarmError(f"The job's {member} cannot be read: {error}", step, BAD_INPUT) from error

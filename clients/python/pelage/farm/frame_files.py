@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import struct
 from typing import BinaryIO, NamedTuple
 
@@ -25,6 +26,8 @@ class FrameFile(NamedTuple):
 
 def inspect(path: str) -> FrameFile:
     """Of a whole PNG or EXR file. Raises ShortFile, and OSError."""
+    if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe would be waited for
+        raise ShortFile("it is a folder, a pipe or a device")
     with open(path, "rb") as file:
         start = file.read(8)
         size = os.fstat(file.fileno()).st_size

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import shlex
 import shutil
 import sys
 import time
@@ -21,6 +22,14 @@ from .status import NO_TASKS, Tasks, bar, status_of, table, tasks_of
 from .yaml import to_yaml
 
 ENGINES = ("slurm", "local", "openjd", "kubernetes")
+FLAGS = {
+    "engine": "--engine",
+    "chunk_seconds": "--chunk-seconds",
+    "at_once": "--max-parallel",
+    "threads": "--threads",
+    "image": "--image",
+    "claim": "--claim",
+}
 LOCAL_AT_ONCE = 2
 LOOKED_EVERY = 1.0  # seconds
 
@@ -30,14 +39,23 @@ class Options(NamedTuple):
     default. threads: 0 for all of a task. image, claim: Of Kubernetes."""
 
     job: str
-    engine: str
-    folder: str
-    chunk_seconds: float
-    at_once: int
-    threads: int
-    image: str
-    claim: str
-    dry_run: bool
+    engine: str = "slurm"
+    folder: str = ""
+    chunk_seconds: float = 120.0
+    at_once: int = 0
+    threads: int = 0
+    image: str = "pelage"
+    claim: str = "farm"
+    dry_run: bool = False
+
+    def line(self, folder: FarmFolder) -> str:
+        """The line that submits the folder with the same options."""
+        words = ["pelage", "farm", "submit", str(folder.path)]
+        for name, flag in FLAGS.items():
+            value = getattr(self, name)
+            if value != self._field_defaults[name]:
+                words += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+        return shlex.join(words)
 
 
 def submit(options: Options) -> bool:
@@ -65,7 +83,10 @@ def submit_in(folder: FarmFolder, given: pathlib.Path, options: Options) -> bool
     left = f"{status.total - status.done} of {status.total} {status.unit}"
     print(f"{len(chunks)} of {len(status.chunks)} chunks to draw, {left}")
     write_engine_files(folder, chunks, options)
-    return options.dry_run or send(folder, chunks, options)
+    if options.dry_run:
+        print(f"Nothing is submitted. Submit it with: {options.line(folder)}")
+        return True
+    return send(folder, chunks, options)
 
 
 def refuse_while_running(folder: FarmFolder) -> None:
