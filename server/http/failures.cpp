@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 
+#include "protocol/base/caught.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 #include "server/http/transport/http_transport.h"
@@ -24,32 +25,30 @@ Refusal own_refusal(const Request& request, int http_status) {
   }
   if (http_status == 404) return {404, failure(Code::not_found, "There is nothing at this address.")};
   if (http_status == 413) return {413, failure(Code::too_large, "The body is too large.")};
-  if (http_status == 500) return {500, failure(Code::internal, "The server failed.")};
   return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
 }
 
-Status naming_request(std::string message, const Request& request) {
-  if (const Exchange* exchange = exchange_of(request))
-    message += fmt::format(" The server's log says more at request {}.", exchange->id);
-  return failure(Code::internal, std::move(message));
+/// A failure of the server names the request.
+Status named(Status status, const Request& request) {
+  const Exchange* exchange = exchange_of(request);
+  if (status.code == Code::internal && exchange)
+    status.message += fmt::format(" The server's log says more at request {}.", exchange->id);
+  return status;
 }
 
 void complete_failure(const Request& request, Response& response) {
+  if (response.status == 500 && !response.body.empty())
+    return reply_problem(response, named(failure(Code::internal, response.reason), request));
   const bool ours = !response.body.empty() || response.content_length_ > 0;
-  Refusal refusal = own_refusal(request, response.status);
-  if (response.status == 500) refusal.status = naming_request(ours ? response.reason : refusal.status.message, request);
-  if (!ours) return refuse(refusal, request, response);
-  if (response.status == 500) reply_problem(response, refusal.status);
+  if (!ours) refuse(own_refusal(request, response.status), request, response);
 }
 
-std::string words_of(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "Something was thrown that is no exception.";
-  }
+/// Its request may not be read to the end.
+void answer_thrown(const Request& request, Response& response, const Status& status) {
+  if (Exchange* exchange = exchange_of(request)) exchange->problem = status.message;
+  response = {};
+  response.version = "HTTP/1.1";
+  refuse({http_status_of(status.code), named(status, request)}, request, response);
 }
 
 }  // namespace
@@ -69,10 +68,7 @@ void answer_failures(httplib::Server& server) {
   server.set_error_handler(complete_failure);
   // NOLINTNEXTLINE(performance-unnecessary-value-param): the signature is httplib's
   server.set_exception_handler([](const Request& request, Response& response, std::exception_ptr thrown) {
-    if (Exchange* exchange = exchange_of(request)) exchange->problem = words_of(thrown);
-    response = {};  // complete_failure makes the answer
-    response.version = "HTTP/1.1";
-    response.status = 500;
+    answer_thrown(request, response, status_of(thrown));
   });
 }
 

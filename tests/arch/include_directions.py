@@ -44,7 +44,7 @@ ALLOWED = {
     "server/calibration": ["protocol/base", "protocol/commands", "server/surface", "server/patches", "server/builtin", "server/fields", "server/first_groom", "server/scene",
                            "server/frames", "renderer"],
     "server/http": ["protocol", "server/log", "server/export", "server/scene", "server/frames", "server/proxy_mesh", "server/studio", "server/import", "server/surface", "server/history"],
-    "server/http/transport": [],
+    "server/http/transport": ["protocol/base"],
     "server/log": ["protocol/base", "protocol/json"],
     "server": ["protocol", "server", "renderer/gl/context", "renderer/picture_files"],
     "renderer": ["protocol/base", "protocol/commands", "renderer"],

@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include <exception>
 #include <system_error>
 
+#include "protocol/base/caught.h"
 #include "server/http/transport/stream.h"
 
 namespace pelage {
@@ -62,26 +62,30 @@ void HttpTransport::stop_serving() {
 }
 
 bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock::time_point begin) {
-  Exchange exchange(connection, begin);
+  bool stays = false;
+  const Status served = caught([&] {
+    Exchange exchange(connection, begin);
+    // What handlers throw is answered; this comes from those that write as they go.
+    const Status answered = caught([&] { return stays = answer_one(connection, exchange), Status{}; });
+    if (!answered.ok()) exchange.problem = answered.message;
+    hooks_.ended(exchange);
+    return answered;
+  });
+  return stays && served.ok();
+}
+
+bool HttpTransport::answer_one(Connection& connection, Exchange& exchange) {
   ConnectionStream stream(connection, exchange);
   exchange.problem = "It is not what HTTP says.";  // until its head is parsed
-  bool client_ends = false, stays = false;
-  try {
-    const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
-    stays = process_request(stream, last, client_ends, [&](httplib::Request& request) {
-      exchange.problem.clear();
-      request.progress = ExchangeCarrier{&exchange};
-      hooks_.begun(request, exchange);
-    });
-    stays = stays && !last && !client_ends && !stream.broken();
-  } catch (const std::exception& error) {  // handlers' own are answered; this came from one that writes as it goes
-    exchange.problem = error.what();
-  } catch (...) {
-    exchange.problem = "Something was thrown that is no exception.";
-  }
+  const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
+  bool client_ends = false;
+  const bool stays = process_request(stream, last, client_ends, [&](httplib::Request& request) {
+    exchange.problem.clear();
+    request.progress = ExchangeCarrier{&exchange};
+    hooks_.begun(request, exchange);
+  });
   if (stream.broken() && exchange.problem.empty()) exchange.problem = "The client left before the answer ended.";
-  hooks_.ended(exchange);
-  return stays;
+  return stays && !last && !client_ends && !stream.broken();
 }
 
 }  // namespace pelage

@@ -33,7 +33,9 @@ class HttpTransport : public httplib::Server {
   void stop_serving();
 
  private:
+  /// The root of what a worker does: what is thrown ends this connection alone. False: it ends.
   bool serve_one(Connection& connection, std::chrono::steady_clock::time_point begin);
+  bool answer_one(Connection& connection, Exchange& exchange);
 
   Hooks hooks_;
   std::mutex mutex_;
