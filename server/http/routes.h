@@ -11,6 +11,7 @@
 #include "protocol/json/decode.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/picture_service.h"
+#include "server/http/client_gate.h"
 #include "server/http/guard.h"
 #include "server/http/http_server.h"
 #include "server/http/idempotency.h"
@@ -34,7 +35,7 @@ struct Service {
   MeshCache meshes;
   Gate waiting{worker_threads / 4};  // each holds a thread for seconds
   Gate streams{worker_threads / 4};  // each holds a thread for as long as its client likes
-  Gate uploads{4};                   // each holds a file in memory
+  ClientGate uploads{4, 2};          // each holds a file in memory, and a process that reads it
   Gate large_frames{1};
   Gate exports{1};  // each holds all strands of a scene in memory
   std::atomic<bool> draining{false};

@@ -132,9 +132,11 @@ Result<std::string> read_body(const Request& request, const httplib::ContentRead
 /// Hands the body to `use`; it is read only once there is room for it.
 void with_body(Service& service, std::size_t max_bytes, const Request& request, Response& response,
                const httplib::ContentReader& read, const std::function<void(const std::string& bytes)>& use) {
-  const auto pass = service.uploads.enter();
+  const auto pass = service.uploads.enter(client_of(request));
   if (!pass) {
-    reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", "4 at a time"));
+    const std::string limit =
+        fmt::format("{} at a time, {} of one client", service.uploads.all(), service.uploads.each());
+    reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", limit));
     return close_after(response);
   }
   const Result<std::string> bytes = read_body(request, read, max_bytes);

@@ -20,8 +20,6 @@ namespace pelage {
 
 namespace {
 
-constexpr int imports_at_a_time = 2;
-
 /// 12 random hex characters.
 std::string random_id() {
   static constexpr char digits[] = "0123456789abcdef";
@@ -29,24 +27,6 @@ std::string random_id() {
   std::string id(12, '0');
   for (char& c : id) c = digits[device() & 15];
   return id;
-}
-
-/// Counts up while it lives, if there is room.
-class Slot {
- public:
-  Slot(std::atomic<int>& taken, int limit) : taken_(taken), has_(taken.fetch_add(1) < limit) {}
-  ~Slot() { --taken_; }
-  Slot(const Slot&) = delete;
-  Slot& operator=(const Slot&) = delete;
-  bool has() const { return has_; }
-
- private:
-  std::atomic<int>& taken_;
-  bool has_;
-};
-
-Status too_many_imports() {
-  return failure(Code::busy, "the server is reading other uploads", {}, "two uploads at a time");
 }
 
 /// What is not asked for follows from the file. An axis that is given keeps the other off its line.
@@ -82,7 +62,6 @@ struct SceneStore::Impl {
   std::unique_ptr<Journal> journal;
   std::string worker;
   std::size_t undo_bytes = 0;  // of each scene
-  std::atomic<int> imports{0};
   std::atomic<std::uint64_t> last_model{0};
   OpenScenes scenes;
 
@@ -229,8 +208,6 @@ void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  const Slot slot(impl_->imports, imports_at_a_time);
-  if (!slot.has()) return too_many_imports();
   const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes, options.pose);
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
@@ -284,8 +261,6 @@ Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Comman
 
 Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> bytes,
                                                    const ExecuteOptions& execute) {
-  const Slot slot(impl_->imports, imports_at_a_time);
-  if (!slot.has()) return too_many_imports();
   const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes);
   if (!harmonics) return harmonics.status();
   how.harmonics = *harmonics;
@@ -294,8 +269,6 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how
 
 Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                                     const ExecuteOptions& execute) {
-  const Slot slot(impl_->imports, imports_at_a_time);
-  if (!slot.has()) return too_many_imports();
   const Result<RawImage> picture = import_picture(impl_->worker, bytes);
   if (!picture) return picture.status();
   return lay_skin_texture(scene, *picture, execute);
@@ -310,8 +283,6 @@ Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage&
 }
 
 Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes) {
-  const Slot slot(imports, imports_at_a_time);
-  if (!slot.has()) return too_many_imports();
   const Result<MapPicture> picture = import_map(worker, bytes);
   if (!picture) return picture.status();
   const std::string kept = encode_map_picture(*picture);

@@ -3,13 +3,14 @@
 import concurrent.futures
 import http.client
 import itertools
+import select
 import socket
 import subprocess
 import tempfile
 import time
 import unittest
 
-from support.server import BIN, Server, ServedTest, flood
+from support.server import BIN, Server, ServedTest, author, flood
 
 
 def head(first, *headers, host="127.0.0.1"):
@@ -222,6 +223,19 @@ class Connections(ServedTest):
                                  self.server.folder / "other"], capture_output=True, timeout=60)
         self.assertEqual(second.returncode, 2, second)
         self.assertIn(b"Cannot listen", second.stderr)
+
+    def test_uploads_of_one_client_leave_places_for_others(self):
+        scene = self.server.new_scene("plane", 2)
+        mine = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(4)]
+        for connection in mine:  # bodies that stop half way
+            self.addCleanup(connection.close)
+            connection.sendall(head(f"PUT {scene.path}/skin_texture HTTP/1.1", "Content-Length: 1000") + b"half")
+        for _ in range(2):
+            (refused, *_), _, _ = select.select(mine, [], [], 20)
+            self.assertEqual(statuses(refused.recv(65536)), [503])
+            mine.remove(refused)
+        theirs = self.server.call("PUT", f"{scene.path}/skin_texture", b"no picture", headers=author("Ben"))
+        self.assertNotIn(theirs.status, (429, 503), theirs)
 
     def test_waiting_requests_leave_room_for_others(self):
         scene = self.server.new_scene("plane", 2)

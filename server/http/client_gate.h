@@ -1,0 +1,52 @@
+// A bound on how many requests of all clients, and of each, do one costly thing at a time.
+#pragma once
+
+#include <httplib.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace pelage {
+
+/// Thread-safe.
+class ClientGate {
+ public:
+  /// `all` requests at a time, of one client `each` of them: less than `all`, so that nobody locks the others out.
+  ClientGate(int all, int each) : all_(all), each_(each) {}
+
+  /// Holds a place until it is destroyed; false when there was none left.
+  class Pass {
+   public:
+    Pass(ClientGate* gate, std::string client) : gate_(gate), client_(std::move(client)) {}
+    Pass(Pass&& other) noexcept : gate_(std::exchange(other.gate_, nullptr)), client_(std::move(other.client_)) {}
+    Pass& operator=(Pass&&) = delete;
+    ~Pass() {
+      if (gate_) gate_->leave(client_);
+    }
+    explicit operator bool() const { return gate_ != nullptr; }
+
+   private:
+    ClientGate* gate_;
+    std::string client_;
+  };
+
+  [[nodiscard]] Pass enter(const std::string& client);
+
+  int all() const { return all_; }
+  int each() const { return each_; }
+
+ private:
+  void leave(const std::string& client);
+
+  const int all_, each_;
+  std::mutex mutex_;
+  int held_ = 0;
+  std::map<std::string, int> held_by_;
+};
+
+/// Who sends a request: its address, and its Pelage-Author where several share one, as behind a proxy.
+std::string client_of(const httplib::Request& request);
+
+}  // namespace pelage
