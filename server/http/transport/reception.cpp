@@ -230,19 +230,22 @@ void Reception::check_timeouts() {
   const bool out_of_time = stopping_ && now_ - stopping_since_ > limits_.stopping_timeout;
   for (auto next = entries_.begin(); next != entries_.end();) {
     const auto entry = next++;
-    const auto& [socket, held] = *entry;
-    const auto passed = now_ - held.since;
-    const bool idle = held.connection->unread().empty();
-    if (held.state == State::served) {
-      if (out_of_time) shutdown(socket, SHUT_RDWR);
-    } else if (held.state == State::closing) {
-      if (passed > limits_.linger_timeout) drop(entry);
-    } else if (passed > (idle ? limits_.idle_timeout : limits_.head_timeout)) {
-      if (idle)
-        drop(entry);
-      else
-        refuse(entry, 408);
-    }
+    if (entry->second.state != State::served)
+      or_drop(entry->first, &Reception::check_timeout);
+    else if (out_of_time)
+      shutdown(entry->first, SHUT_RDWR);  // its bytes are the worker's
+  }
+}
+
+void Reception::check_timeout(Entries::iterator entry) {
+  const Entry& held = entry->second;
+  const auto passed = now_ - held.since;
+  if (held.state == State::closing) {
+    if (passed > limits_.linger_timeout) drop(entry);
+  } else if (held.connection->unread().empty()) {
+    if (passed > limits_.idle_timeout) drop(entry);
+  } else if (passed > limits_.head_timeout) {
+    refuse(entry, 408);
   }
 }
 

@@ -56,7 +56,7 @@ class Reception {
   enum class State { waiting, served, closing };
   using Clock = std::chrono::steady_clock;
   struct Entry {
-    std::unique_ptr<Connection> connection;
+    std::unique_ptr<Connection> connection;  // while it is served the worker's alone, but for its socket
     State state = State::waiting;
     Clock::time_point since;   // of the state; of a head, when its first byte came
     std::size_t searched = 0;  // unread bytes that hold no end of a head
@@ -78,6 +78,7 @@ class Reception {
   void give_back(int socket, bool stays);
   void take_back();
   void check_timeouts();
+  void check_timeout(Entries::iterator entry);
   void begin_stopping();
 
   const int listening_;
