@@ -72,12 +72,12 @@ class EdgeLimits {
 
 }  // namespace
 
-FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur) {
+FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel) {
   constexpr double clear = 0.6;  // length of the flow from which fur leans as asked
   FieldSet fields(mesh.positions.size());
   const AnimalLengths animal(mesh);
   const EdgeLimits edges(mesh);
-  const std::vector<glm::dvec2> flow = fur_flow(mesh);
+  const std::vector<glm::dvec2> flow = fur_flow(mesh, cancel);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
     const double along = glm::length(flow[v]);

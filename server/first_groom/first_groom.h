@@ -3,12 +3,13 @@
 
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
+#include "server/groom/cancel.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
 
 /// Fur that lies as fur_flow (flow.h) says and stands up where it begins, ends and parts, with the mesh's length scale;
-/// -0 is stored as 0.
-FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur);
+/// -0 is stored as 0. Throws Cancelled.
+FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel = {});
 
 }  // namespace pelage

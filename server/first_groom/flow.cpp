@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "server/first_groom/poles.h"
+#include "server/first_groom/two_level.h"
 #include "server/surface/adjacency.h"
 #include "server/surface/geodesics.h"
 
@@ -58,13 +59,16 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
   return areas;
 }
 
-/// Solves a Hermitian positive definite system: exactly where it is small, else nearly.
+/// Solves a Hermitian positive definite system: exactly where it is small, else nearly. Throws Cancelled.
 template <class Number>
 Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number>& matrix,
-                                                const Eigen::Matrix<Number, Eigen::Dynamic, 1>& right) {
+                                                const Eigen::Matrix<Number, Eigen::Dynamic, 1>& right,
+                                                const Cancel& cancel) {
   constexpr Eigen::Index small = 60'000;
+  cancel.check();
   if (matrix.rows() <= small) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>>(matrix).solve(right);
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<Number>, Eigen::Lower | Eigen::Upper> solver;
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<Number>, Eigen::Lower | Eigen::Upper, TwoLevel<Number>> solver;
+  solver.preconditioner().listen(cancel);
   solver.setTolerance(1e-4);
   solver.setMaxIterations(2'000);
   return solver.compute(matrix).solve(right);
@@ -134,7 +138,8 @@ class Closure {
 };
 
 /// Solves for the potential of the poles: the gradient of what flows from those above 0 to the others.
-Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<Pole>& poles, std::size_t vertices) {
+Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<Pole>& poles, std::size_t vertices,
+                             const Cancel& cancel) {
   constexpr double anchored = 1e-7;  // of a vertex's coupling: parts without poles, and the free constant
   const auto n = static_cast<Eigen::Index>(vertices);
   std::vector<Eigen::Triplet<double>> entries;
@@ -147,7 +152,7 @@ Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<P
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::VectorXd flux = Eigen::VectorXd::Zero(n);
   for (const Pole& pole : poles) flux[pole.vertex] += pole.flux;
-  return solved<double>(matrix, flux);
+  return solved<double>(matrix, flux, cancel);
 }
 
 /// Against the gradient, at vertices: the area-weighted mean of the triangles there.
@@ -186,21 +191,22 @@ struct Wishes {
   std::vector<std::vector<std::uint32_t>> parts;
 };
 
-Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges) {
+Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel& cancel) {
   const Adjacency neighbours = vertex_neighbours(mesh.triangles, mesh.positions.size());
   const std::vector<std::vector<std::uint32_t>> parts = parts_of(neighbours, mesh.positions.size());
   const Closure closure(mesh, parts);
+  PoleFinder finder(mesh, neighbours, cancel);
   std::vector<Pole> poles;
   std::vector<bool> by_poles(mesh.positions.size(), false);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (!closure.is_body(p) || closure.has_handles(p)) continue;
-    const std::vector<Pole> found = find_poles(mesh, neighbours, parts[p]);
+    const std::vector<Pole> found = finder.find(parts[p]);
     poles.insert(poles.end(), found.begin(), found.end());
     for (const std::uint32_t v : parts[p]) by_poles[v] = !found.empty();
   }
   const std::vector<glm::dvec3> flow = poles.empty()
                                            ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
-                                           : downhill(mesh, potential_of(edges, poles, mesh.positions.size()));
+                                           : downhill(mesh, potential_of(edges, poles, mesh.positions.size(), cancel));
   constexpr double fine = 0.08, coarse = 0.5;  // what no pole leads has many sources that cancel
   Wishes wishes{{}, {}, parts};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -229,9 +235,9 @@ std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vect
 
 }  // namespace
 
-std::vector<glm::dvec2> fur_flow(const Mesh& mesh) {
+std::vector<glm::dvec2> fur_flow(const Mesh& mesh, const Cancel& cancel) {
   const std::vector<Edge> edges = weighted_edges(mesh);
-  const Wishes wishes = wishes_of(mesh, edges);
+  const Wishes wishes = wishes_of(mesh, edges, cancel);
   const std::vector<double> areas = vertex_areas(mesh);
   const auto n = static_cast<Eigen::Index>(mesh.positions.size());
   std::vector<Eigen::Triplet<Complex>> entries;
@@ -249,7 +255,7 @@ std::vector<glm::dvec2> fur_flow(const Mesh& mesh) {
   }
   Eigen::SparseMatrix<Complex> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXcd smooth = solved<Complex>(matrix, right);
+  const Eigen::VectorXcd smooth = solved<Complex>(matrix, right, cancel);
   return relative(smooth, wishes.parts);
 }
 

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "server/groom/cancel.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
@@ -14,6 +15,7 @@ namespace pelage {
 /// that it has no other sources; on sheets, and on bodies with handles, it goes from nose to tail and a little down.
 /// Both are then smoothed by the smoothest field that follows them (Knoeppel et al. 2013, "Globally optimal direction
 /// fields", eq. 16 with n = 1), in which needless sources cancel: two are left on a ball and none on a torus.
-std::vector<glm::dvec2> fur_flow(const Mesh& mesh);
+/// Throws Cancelled.
+std::vector<glm::dvec2> fur_flow(const Mesh& mesh, const Cancel& cancel = {});
 
 }  // namespace pelage

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "server/groom/cancel.h"
 #include "server/surface/adjacency.h"
 #include "server/surface/mesh.h"
 
@@ -16,10 +17,47 @@ struct Pole {
   double flux = 0;
 };
 
-/// Of one connected part, that looks along +Z: fur begins under its chin, near what lies farthest forward and up, at
-/// its lowest there; it ends wherever the way along edges from there is longer than all around by a tenth of a size,
-/// on the side that shows least. Their fluxes sum to 0; equal places on both sides of the middle share one. Empty for a
-/// part without an end. `part` are its vertices.
-std::vector<Pole> find_poles(const Mesh& mesh, const Adjacency& edges, std::span<const std::uint32_t> part);
+/// Finds the poles of parts, one after the other, in storage of its own that they share: all parts together take the
+/// time of one walk over the mesh, for what is near one end of a part is near no other end.
+class PoleFinder {
+ public:
+  /// All three are kept by reference.
+  PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel);
+
+  /// Of one connected part, that looks along +Z: fur begins under its chin, near what lies farthest forward and up, at
+  /// its lowest there; it ends wherever the way along edges from there is longer than all around by a tenth of a size,
+  /// on the side that shows least. Their fluxes sum to 0; equal places on both sides of the middle share one. Empty for
+  /// a part without an end. `part` are its vertices, rising. Throws Cancelled.
+  std::vector<Pole> find(std::span<const std::uint32_t> part);
+
+ private:
+  struct Peak;
+  using Vertices = std::vector<std::uint32_t>;
+
+  /// Distances along edges from the sources of the last walk.
+  class Walk {
+   public:
+    Walk(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel);
+    /// The vertices at most so far away, rising.
+    const Vertices& from(std::span<const std::uint32_t> sources, double farthest);
+    double operator[](std::uint32_t vertex) const { return distances_[vertex]; }
+
+   private:
+    const Mesh& mesh_;
+    const Adjacency& edges_;
+    const Cancel& cancel_;
+    std::vector<double> distances_;  // by vertex of the mesh; infinite where not reached
+    Vertices reached_;
+  };
+
+  Vertices chin_of(std::span<const std::uint32_t> part, double size);
+  std::vector<Peak> peaks_of(std::span<const std::uint32_t> part);
+  Vertices hidden_end(const Peak& peak, double size);
+
+  const Mesh& mesh_;
+  const Adjacency& edges_;
+  Walk from_chin_, near_;
+  Vertices peak_;  // of each vertex that is in, while peaks are found: itself, or one on the way
+};
 
 }  // namespace pelage

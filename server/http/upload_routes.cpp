@@ -34,11 +34,12 @@ Status check_loss(const Scene& scene) {
 
 /// Loads the model only where that loses no groom, not even one of commands that come while its bytes are read.
 Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const ImportOptions& options, Bytes bytes,
-                                         std::optional<Revision> if_match) {
-  const Revision seen = scene.revision();
+                                         ExecuteOptions execute) {
+  const bool is_asked = execute.if_match.has_value();
+  if (!is_asked) execute.if_match = scene.revision();
   if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
-  auto summary = service.scenes.load_model(scene, options, bytes, {.if_match = if_match.value_or(seen)});
-  if (summary || summary.status().code != Code::precondition || if_match) return summary;
+  auto summary = service.scenes.load_model(scene, options, bytes, execute);
+  if (summary || summary.status().code != Code::precondition || is_asked) return summary;
   if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
   return summary;
 }
@@ -53,8 +54,10 @@ void load_model(Service& service, Scene& scene, const Request& request, Response
   const auto discard = flag_of(request, "discard");
   if (!discard) return reply_problem(response, discard.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const auto summary = *discard ? service.scenes.load_model(scene, *options, bytes, {.if_match = *if_match})
-                                : load_into_ungroomed(service, scene, *options, bytes, *if_match);
+  const ClientSocket client(request);
+  const ExecuteOptions execute{.if_match = *if_match, .cancel = Cancel([&client] { return client.gone(); })};
+  const auto summary = *discard ? service.scenes.load_model(scene, *options, bytes, execute)
+                                : load_into_ungroomed(service, scene, *options, bytes, execute);
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);

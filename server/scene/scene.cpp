@@ -355,7 +355,7 @@ void Scene::read_for_drawing(const std::function<void(const SceneView&, const st
 
 Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
                                           const ExecuteOptions& options) {
-  FieldSet first = first_groom(model->surface.mesh(), fur);
+  FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
   const std::lock_guard lock(mutex_);
   if (Status refused = admit(options); !refused.ok()) return refused;
   if (options.dry_run) return describe();

@@ -69,6 +69,9 @@ struct SceneStore::Impl {
 
   Result<std::shared_ptr<Scene>> restored(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes);
+  /// Throws Cancelled.
+  Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
+                                  const ExecuteOptions& execute);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -208,14 +211,25 @@ void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  const Result<RawModel> raw = import_model(impl_->worker, options.format, bytes, options.pose);
+  try {
+    return impl_->load_model(scene, options, bytes, execute);
+  } catch (const Cancelled&) {
+    return failure(Code::unavailable, "nobody waits for the model any more, so nothing was changed");
+  }
+}
+
+Result<SceneSummary> SceneStore::Impl::load_model(Scene& scene, const ImportOptions& options,
+                                                  std::span<const std::byte> bytes, const ExecuteOptions& execute) {
+  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose);
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
                   .prepare = preparation_of(options, *raw),
                   .raw = {},
                   .fur_patches = options.fur_patches};
-  auto model = build_model(*raw, how, ++impl_->last_model);
+  execute.cancel.check();
+  auto model = build_model(*raw, how, ++last_model);
   if (!model) return model.status();
+  execute.cancel.check();
   how.raw = encode_raw_model(*raw);
   return scene.replace_model(*model, options.fur, std::move(how), execute);
 }

@@ -20,7 +20,7 @@ ALLOWED = {
     "server/import_worker": ["protocol/base", "protocol/commands", "protocol/json", "server/surface", "server/import",
                              "renderer/image", "renderer/light", "renderer/picture_files"],
     "server/fields": ["protocol/base", "protocol/commands", "server/surface"],
-    "server/first_groom": ["protocol/base", "protocol/commands", "server/surface", "server/fields"],
+    "server/first_groom": ["protocol/base", "protocol/commands", "server/surface", "server/fields", "server/groom"],
     "server/groom": ["protocol/base", "protocol/commands", "server/surface", "server/patches", "server/import", "server/fields",
                      "server/maps"],
     "server/motion": ["protocol/base", "protocol/commands", "server/fields"],

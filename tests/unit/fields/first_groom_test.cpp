@@ -81,6 +81,57 @@ TEST(FurFlow, HasTwoSourcesOnABallAndNoneOnATorus) {
   EXPECT_EQ(torus.saddles, 0);
 }
 
+// Beyond some size the flow is solved nearly.
+TEST(FurFlow, HasTwoSourcesOnALargeBall) {
+  const Mesh mesh = builtin(Builtin::sphere, 130'000);
+  ASSERT_GT(mesh.positions.size(), 60'000u);
+  const Singular ball = count_singular(mesh);
+  EXPECT_EQ(ball.sources, 2);
+  EXPECT_EQ(ball.saddles, 0);
+}
+
+/// How often the flow of a model asks whether somebody waits: as often as it takes steps of about the same work.
+std::size_t steps_of(const RawModel& raw) {
+  std::size_t steps = 0;
+  const Cancel counting([&steps] { return ++steps, false; });
+  fur_flow(prepare(raw).value(), counting);
+  return steps;
+}
+
+RawModel spiky_polygon(std::uint32_t corners) {
+  RawModel raw;
+  raw.face_sizes = {corners};
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle = 6.283185307179586 * i / corners, radius = i % 2 == 0 ? 1 : 0.5;
+    raw.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    raw.corners.push_back(i);
+  }
+  return raw;
+}
+
+RawModel many_balls(std::uint32_t count) {
+  RawModel raw;
+  const RawModel ball = shapes::ball(4);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto first = static_cast<std::uint32_t>(raw.positions.size());
+    for (const glm::dvec3& p : ball.positions) raw.positions.push_back(p + glm::dvec3(3 * (i % 100), 3 * (i / 100), 0));
+    for (const std::uint32_t v : ball.corners) raw.corners.push_back(first + v);
+    raw.face_sizes.insert(raw.face_sizes.end(), ball.face_sizes.begin(), ball.face_sizes.end());
+  }
+  return raw;
+}
+
+// Every spike is an end of fur, and every ball has one.
+TEST(FurFlow, TakesNoStepsForEachEndOverTheWholeModel) {
+  EXPECT_LT(steps_of(spiky_polygon(20'000)), 20u);
+  EXPECT_LT(steps_of(many_balls(2'000)), 100u);
+}
+
+TEST(FurFlow, EndsOnceNobodyWaits) {
+  const Mesh mesh = prepare(spiky_polygon(20'000)).value();
+  EXPECT_THROW(fur_flow(mesh, Cancel([] { return true; })), Cancelled);
+}
+
 // One under the chin, one at the end of each limb, ear and the tail; as many partings as the shape then needs.
 TEST(FurFlow, OfAnAnimalBeginsUnderTheChinAndEndsAtItsLimbs) {
   const Singular animal = count_singular(builtin(Builtin::creature, 8000));

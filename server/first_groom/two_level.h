@@ -1,0 +1,90 @@
+// What makes conjugate gradients reach across a large mesh in few steps.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "server/groom/cancel.h"
+
+namespace pelage {
+
+/// A preconditioner for Eigen of Hermitian matrices of a mesh, whose entries off the diagonal say how a value at one
+/// vertex looks at another. Beside the diagonal it inverts the matrix for groups of vertices that move together, each
+/// as one vertex of them tells the others (additive Schwarz with aggregates). Deterministic.
+template <class Number>
+class TwoLevel {
+ public:
+  using Matrix = Eigen::SparseMatrix<Number>;
+  using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+  using StorageIndex = typename Matrix::StorageIndex;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+
+  /// Kept by reference and asked at each step; throws Cancelled out of the solver.
+  void listen(const Cancel& cancel) { cancel_ = &cancel; }
+
+  TwoLevel& analyzePattern(const Matrix&) { return *this; }
+  TwoLevel& factorize(const Matrix& matrix) { return compute(matrix); }
+  TwoLevel& compute(const Matrix& matrix) {
+    inverse_ = matrix.diagonal().cwiseInverse();
+    gather(matrix);
+    std::vector<Eigen::Triplet<Number>> entries;
+    entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+    for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+      for (typename Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+        entries.emplace_back(group_[entry.row()], group_[column],
+                             Eigen::numext::conj(looks_[entry.row()]) * entry.value() * looks_[column]);
+    }
+    Matrix coarse(groups_, groups_);
+    coarse.setFromTriplets(entries.begin(), entries.end());
+    coarse_.compute(coarse);
+    return *this;
+  }
+
+  Vector solve(const Vector& right) const {
+    if (cancel_) cancel_->check();
+    Vector sums = Vector::Zero(groups_);
+    for (Eigen::Index v = 0; v < right.size(); ++v) sums[group_[v]] += Eigen::numext::conj(looks_[v]) * right[v];
+    const Vector moves = coarse_.solve(sums);
+    Vector result = inverse_.cwiseProduct(right);
+    for (Eigen::Index v = 0; v < right.size(); ++v) result[v] += looks_[v] * moves[group_[v]];
+    return result;
+  }
+
+  Eigen::ComputationInfo info() const { return coarse_.info(); }
+
+ private:
+  /// Groups of neighbours, breadth first.
+  void gather(const Matrix& matrix) {
+    constexpr Eigen::Index groups = 20'000;
+    const auto full = static_cast<std::size_t>(matrix.rows() / groups + 1);
+    group_.assign(static_cast<std::size_t>(matrix.rows()), -1);
+    looks_ = Vector::Ones(matrix.rows());
+    groups_ = 0;
+    std::vector<Eigen::Index> members;
+    for (Eigen::Index seed = 0; seed < matrix.rows(); ++seed) {
+      if (group_[seed] >= 0) continue;
+      members.assign(1, seed), group_[seed] = groups_;
+      for (std::size_t i = 0; i < members.size() && members.size() < full; ++i) {
+        for (typename Matrix::InnerIterator entry(matrix, members[i]); entry && members.size() < full; ++entry) {
+          const double coupled = std::abs(entry.value());
+          if (group_[entry.row()] >= 0 || !(coupled > 0)) continue;
+          group_[entry.row()] = groups_, members.push_back(entry.row());
+          looks_[entry.row()] = -entry.value() / coupled * looks_[members[i]];
+        }
+      }
+      ++groups_;
+    }
+  }
+
+  const Cancel* cancel_ = nullptr;
+  Vector inverse_;          // of the diagonal
+  std::vector<int> group_;  // of each vertex
+  Vector looks_;            // what 1 at the first vertex of its group is at each
+  int groups_ = 0;
+  Eigen::SimplicialLDLT<Matrix> coarse_;
+};
+
+}  // namespace pelage
