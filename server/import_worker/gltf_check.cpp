@@ -1,52 +1,32 @@
 #include "server/import_worker/gltf_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <set>
 #include <vector>
 
-#include "protocol/json/parse.h"
+#include "server/import_worker/gltf_json.h"
 #include "server/import_worker/parse.h"
 
 namespace pelage {
 
 namespace {
 
-using nlohmann::json;
+using gltf::index;
+using gltf::item;
+using gltf::json;
+using gltf::list;
+using gltf::member;
+using gltf::printable;
+using gltf::text;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t place) {
   std::uint32_t number = 0;
   std::memcpy(&number, bytes.data() + place, sizeof number);  // little-endian, as this machine
   return number;
-}
-
-/// The member when it is an array, else an empty one.
-const json& list(const json& object, const char* name) {
-  static const json none = json::array();
-  if (!object.is_object()) return none;
-  const auto member = object.find(name);
-  return member != object.end() && member->is_array() ? *member : none;
-}
-
-std::string text(const json& object, const char* name) {
-  if (!object.is_object()) return {};
-  const auto member = object.find(name);
-  return member != object.end() && member->is_string() ? member->get<std::string>() : std::string();
-}
-
-/// The member as an index, -1 when it is none.
-std::int64_t index(const json& object, const char* name) {
-  if (!object.is_object()) return -1;
-  const auto member = object.find(name);
-  return member != object.end() && member->is_number_unsigned() ? member->get<std::int64_t>() : -1;
-}
-
-std::string printable(std::string word) {
-  word.resize(std::min<std::size_t>(word.size(), 200));
-  std::replace_if(
-      word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return word;
 }
 
 Status check_version(const json& root) {
@@ -63,17 +43,34 @@ std::string reason_of_extension(const std::string& name) {
   };
   if (name == "KHR_draco_mesh_compression") return compressed("Draco");
   if (name == "EXT_meshopt_compression" || name == "KHR_meshopt_compression") return compressed("meshopt");
-  if (name == "KHR_mesh_quantization") return "its mesh is quantized (" + name + "); export it with 32-bit numbers.";
   return "it requires the extension " + printable(name) + ", which is not read; export it without.";
+}
+
+/// What is read (gltf_plain.h), named among the missing pictures, or changes neither shape nor base colour.
+bool is_known_extension(const std::string& name) {
+  constexpr std::array known{"KHR_mesh_quantization",   "KHR_texture_transform",
+                             "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
+                             "EXT_texture_webp",        "EXT_texture_avif",
+                             "MSFT_texture_dds",        "KHR_lights_punctual",
+                             "EXT_lights_image_based",  "KHR_xmp",
+                             "KHR_xmp_json_ld",         "MSFT_lod"};
+  return name.starts_with("KHR_materials_") || std::find(known.begin(), known.end(), name) != known.end();
 }
 
 Status check_extensions(const json& root) {
   for (const json& entry : list(root, "extensionsRequired")) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
-    const bool look_only = name.starts_with("KHR_materials_") || name == "KHR_lights_punctual";
-    if (!look_only) return broken(reason_of_extension(name));
+    if (!is_known_extension(name)) return broken(reason_of_extension(name));
   }
   return {};
+}
+
+/// Those that the file can do without, but not look the same.
+void count_extensions(const json& root, RawModel& model) {
+  for (const json& entry : list(root, "extensionsUsed")) {
+    const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
+    if (!is_known_extension(name)) model.lose("ignored_extensions", printable(name));
+  }
 }
 
 Status check_scenes(const json& root) {
@@ -144,34 +141,42 @@ Status check_nodes(const json& root) {
   return reached.size() == nodes.size() ? Status() : broken("its node graph has a cycle.");
 }
 
-/// Assimp copies the bytes of other types as if they were floats.
-Status check_attribute_types(const json& root) {
-  constexpr std::int64_t float_type = 5126;
-  const json& accessors = list(root, "accessors");
+Status check_attributes(const json& root) {
   for (const json& mesh : list(root, "meshes")) {
     for (const json& primitive : list(mesh, "primitives")) {
-      const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
-      if (attributes == primitive.end()) continue;
+      const json& attributes = member(primitive, "attributes");
       for (const char* name : {"POSITION", "TEXCOORD_0"}) {
-        const std::int64_t accessor = index(*attributes, name);
-        if (accessor < 0) continue;
-        if (accessor >= static_cast<std::int64_t>(accessors.size()) ||
-            index(accessors[static_cast<std::size_t>(accessor)], "componentType") != float_type) {
-          return broken(std::string("an accessor of ") + name + " is missing or holds no 32-bit floats.");
-        }
+        const std::int64_t accessor = index(attributes, name);
+        if (accessor >= 0 && !item(list(root, "accessors"), accessor))
+          return broken(std::string("an accessor of ") + name + " is missing.");
       }
     }
   }
   return {};
 }
 
+/// Base colours whose texture has no PNG or JPEG: those that only an extension names.
+void count_textures(const json& root, RawModel& model) {
+  std::set<std::int64_t> textures;
+  for (const json& material : list(root, "materials"))
+    textures.insert(index(member(member(material, "pbrMetallicRoughness"), "baseColorTexture"), "index"));
+  for (const std::int64_t number : textures) {
+    const json* texture = item(list(root, "textures"), number);
+    if (!texture || item(list(root, "images"), index(*texture, "source"))) continue;
+    std::string name = "texture " + std::to_string(number);
+    for (const auto& [extension, source] : member(*texture, "extensions").items())
+      name = gltf::name_of(list(root, "images"), index(source, "source"), "image") + ", " + printable(extension);
+    model.lose("missing_pictures", name);
+  }
+}
+
 void count_pictures(const json& root, const Bundle& bundle, RawModel& model) {
   const json& images = list(root, "images");
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const std::string uri = text(images[i], "uri"), name = text(images[i], "name");
+    const std::string uri = text(images[i], "uri");
     if (is_outside(uri) && !bundle.find(uri)) model.lose("missing_pictures", printable(uri));
     if (uri.starts_with("data:") && !is_base64(uri))
-      model.lose("broken_pictures", name.empty() ? "image " + std::to_string(i) : printable(name));
+      model.lose("broken_pictures", gltf::name_of(images, static_cast<std::int64_t>(i), "image"));
   }
 }
 
@@ -188,7 +193,9 @@ void count_primitives(const json& mesh, RawModel& model) {
 }
 
 void count_losses(const json& root, const Bundle& bundle, RawModel& model) {
+  count_extensions(root, model);
   count_pictures(root, bundle, model);
+  count_textures(root, model);
   for (const json& mesh : list(root, "meshes")) count_primitives(mesh, model);
 }
 
@@ -238,7 +245,7 @@ Status check_gltf(std::string_view document, const Bundle& bundle, RawModel& mod
   if (!root->is_object()) return broken("its JSON is no object.");
   for (const Status& status :
        {check_version(*root), check_extensions(*root), check_uris(*root, bundle), check_buffers(*root, binary_bytes),
-        check_nodes(*root), check_scenes(*root), check_attribute_types(*root)}) {
+        check_nodes(*root), check_scenes(*root), check_attributes(*root)}) {
     if (!status.ok()) return status;
   }
   count_losses(*root, bundle, model);

@@ -15,9 +15,9 @@ Status check_glb(std::string_view bytes, const Bundle& bundle, RawModel& model);
 
 /// Refuses (invalid): text that is not JSON, another version than 2, buffers in files that are not bundled or in broken
 /// base64 (naming them), required extensions that change the geometry or are not known (naming them), node graphs that
-/// are no trees, and positions or texture coordinates that are not 32-bit floats. Counts among the model's losses:
-/// pictures that are not there, points and lines, and primitives without positions. `binary_bytes` is the size of the
-/// GLB's chunk.
+/// are no trees, and positions or texture coordinates that are not there. Counts among the model's losses: extensions
+/// that are not read and change what is seen, pictures that are not there or that only an extension names, points and
+/// lines, and primitives without positions. `binary_bytes` is the size of the GLB's chunk.
 Status check_gltf(std::string_view json, const Bundle& bundle, RawModel& model, std::size_t binary_bytes = 0);
 
 }  // namespace pelage

@@ -65,7 +65,7 @@ Result<RawModel> parse_bundle(ModelFormat format, Bundle& bundle, const std::str
 
 /// What programs that write these formats take for up and forward.
 void note_axes(ModelFormat format, RawModel& model) {
-  const bool z_is_up = format == ModelFormat::stl;
+  const bool z_is_up = format == ModelFormat::stl || format == ModelFormat::tds;
   if (!model.up) model.up = z_is_up ? Axis::plus_z : Axis::plus_y;
   if (!model.front) model.front = z_is_up ? Axis::minus_y : Axis::plus_z;
 }

@@ -47,6 +47,11 @@ Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::s
 /// What a file does not say of a vertex.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+/// Texture coordinates that a file gives; what is no finite number is kept apart from what is not there.
+inline glm::dvec2 given_uv(double u, double v) {
+  return is_finite({u, v, 0}) ? glm::dvec2(u, v) : glm::dvec2(std::numeric_limits<double>::infinity());
+}
+
 // One for each reader.
 Result<RawModel> parse_obj(Bundle& bundle);
 Result<RawModel> parse_ply(const std::string& bytes);

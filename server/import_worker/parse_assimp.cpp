@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <set>
 #include <string_view>
 
 #include "protocol/base/limits.h"
@@ -15,7 +16,8 @@
 #include "server/import_worker/animation.h"
 #include "server/import_worker/confine.h"
 #include "server/import_worker/gltf_check.h"
-#include "server/import_worker/gltf_weights.h"
+#include "server/import_worker/gltf_json.h"
+#include "server/import_worker/gltf_plain.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/pose.h"
 #include "server/import_worker/read_picture.h"
@@ -125,6 +127,17 @@ class Collector {
 
   const NodePlaces& places() const { return places_; }
 
+  /// Adds faces that assimp dropped, so that they are counted, and names joints that mirror.
+  void finish(std::size_t bad_faces) {
+    for (std::size_t i = 0; i < bad_faces && !model_.materials.empty(); ++i) {
+      model_.face_sizes.push_back(3);
+      model_.face_material.push_back(0);
+      model_.corners.insert(model_.corners.end(), 3, no_position);
+      for (int k = 0; k < 3; ++k) add_look(aiMesh(), 0, 0);
+    }
+    for (const std::string& joint : mirroring_) model_.lose("mirrored_joints", gltf::printable(joint));
+  }
+
   Status walk(const aiNode& node, const glm::dmat4& parent, int depth = 0) {
     constexpr int deepest = 1000;
     if (depth > deepest) return broken("its nodes lie deeper than " + std::to_string(deepest) + " levels.");
@@ -150,27 +163,30 @@ class Collector {
                     " triangles can have.");
     }
     const auto first = static_cast<std::uint32_t>(model_.positions.size());
-    const auto [positions, mirrored] = pose(mesh, node, places_);
-    model_.positions.insert(model_.positions.end(), positions.begin(), positions.end());
+    const PosedMesh posed = pose(mesh, node, places_);
+    model_.positions.insert(model_.positions.end(), posed.positions.begin(), posed.positions.end());
+    for (const std::string& joint : mirroring_joints(mesh, places_)) mirroring_.insert(joint);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices < 3) continue;  // points and lines
       model_.face_sizes.push_back(face.mNumIndices);
       model_.face_material.push_back(material->index);
       for (unsigned k = 0; k < face.mNumIndices; ++k) {
-        add_corner(mesh, face.mIndices[mirrored ? face.mNumIndices - 1 - k : k], first, material->uv_channel);
+        const unsigned v = face.mIndices[posed.turned[f] ? face.mNumIndices - 1 - k : k];
+        const bool exists = v < mesh.mNumVertices;
+        model_.corners.push_back(exists ? first + (posed.turned[f] ? posed.apart[v] : v) : no_position);
+        add_look(mesh, v, material->uv_channel);
       }
     }
     return {};
   }
 
-  void add_corner(const aiMesh& mesh, unsigned v, std::uint32_t first, unsigned uv_channel) {
+  void add_look(const aiMesh& mesh, unsigned v, unsigned uv_channel) {
     const bool exists = v < mesh.mNumVertices;
-    model_.corners.push_back(exists ? first + v : no_position);
     if (has_uv_) {
       const bool has = exists && uv_channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(uv_channel);
       const aiVector3D uv = has ? mesh.mTextureCoords[uv_channel][v] : aiVector3D();
-      model_.corner_uv.push_back(has ? glm::dvec2(uv.x, uv.y) : glm::dvec2(nan));
+      model_.corner_uv.push_back(has ? given_uv(uv.x, uv.y) : glm::dvec2(nan));
     }
     if (has_colour_) {
       const aiColor4D c = exists && mesh.HasVertexColors(0) ? mesh.mColors[0][v] : aiColor4D(1, 1, 1, 1);
@@ -182,6 +198,7 @@ class Collector {
   RawModel& model_;
   MaterialReader materials_;
   NodePlaces places_;
+  std::set<std::string> mirroring_;  // joints
   bool has_uv_ = false, has_colour_ = false;
 };
 
@@ -202,6 +219,16 @@ Status check(ModelFormat format, Bundle& bundle, RawModel& model) {
   }
 }
 
+/// Gives the number of faces that assimp will drop.
+Result<std::size_t> say_plainly(ModelFormat format, Bundle& bundle) {
+  if (format == ModelFormat::tds) return std::size_t{0};
+  std::string& bytes = bundle.model();
+  Result<PlainGltf> plain = format == ModelFormat::glb ? plain_glb(bytes, bundle) : plain_gltf(bytes, bundle);
+  if (!plain) return plain.status();
+  bytes = std::move(plain->bytes);
+  return plain->bad_faces;
+}
+
 Status refusal(const Assimp::Importer& importer, const ClosedIo& io, const RawModel& model) {
   for (const Repair& loss : model.losses) {
     if (loss.code != "primitives_without_vertices") continue;
@@ -219,8 +246,8 @@ Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std
   RawModel model;
   model.is_32_bit = true;
   if (Status status = check(format, bundle, model); !status.ok()) return status;
-  if (format == ModelFormat::gltf) bundle.model() = with_node_weights(std::move(bundle.model()));
-  if (format == ModelFormat::glb) bundle.model() = with_node_weights_of_glb(std::move(bundle.model()));
+  const Result<std::size_t> bad_faces = say_plainly(format, bundle);
+  if (!bad_faces) return bad_faces.status();
   const std::string name = std::string("model.") + worker_format_names[static_cast<std::size_t>(format)];
   auto* io = new ClosedIo(name, bundle.model(), bundle);  // the importer deletes it
   Assimp::Importer importer;
@@ -237,6 +264,7 @@ Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std
   if (!status.ok()) return status;
   if (model.corners.empty())
     return broken(model.losses.empty() ? "it has no faces." : "it has no faces, but points or lines.");
+  collector.finish(*bad_faces);
   model.front = front_by_joints(*scene, collector.places(), Axis::plus_y);
   return model;
 }

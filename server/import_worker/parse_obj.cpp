@@ -38,6 +38,7 @@ void join_continued_lines(std::string& text) {
 struct Vertices {
   std::vector<glm::dvec3> positions;  // NaN where a word is no number
   std::vector<glm::vec4> colours;     // of each position; empty when none has one
+  std::vector<glm::dvec2> texture;    // given_uv
 };
 
 void read_vertex(std::string_view line, Vertices& vertices) {
@@ -50,12 +51,28 @@ void read_vertex(std::string_view line, Vertices& vertices) {
   vertices.colours.emplace_back(srgb_to_linear(glm::vec3(numbers[3], numbers[4], numbers[5])), 1.0f);
 }
 
+void read_texture(std::string_view line, Vertices& vertices) {
+  const double u = to_number(take_word(line)).value_or(nan);
+  const std::string_view second = take_word(line);
+  vertices.texture.push_back(given_uv(u, second.empty() ? 0 : to_number(second).value_or(nan)));
+}
+
+bool takes_keyword(std::string_view& line, std::string_view word) {
+  if (!line.starts_with(word) || line.size() == word.size()) return false;
+  if (line[word.size()] != ' ' && line[word.size()] != '\t') return false;
+  line.remove_prefix(word.size());
+  return true;
+}
+
 Vertices read_vertices(std::string_view text) {
   Vertices vertices;
   while (!text.empty()) {
     std::string_view line = take_line(text);
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (line.starts_with("v ") || line.starts_with("v\t")) read_vertex(line.substr(2), vertices);
+    if (takes_keyword(line, "v"))
+      read_vertex(line, vertices);
+    else if (takes_keyword(line, "vt"))
+      read_texture(line, vertices);
   }
   if (!vertices.colours.empty()) vertices.colours.resize(vertices.positions.size(), glm::vec4(1));
   return vertices;
@@ -145,8 +162,7 @@ struct Faces {
   const Vertices& vertices;
   RawModel& model;
   Materials& materials;
-  std::size_t vertices_so_far = 0;
-  std::vector<glm::dvec2> texture;
+  std::size_t vertices_so_far = 0, texture_so_far = 0;
 };
 
 /// Index of a one-based or, when negative, relative OBJ index; no_position when there is no such item.
@@ -158,7 +174,7 @@ std::uint32_t resolve(int index, std::size_t so_far, std::size_t all) {
 
 void count_vertex(void* data, double, double, double, double) { ++static_cast<Faces*>(data)->vertices_so_far; }
 
-void add_texture(void* data, double u, double v, double) { static_cast<Faces*>(data)->texture.emplace_back(u, v); }
+void count_texture(void* data, double, double, double) { ++static_cast<Faces*>(data)->texture_so_far; }
 
 void add_face(void* data, tinyobj::index_t* indices, int count) {
   Faces& faces = *static_cast<Faces*>(data);
@@ -167,9 +183,9 @@ void add_face(void* data, tinyobj::index_t* indices, int count) {
   faces.model.face_material.push_back(faces.materials.current());
   for (int i = 0; i < count; ++i) {
     const std::uint32_t vertex = resolve(indices[i].vertex_index, faces.vertices_so_far, vertices);
-    const std::uint32_t uv = resolve(indices[i].texcoord_index, faces.texture.size(), faces.texture.size());
+    const std::uint32_t uv = resolve(indices[i].texcoord_index, faces.texture_so_far, faces.vertices.texture.size());
     faces.model.corners.push_back(vertex);
-    faces.model.corner_uv.push_back(uv == no_position ? glm::dvec2(nan) : faces.texture[uv]);
+    faces.model.corner_uv.push_back(uv == no_position ? glm::dvec2(nan) : faces.vertices.texture[uv]);
     if (faces.vertices.colours.empty()) continue;
     faces.model.corner_colour.push_back(vertex == no_position ? glm::vec4(1) : faces.vertices.colours[vertex]);
   }
@@ -187,10 +203,10 @@ Result<RawModel> parse_obj(Bundle& bundle) {
   Vertices vertices = read_vertices(text);
   Materials materials(bundle, model);
   materials.read_files(text);
-  Faces faces{vertices, model, materials, 0, {}};
+  Faces faces{vertices, model, materials};
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = count_vertex;
-  callbacks.texcoord_cb = add_texture;
+  callbacks.texcoord_cb = count_texture;
   callbacks.index_cb = add_face;
   callbacks.usemtl_cb = use_material;
   BytesBuffer buffer(text);
@@ -198,7 +214,7 @@ Result<RawModel> parse_obj(Bundle& bundle) {
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &faces)) return broken("the OBJ text cannot be read.");
   if (model.corners.empty()) return broken("it has no faces.");
   model.positions = std::move(vertices.positions);
-  if (faces.texture.empty()) model.corner_uv.clear();
+  if (vertices.texture.empty()) model.corner_uv.clear();
   return model;
 }
 

@@ -321,7 +321,7 @@ class BodyReader {
       if (corner >= vertices_.size()) corner = no_position;
       const PlyVertex vertex = corner == no_position ? PlyVertex() : vertices_[corner];
       if (colours) model_.corner_colour.emplace_back(srgb_to_linear(glm::vec3(vertex.colour)), 1.0f);
-      if (uvs) model_.corner_uv.push_back(vertex.uv);
+      if (uvs) model_.corner_uv.push_back(given_uv(vertex.uv.x, vertex.uv.y));
     }
   }
 

@@ -1,6 +1,10 @@
 #include "server/import_worker/pose.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace pelage {
@@ -47,18 +51,56 @@ Blend blend_of(const aiMesh& mesh, const NodePlaces& places) {
   return blend;
 }
 
+bool mirrors(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0; }
+
+/// Nothing is turned yet.
+PosedMesh unposed(const aiMesh& mesh) {
+  PosedMesh posed{shaped(mesh), std::vector<bool>(mesh.mNumFaces, false),
+                  std::vector<std::uint32_t>(mesh.mNumVertices)};
+  std::iota(posed.apart.begin(), posed.apart.end(), 0u);
+  return posed;
+}
+
+std::span<const unsigned> corners_of(const aiFace& face) { return {face.mIndices, face.mNumIndices}; }
+
+/// Gives turned faces positions of their own.
+void set_apart(const aiMesh& mesh, PosedMesh& posed) {
+  std::vector<bool> is_shared(mesh.mNumVertices, false), is_apart(is_shared);
+  const auto each_vertex = [&](bool turned, const auto& visit) {
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      if (posed.turned[f] != turned) continue;
+      for (const unsigned v : corners_of(mesh.mFaces[f]))
+        if (v < mesh.mNumVertices) visit(v);
+    }
+  };
+  each_vertex(false, [&](unsigned v) { is_shared[v] = true; });
+  each_vertex(true, [&](unsigned v) {
+    if (is_apart[v]) return;
+    is_apart[v] = true;
+    if (is_shared[v]) posed.apart[v] = static_cast<std::uint32_t>(posed.positions.size());
+    if (is_shared[v]) posed.positions.push_back(glm::dvec3(posed.positions[v]));
+    double& x = posed.positions[posed.apart[v]].x;
+    x = std::nextafter(x, std::numeric_limits<double>::infinity());
+  });
+}
+
 PosedMesh skinned(const aiMesh& mesh, const NodePlaces& places) {
-  PosedMesh posed{shaped(mesh), false};
+  PosedMesh posed = unposed(mesh);
   const Blend blend = blend_of(mesh, places);
-  std::size_t turned = 0, moved = 0;
+  std::vector<bool> mirrored(mesh.mNumVertices, false);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     if (!(blend.weights[v] > 0)) continue;
     const glm::dmat4 matrix = blend.matrices[v] / blend.weights[v];
     posed.positions[v] = glm::dvec3(matrix * glm::dvec4(posed.positions[v], 1));
-    ++moved;
-    if (glm::determinant(glm::dmat3(matrix)) < 0) ++turned;
+    mirrored[v] = mirrors(matrix);
   }
-  posed.mirrored = 2 * turned > moved;
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const auto corners = corners_of(mesh.mFaces[f]);
+    const auto turned =
+        std::count_if(corners.begin(), corners.end(), [&](unsigned v) { return v < mirrored.size() && mirrored[v]; });
+    posed.turned[f] = 2 * turned > static_cast<std::ptrdiff_t>(corners.size());
+  }
+  set_apart(mesh, posed);
   return posed;
 }
 
@@ -87,9 +129,21 @@ const glm::dmat4* NodePlaces::of(const std::string& name) const {
 
 PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places) {
   if (mesh.HasBones()) return skinned(mesh, places);
-  PosedMesh posed{shaped(mesh), glm::determinant(glm::dmat3(node)) < 0};
+  PosedMesh posed = unposed(mesh);
+  posed.turned.assign(mesh.mNumFaces, mirrors(node));
   for (glm::dvec3& position : posed.positions) position = glm::dvec3(node * glm::dvec4(position, 1));
   return posed;
+}
+
+std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodePlaces& places) {
+  std::vector<std::string> names;
+  for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+    const aiBone& bone = *mesh.mBones[b];
+    const glm::dmat4* joint = places.of(bone.mName.C_Str());
+    if (joint && bone.mNumWeights > 0 && mirrors(*joint * to_matrix(bone.mOffsetMatrix)))
+      names.push_back(bone.mName.C_Str());
+  }
+  return names;
 }
 
 }  // namespace pelage

@@ -3,6 +3,7 @@
 
 #include <assimp/scene.h>
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
 #include <unordered_map>
@@ -26,12 +27,18 @@ class NodePlaces {
 
 struct PosedMesh {
   std::vector<glm::dvec3> positions;  // of the scene
-  bool mirrored = false;              // whether its faces are wound the other way
+  std::vector<bool> turned;           // of each face: whether it is wound the other way
+  std::vector<std::uint32_t> apart;   // of each vertex, the position that turned faces have it at
 };
 
 /// A skinned mesh lies where its joints are, whatever its own node says (glTF 2.0, 3.7.3): each vertex is the sum over
 /// its joints of weight x place of the joint x inverse bind matrix. Weights count over their sum; without any, and
-/// where joints are not there, a vertex stays where it was bound. Any other mesh lies where `node` puts it.
+/// where joints are not there, a vertex stays where it was bound. Faces most of whose corners joints mirror are turned,
+/// and set apart from the others by the least that a number can say, so that the two are not taken for one surface that
+/// is wound both ways. Any other mesh lies where `node` puts it.
 PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places);
+
+/// Names of the mesh's joints that turn what hangs on them inside out.
+std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodePlaces& places);
 
 }  // namespace pelage

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "server/surface/adjacency.h"
@@ -236,6 +237,7 @@ class Orienter {
   struct Winding {
     double volume = 0;             // signed, seen from the middle of the box
     double kept = 0, flipped = 0;  // twice the area of those wound as in the file, and of the others
+    double holes = 0;              // twice the area of flat lids
     bool open = false;
   };
 
@@ -248,19 +250,56 @@ class Orienter {
       (flip_[t] ? winding.flipped : winding.kept) += glm::length(glm::cross(b - a, c - a));
       for (const Neighbour& next : neighbours_[t]) winding.open = winding.open || next.open;
     }
+    if (winding.open) winding.holes = holes_of(members);
     return winding;
+  }
+
+  /// Open edges that share vertices go around a hole; the sum of what each spans with any point is twice the area
+  /// vector of the lid, where they go around once and whole.
+  double holes_of(const std::vector<std::uint32_t>& members) const {
+    struct Rim {
+      std::uint32_t from, to;
+    };
+    std::vector<Rim> rims;
+    std::map<std::uint32_t, std::uint32_t> parent;
+    const auto root = [&](std::uint32_t v) {
+      parent.try_emplace(v, v);
+      while (parent[v] != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for (const std::uint32_t t : members) {
+      for (int k = 0; k < 3; ++k) {
+        if (!neighbours_[t][static_cast<std::size_t>(k)].open) continue;
+        Rim rim{soup_.triangles[t][k], soup_.triangles[t][(k + 1) % 3]};
+        if (flip_[t]) std::swap(rim.from, rim.to);
+        parent[root(rim.from)] = root(rim.to);
+        rims.push_back(rim);
+      }
+    }
+    std::map<std::uint32_t, glm::dvec3> lids;
+    for (const Rim& rim : rims) {
+      const std::uint32_t hole = root(rim.from);
+      const glm::dvec3 middle = soup_.positions[hole];
+      glm::dvec3& lid = lids.try_emplace(hole, 0.0).first->second;
+      lid += glm::cross(soup_.positions[rim.from] - middle, soup_.positions[rim.to] - middle);
+    }
+    double area = 0;
+    for (const auto& [hole, lid] : lids) area += glm::length(lid);
+    return area;
   }
 
   bool should_turn(const std::vector<std::uint32_t>& members, WoundPart& part) const {
     constexpr double next_to_nothing = 1e-3;      // of the cube of the box's diagonal; a ball has 0.1
+    constexpr double small_holes = 0.05;          // of its area
     constexpr std::size_t enough_to_enclose = 8;  // triangles; fewer enclose nothing that says anything
     const Winding winding = winding_of(members, part.box);
     const double size = part.box.size;
     const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;
     const bool by_volume = winding.volume<0, by_most = winding.flipped> winding.kept;
     const bool agreed = winding.flipped == 0 || winding.kept == 0;
+    const bool nearly_closed = encloses && winding.holes < small_holes * (winding.kept + winding.flipped);
     part.sheet = winding.open && !encloses && members.size() >= enough_to_enclose;
-    if (winding.open && agreed) {
+    if (winding.open && agreed && !nearly_closed) {
       part.doubtful = encloses && by_volume != by_most && members.size() >= enough_to_enclose;
       return by_most;
     }

@@ -42,10 +42,11 @@ struct Orientation {
 };
 
 /// Turns triangles so that neighbours across each edge of two triangles agree. A part without open edges then encloses
-/// a positive signed volume. An open one keeps its winding where that agreed: the sign of what it encloses, as seen
-/// from the middle of its box, means little and is only reported (`doubtful`). Where it did not agree, that sign
-/// decides, or where it encloses next to nothing (a plane) the winding that most of its area had. Parts in `flipped`,
-/// by their numbers from 1, are turned around in the end. Positions are about the size of 1.
+/// a positive signed volume, and so does one that is nearly closed: whose holes, as flat as they can be, have less than
+/// a twentieth of its area, as a scan has. Any other open part keeps its winding where that agreed: the sign of what it
+/// encloses, as seen from the middle of its box, means little and is only reported (`doubtful`). Where it did not
+/// agree, that sign decides, or where it encloses next to nothing (a plane) the winding that most of its area had.
+/// Parts in `flipped`, by their numbers from 1, are turned around in the end. Positions are about the size of 1.
 Orientation orient(Soup& soup, const std::vector<std::uint32_t>& flipped = {});
 
 }  // namespace pelage

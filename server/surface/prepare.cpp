@@ -252,7 +252,8 @@ Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOpti
                        {"open_edges", orientation.open_edges},
                        {"far_vertices", outliers.far_vertices},
                        {"far_parts", outliers.far_parts},
-                       {"tiny_parts", outliers.tiny_parts}});
+                       {"tiny_parts", outliers.tiny_parts},
+                       {"unusable_uvs", count_unusable_uvs(raw, soup)}});
   const std::size_t fronts = add_backs(soup, orientation, options.two_sided_parts);
   if (Status status = check_count(soup.triangles.size()); !status.ok()) return status;
   Mesh mesh = finish(raw, soup, turn, std::move(report));

@@ -170,6 +170,9 @@ bool is_place(glm::dvec2 uv) {
   return std::abs(uv.x) <= farthest && std::abs(uv.y) <= farthest;
 }
 
+/// Whether the file has none there.
+bool is_left_out(glm::dvec2 uv) { return std::isnan(uv.x); }
+
 LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32_t corner) {
   LookCorner look;
   if (is_colour(material.base_colour)) look.colour = material.base_colour;
@@ -209,6 +212,17 @@ std::vector<std::array<LookCorner, 3>> look_corners(const RawModel& raw, const S
   });
   if (first_is_grey && all_plain) looks.clear();
   return looks;
+}
+
+std::size_t count_unusable_uvs(const RawModel& raw, const Soup& soup) {
+  if (raw.corner_uv.empty()) return 0;
+  const auto is_unusable = [&](std::uint32_t corner) {
+    return !is_left_out(raw.corner_uv[corner]) && !is_place(raw.corner_uv[corner]);
+  };
+  return static_cast<std::size_t>(
+      std::count_if(soup.corners.begin(), soup.corners.end(), [&](const glm::uvec3& corners) {
+        return is_unusable(corners.x) || is_unusable(corners.y) || is_unusable(corners.z);
+      }));
 }
 
 std::vector<std::array<glm::vec2, 3>> texture_corners(const RawModel& raw, const Soup& soup) {

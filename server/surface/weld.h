@@ -79,6 +79,10 @@ Result<Polygons> weld(const RawModel& raw, const glm::dmat3& turn);
 /// Colours that are not finite or negative count as white.
 std::vector<std::array<LookCorner, 3>> look_corners(const RawModel& raw, const Soup& soup);
 
+/// How many triangles have texture coordinates in the file that are no place in a picture: infinite, or beyond a
+/// million. Look and texture corners leave them out.
+std::size_t count_unusable_uvs(const RawModel& raw, const Soup& soup);
+
 /// The file's texture coordinates of all corners, whether or not it has a picture; empty when it has none.
 std::vector<std::array<glm::vec2, 3>> texture_corners(const RawModel& raw, const Soup& soup);
 

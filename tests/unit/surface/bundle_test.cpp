@@ -107,7 +107,8 @@ TEST(Skeleton, SidesOfJoints) {
   for (const char* name :
        {"mixamorig:LeftArm", "Skeleton_arm_joint_L__4_", "l_ear", "Bip01 L Thigh", "paw.L", "LThigh"})
     EXPECT_EQ(side_of_joint(name), BodySide::left) << name;
-  for (const char* name : {"b_RightLeg01_015", "leg_R", "R"}) EXPECT_EQ(side_of_joint(name), BodySide::right) << name;
+  for (const char* name : {"b_RightLeg01_015", "leg_R", "R", "JOINT_R_1"})
+    EXPECT_EQ(side_of_joint(name), BodySide::right) << name;
   for (const char* name : {"Tail", "spine_01", "ballrol", "", "Reference"})
     EXPECT_EQ(side_of_joint(name), BodySide::none) << name;
 }

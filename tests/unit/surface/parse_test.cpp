@@ -288,7 +288,7 @@ TEST(ParseGltf, CompressedMeshesAreNamed) {
   };
   EXPECT_NE(reason("KHR_draco_mesh_compression").find("Draco"), std::string::npos);
   EXPECT_NE(reason("EXT_meshopt_compression").find("meshopt"), std::string::npos);
-  EXPECT_NE(reason("KHR_mesh_quantization").find("quantized"), std::string::npos);
+  EXPECT_NE(reason("KHR_mesh_quantization").find("no scene"), std::string::npos);
   EXPECT_NE(refusal(ModelFormat::gltf, R"({"asset": {"version": "2.0"}})").find("no scene"), std::string::npos);
 }
 

@@ -49,6 +49,28 @@ TEST(Winding, OpenPartsKeepTheirsAndAreReported) {
   EXPECT_LT(glm::distance(part.centre, glm::dvec3(6, 1, 1)), 1e-6);
 }
 
+/// Without every n-th face.
+RawModel with_holes(const RawModel& raw, std::size_t n) {
+  RawModel holed;
+  holed.positions = raw.positions;
+  for (std::size_t f = 0; f < raw.face_sizes.size(); ++f) {
+    if (f % n == n / 2) continue;
+    holed.face_sizes.push_back(3);
+    for (std::size_t k = 0; k < 3; ++k) holed.corners.push_back(raw.corners[3 * f + k]);
+  }
+  return holed;
+}
+
+// As scans are.
+TEST(Winding, PartsThatAreNearlyClosedFaceOutwards) {
+  const RawModel scan = with_holes(shapes::ball(24), 500);
+  const Mesh inside_out = shapes::prepared(turned(scan)).value();
+  EXPECT_GT(count_of(inside_out, "open_edges"), 9u);
+  EXPECT_EQ(count_of(inside_out, "flipped_triangles"), inside_out.triangles.size());
+  EXPECT_TRUE(inside_out.report.doubtful_parts.empty());
+  EXPECT_EQ(count_of(shapes::prepared(scan).value(), "flipped_triangles"), 0u);
+}
+
 /// A ball, and beside it a sheet of eight triangles in the plane of x and y, facing z.
 RawModel ball_and_sheet() {
   RawModel raw = shapes::ball(8);

@@ -9,7 +9,9 @@ const repair_words: Record<string, string> = {
   welded_vertices: "equal positions became one", flipped_triangles: "triangles were turned to point outwards", split_polygons: "polygons were made into triangles",
   invalid_faces: "faces that named no vertices were left out", degenerate_faces: "faces without area were left out", repeated_faces: "faces that were there twice were left out",
   unused_vertices: "vertices without a face were left out", open_edges: "edges are open: the model has holes", non_manifold_edges: "edges have more than two faces",
-  one_sided_edges: "edges stand between faces that disagree which side is out",
+  one_sided_edges: "edges stand between faces that disagree which side is out", bad_indices: "faces named vertices that the file does not have",
+  unusable_uvs: "triangles have texture coordinates that are no places in a picture", ignored_extensions: "extensions of the file were not read",
+  mirrored_joints: "joints turn their skin inside out: its faces were turned",
 };
 
 function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | undefined}) {
