@@ -7,6 +7,7 @@
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/evaluation_cost.h"
+#include "server/groom/together.h"
 
 namespace pelage {
 
@@ -53,17 +54,34 @@ bool erases_edit_layer(const Command& command) {
   return erase && !erase->edit_layer.empty() && erase->checkpoint.empty() && !erase->revision;
 }
 
-/// What one image does to all sheets.
-Evaluation evaluate_image(const Command& image, const Surface& surface, const FieldSet& fields,
-                          const SceneSettings& settings, const ToolExtras& extras) {
-  if (erases_edit_layer(image))
-    return erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers, extras.cancel);
-  Evaluation done = evaluate(image, surface, fields, extras);
-  done.delta = stored_in_edit_layer(done.delta, edit_layer_of(image), settings.layers, fields);
-  return done;
+/// What all images do to all sheets, each as if it were alone; where they overlap, together.
+Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface& surface, const FieldSet& fields,
+                               const SceneSettings& settings, const ToolExtras& extras) {
+  Evaluation all;
+  std::vector<FieldDelta> changes;
+  for (const Command& image : images) {
+    Evaluation one = evaluate(image, surface, fields, extras);
+    changes.push_back(std::move(one.delta));
+    all.clamped += one.clamped;
+    all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
+  }
+  all.delta = stored_in_edit_layer(together(changes, fields), edit_layer_of(images.front()), settings.layers, fields);
+  return all;
 }
 
-/// All images of a command, one on what the other left; applied to the fields.
+/// What all images take away from their edit layer, one after the other.
+FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& surface, FieldSet fields,
+                            const SceneSettings& settings, const Cancel& cancel) {
+  FieldDelta all;
+  for (const Command& image : images) {
+    const FieldDelta one = erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers, cancel).delta;
+    fields.apply(one);
+    all = compose(all, one);
+  }
+  return all;
+}
+
+/// All images of a command; applied to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings,
                            const Cancel& cancel) {
   Evaluation all;
@@ -73,13 +91,12 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
     return all;
   }
   const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get(), cancel};
-  for (const Command& image : images_of(with_named(step.command, settings), settings.symmetry, surface)) {
-    const Evaluation one = evaluate_image(image, surface, fields, settings, extras);
-    fields.apply(one.delta);
-    all.delta = compose(all.delta, one.delta);
-    all.clamped += one.clamped;
-    all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
-  }
+  const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
+  if (erases_edit_layer(images.front()))
+    all.delta = erase_all_images(images, surface, fields, settings, cancel);
+  else
+    all = evaluate_all_images(images, surface, fields, settings, extras);
+  fields.apply(all.delta);
   return all;
 }
 
