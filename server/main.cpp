@@ -34,6 +34,8 @@ using namespace pelage;
 constexpr int failed = 1, usage = 2, no_gl = 4;
 
 constexpr std::size_t min_memory = std::size_t{1} << 20, max_memory = std::size_t{1} << 50;
+constexpr std::size_t aside_share = 4;  // pictures that give way to others take one over this of --trace-memory more
+constexpr std::size_t coat_share = 4;   // coats that are baked take at most one over this of --memory
 
 struct Options {
   std::string listen = "127.0.0.1:8080";
@@ -42,7 +44,7 @@ struct Options {
   GlChoice gl = GlChoice::automatic;
   std::optional<int> device;  // of several GPUs
   int threads = 0;
-  std::size_t memory = 0;   // bytes of open scenes, 0 for a half of the machine's
+  std::size_t memory = 0;   // bytes of open scenes and coats, 0 for a half of the machine's
   double trace_memory = 4;  // GiB
   std::string token;
   std::vector<std::string> hosts;
@@ -75,10 +77,12 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::Range(0, 31));
   app.add_option("--threads", options.threads, "Threads of a software GL, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--memory", options.memory, "Bytes that open scenes may take, as in 4G [a half of the machine's]")
+  app.add_option("--memory", options.memory,
+                 "Bytes that open scenes and coats may take, as in 4G [a half of the machine's]")
       ->transform(CLI::AsSizeValue(false))
       ->check(CLI::Range(min_memory, max_memory));
-  app.add_option("--trace-memory", options.trace_memory, "GiB for traced strands and their picture")
+  app.add_option("--trace-memory", options.trace_memory,
+                 "GiB for traced strands and their picture, and a quarter more for those that wait for their turn")
       ->check(CLI::Range(0.0625, 1024.0))
       ->capture_default_str();
   app.add_option("--token", options.token, "Bearer token that requests need; required beyond loopback addresses")
@@ -156,17 +160,20 @@ void load_picture_files() {
 int serve(const Options& options, const HttpOptions& http) {
   const StopSignals signals;
   YieldGate gate;
-  const auto frames = FrameService::start(options.gl, options.threads, gate, options.device);
+  const std::size_t memory = options.memory ? options.memory : default_memory();
+  const auto frames = FrameService::start(options.gl, options.threads, gate, options.device, memory / coat_share);
   if (!frames) return fail(no_gl, frames.status());
   plan_frames(**frames, options);
-  const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes,
-                                       options.memory ? options.memory : default_memory());
+  const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes, memory);
   if (!scenes) return fail(failed, scenes.status());
   (*scenes)->count_copies([&](std::uint64_t copy) { return (*frames)->copy_bytes(copy); });
+  (*scenes)->count_coats([&] { return (*frames)->coat_bytes(); });
   (*scenes)->on_close([&](std::uint64_t copy) { (*frames)->forget(copy); });
   const auto trace_memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
+  TraceQueue::Limits trace_limits;
+  trace_limits.aside_bytes = trace_memory / aside_share;
   const ServerLog log(options.log_format, options.log_level, STDERR_FILENO);
-  TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate);
+  TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate, trace_limits);
   const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate, log});
   if (!server) return fail(usage, server.status());
 

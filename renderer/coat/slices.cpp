@@ -104,6 +104,39 @@ Slices bake_slices(const Coat& coat, int finest, const std::function<bool()>& go
   return {build_levels(coat, strands, finest, std::move(stack)), finest, light.depth_above};
 }
 
+Slices without_texels(const Slices& slices) {
+  Slices rest{{}, slices.finest, slices.depth_above};
+  for (const SliceLevel& level : slices.levels) rest.levels.push_back({level.texels, {}, {}, level.depth_scale});
+  return rest;
+}
+
+std::shared_ptr<const Slices> bake_here(const CoatNeed& need, const std::function<bool()>&) {
+  return std::make_shared<const Slices>(bake_slices(need.coat, need.finest));
+}
+
+namespace {
+
+/// Texels of all slices of a level.
+std::size_t level_texels(int level) {
+  const auto side = static_cast<std::size_t>(slice_texels >> level);
+  return side * side * slice_count;
+}
+
+}  // namespace
+
+std::size_t slices_bytes(int finest) {
+  std::size_t texels = 0;
+  for (int level = finest; level < slice_levels; ++level) texels += level_texels(level);
+  return 8 * texels;
+}
+
+std::size_t baking_bytes(int finest) {
+  std::size_t texels = 0;
+  for (int level = finest; level < std::min(finest + 3, slice_levels); ++level) texels += level_texels(level);
+  const std::size_t halving = 2 * 2 * slice_texels * slice_texels;  // on each of two threads
+  return sizeof(SliceTexel) * (texels + halving) + slices_bytes(finest);
+}
+
 std::array<glm::vec3, slice_count> colour_above(const Coat& coat) {
   std::array<glm::vec3, slice_count> result{};
   glm::dvec3 sum(0);

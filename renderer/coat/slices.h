@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "protocol/commands/coat.h"
@@ -38,6 +40,27 @@ struct Slices {
 /// second for 10,000 strands, of which levels that nobody looks at take half. `go_on` is asked on several threads for
 /// each slice; once it is false the work ends, without levels.
 Slices bake_slices(const Coat& coat, int finest = 0, const std::function<bool()>& go_on = {});
+
+/// The slices without their texels, for who keeps those elsewhere: scales and depths.
+Slices without_texels(const Slices& slices);
+
+/// Bytes of the slices from a level on, and those that baking them takes at its height, with them.
+std::size_t slices_bytes(int finest);
+std::size_t baking_bytes(int finest);
+
+/// What a frame reads of its coat.
+struct CoatNeed {
+  Coat coat;
+  int finest = 0;  // level
+};
+
+/// Gives a renderer the slices of coats. `pause` is called again and again meanwhile, where there is one; null once it
+/// is false.
+using CoatSource =
+    std::function<std::shared_ptr<const Slices>(const CoatNeed& need, const std::function<bool()>& pause)>;
+
+/// Bakes them on the caller's thread, without a pause.
+std::shared_ptr<const Slices> bake_here(const CoatNeed& need, const std::function<bool()>& pause);
 
 // The colour of the fur that light crosses on its way to a strand: self-shadow takes its colour from there, not from
 // the strand that it falls on, or dark roots under pale tips turn black.

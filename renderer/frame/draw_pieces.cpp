@@ -7,7 +7,6 @@
 #include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/parts.h"
 #include "renderer/frame/pieces.h"
-#include "renderer/frame/run_beside.h"
 #include "renderer/gl/sync.h"
 
 namespace pelage {
@@ -93,10 +92,9 @@ GlRenderer::Prepared GlRenderer::prepare_whole(const FurFrame& frame, DrawTimes&
 
 bool GlRenderer::bake(const Coat& coat, const Pause& pause) {
   if (has(coat)) return true;
-  const auto next = [&] { return let_in(pause); };
-  std::optional<Slices> slices = run_beside(next, [&](const auto& go_on) { return bake_slices(coat, 0, go_on); });
-  if (slices && !has(coat)) add(coat, std::move(*slices));
-  return slices.has_value();
+  const std::shared_ptr<const Slices> slices = coat_source_({coat}, [&] { return let_in(pause); });
+  if (slices && !has(coat)) add(coat, *slices);
+  return slices != nullptr;
 }
 
 Pieces GlRenderer::pieces_of(const FurFrame& frame) {

@@ -55,14 +55,15 @@ std::string shape_of(const Coat& coat, const ModelBuffers& model) {
          model.paint().defines();
 }
 
-Result<std::unique_ptr<GlRenderer>> GlRenderer::create(const Gl& gl, std::size_t sorted_bytes) {
-  std::unique_ptr<GlRenderer> renderer(new GlRenderer(gl, sorted_bytes));
+Result<std::unique_ptr<GlRenderer>> GlRenderer::create(const Gl& gl, std::size_t sorted_bytes, CoatSource coats) {
+  std::unique_ptr<GlRenderer> renderer(new GlRenderer(gl, sorted_bytes, std::move(coats)));
   if (const Status status = renderer->programs(); !status.ok()) return status;
   return renderer;
 }
 
-GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes)
+GlRenderer::GlRenderer(const Gl& gl, std::size_t sorted_bytes, CoatSource coats)
     : gl_(gl),
+      coat_source_(std::move(coats)),
       fur_(gl),
       guard_hairs_(gl),
       shadows_(gl),
@@ -122,15 +123,20 @@ bool GlRenderer::has(const Coat& coat) const {
 const CoatTextures& GlRenderer::textures_of(const Coat& coat) {
   const auto found =
       std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
-  if (found == coats_.end()) return add(coat, bake_slices(coat));
+  if (found == coats_.end()) return add(coat, *coat_source_({coat}, {}));
   coats_.splice(coats_.begin(), coats_, found);
   return coats_.front();
 }
 
-const CoatTextures& GlRenderer::add(const Coat& coat, Slices slices) {
+std::optional<CoatNeed> GlRenderer::missing_coat(const FurFrame& frame) const {
+  if (has(frame.coat)) return {};
+  return CoatNeed{frame.coat};
+}
+
+const CoatTextures& GlRenderer::add(const Coat& coat, const Slices& slices) {
   if (coats_.size() == max_cached_coats) coats_.pop_back();
   UploadCount count;
-  return coats_.emplace_front(gl_, coat, std::move(slices), count);
+  return coats_.emplace_front(gl_, coat, slices, count);
 }
 
 Status GlRenderer::prepare_targets(const FurFrame& frame, GLenum picture) {

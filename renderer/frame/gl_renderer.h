@@ -36,7 +36,8 @@ class GlRenderer {
  public:
   /// Fails (unavailable) when a program cannot be built. `sorted_bytes` bounds the fragments that a sorted frame keeps
   /// at a time (SortedPass).
-  static Result<std::unique_ptr<GlRenderer>> create(const Gl& gl, std::size_t sorted_bytes = SortedPass::default_bytes);
+  static Result<std::unique_ptr<GlRenderer>> create(const Gl& gl, std::size_t sorted_bytes = SortedPass::default_bytes,
+                                                    CoatSource coats = bake_here);
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
   /// Sends a model that the renderer does not have yet, with its fields.
@@ -59,6 +60,8 @@ class GlRenderer {
   /// What was asked of the GL since this was last called or a frame was drawn; fragments are left out.
   FrameCounters take_counts() const;
 
+  /// As Renderer has it.
+  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const;
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.
@@ -69,7 +72,7 @@ class GlRenderer {
   void forget_all();
 
  private:
-  GlRenderer(const Gl& gl, std::size_t sorted_bytes);
+  GlRenderer(const Gl& gl, std::size_t sorted_bytes, CoatSource coats);
   Status programs() const;  // whether all programs so far were built
   /// Makes the targets of the frame's size, with a picture of a format.
   Status prepare_targets(const FurFrame& frame, GLenum picture);
@@ -79,8 +82,8 @@ class GlRenderer {
   bool fit(RenderTarget& target, GLenum format, int width, int height, bool depth);
   bool has(const Coat& coat) const;
   const CoatTextures& textures_of(const Coat& coat);
-  const CoatTextures& add(const Coat& coat, Slices slices);
-  /// Bakes a coat that is not there yet while the pause is called; false when that gives the drawing up.
+  const CoatTextures& add(const Coat& coat, const Slices& slices);
+  /// Gets a coat that is not there yet while the pause is called; false when that gives the drawing up.
   bool bake(const Coat& coat, const Pause& pause);
   FrameCounters take_counters() const;  // waits for the GL
   /// What a frame draws, with its blocks and maps bound.
@@ -126,6 +129,7 @@ class GlRenderer {
   Result<Picture> read_back(const RenderTarget& picture, GLenum type);
 
   const Gl& gl_;
+  CoatSource coat_source_;
   FurPass fur_;
   GuardHairsPass guard_hairs_;
   CurvesPass curves_;

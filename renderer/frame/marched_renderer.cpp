@@ -9,7 +9,6 @@
 #include "renderer/finish/finish.h"
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
-#include "renderer/frame/run_beside.h"
 #include "renderer/marched/field_overlay.h"
 #include "renderer/marched/kernels.h"
 #include "renderer/marched/shape_overlay.h"
@@ -68,13 +67,11 @@ Area MarchedRenderer::changed_area(const FurFrame& frame, const ShownFrame& show
 }
 
 bool MarchedRenderer::bake(const FurFrame& frame, const Pause& pause) {
-  const Coat& coat = frame.coat;
-  const int finest = marcher_.finest_level(frame);
-  if (marcher_.has(coat, finest)) return true;
-  if (!pause) return marcher_.add(coat, bake_slices(coat, finest)), true;
-  std::optional<Slices> slices = run_beside(pause, [&](const auto& go_on) { return bake_slices(coat, finest, go_on); });
-  if (slices && !marcher_.has(coat, finest)) marcher_.add(coat, std::move(*slices));
-  return slices.has_value();
+  const std::optional<CoatNeed> need = marcher_.missing_coat(frame);
+  if (!need) return true;
+  const std::shared_ptr<const Slices> slices = coats_(*need, pause);
+  if (slices && marcher_.missing_coat(frame)) marcher_.add(need->coat, *slices);  // it may have come meanwhile
+  return slices != nullptr;
 }
 
 std::optional<Area> MarchedRenderer::draw_changed(const FurFrame& frame, const std::optional<ShownFrame>& shown,

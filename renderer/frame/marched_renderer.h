@@ -5,9 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/base/status.h"
+#include "renderer/coat/slices.h"
 #include "renderer/frame/draw_times.h"
 #include "renderer/frame/marched_aovs.h"
 #include "renderer/frame/pieces.h"
@@ -25,7 +27,8 @@ MarchQuality march_quality(const Knobs& knobs);
 /// Belongs to one thread.
 class MarchedRenderer {
  public:
-  explicit MarchedRenderer(int threads) : marcher_(threads), threads_(threads) {}
+  explicit MarchedRenderer(int threads, CoatSource coats = bake_here)
+      : marcher_(threads), coats_(std::move(coats)), threads_(threads) {}
 
   /// What it draws with: "AVX2 on the CPU".
   static std::string description();
@@ -47,6 +50,8 @@ class MarchedRenderer {
   /// light of the frame has such a map.
   Result<FloatImage> overlay(const FurFrame& frame) const;
   void clear_view_cache() { views_.clear_shown(); }
+  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const { return marcher_.missing_coat(frame); }
+  std::size_t coat_bytes() const { return marcher_.coat_bytes(); }
   std::size_t bytes_of(std::uint64_t original) const { return marcher_.bytes_of(original); }
   void forget(std::uint64_t original) { marcher_.forget(original); }
   void forget_all();
@@ -66,7 +71,7 @@ class MarchedRenderer {
   /// What lies over the frame's picture; empty for nothing.
   Result<FloatImage> draw_overlay(const FurFrame& frame, const Pause& pause, DrawTimes& times);
   Area changed_area(const FurFrame& frame, const ShownFrame& shown, const View& view) const;
-  /// What the frame reads of its coat; false where the pause gave it up.
+  /// Gets what the frame reads of its coat; false where the pause gave it up.
   bool bake(const FurFrame& frame, const Pause& pause);
   /// Draws the light and makes a picture of it: `finish` takes the view, the overlay (null for none) and the area that
   /// was drawn.
@@ -85,6 +90,7 @@ class MarchedRenderer {
   }
 
   Marcher marcher_;
+  CoatSource coats_;
   std::size_t taken_bytes_ = 0;  // since the last frame
   int threads_;
   ViewCache views_;

@@ -28,7 +28,7 @@ Result<Picture> crop_of(const FurFrame& frame, Result<Picture> whole) {
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererOptions& options) {
-  Result<std::unique_ptr<GlRenderer>> passes = GlRenderer::create(gl, options.sorted_bytes);
+  Result<std::unique_ptr<GlRenderer>> passes = GlRenderer::create(gl, options.sorted_bytes, options.coats);
   if (!passes) return passes.status();
   auto renderer = std::make_unique<Renderer>(options);
   renderer->gl_ = std::move(passes).value();

@@ -17,6 +17,7 @@ namespace pelage {
 struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
   int threads = default_threads();                       // of what is drawn on the CPU
+  CoatSource coats = bake_here;                          // where slices come from
 };
 
 /// Draws frames by a GL where it has one, else on the CPU. Of a frame with a crop all pictures have the crop's size,
@@ -28,7 +29,7 @@ class Renderer {
   /// By a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
   /// On the CPU.
-  explicit Renderer(const RendererOptions& options) : marched_(options.threads) {}
+  explicit Renderer(const RendererOptions& options) : marched_(options.threads, options.coats) {}
 
   bool has(std::uint64_t model) const { return marched_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
@@ -62,6 +63,12 @@ class Renderer {
 
   /// Makes the next frame be drawn whole, for who measures or doubts.
   void clear_view_cache();
+  /// What the frame reads of its coat and the renderer does not have yet: it gets it from its source once it draws.
+  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const {
+    return gl_ ? gl_->missing_coat(frame) : marched_.missing_coat(frame);
+  }
+  /// What the coats take that are kept in memory.
+  std::size_t coat_bytes() const { return marched_.coat_bytes(); }
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.

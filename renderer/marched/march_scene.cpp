@@ -166,9 +166,8 @@ void Marcher::add_optics(const FurFrame& frame, const FurMesh& mesh, const Coate
   add_pattern(frame, scene), add_tufts(frame, scene), add_paint(frame, scene);
 }
 
-MarchScene Marcher::scene_of(const FurFrame& frame, const ShellSet& shells, int samples) {
+MarchScene Marcher::scene_of(const FurFrame& frame, const Coated& coated, const ShellSet& shells, int samples) {
   const FurMesh& mesh = meshes_.at(frame.model);
-  const Coated& coated = coat_of(frame.coat, finest_level(frame));
   MarchScene scene;
   scene.mesh = mesh.view(), scene.atlas = &coated.atlas;
   scene.width = size_of(frame).x, scene.height = size_of(frame).y;

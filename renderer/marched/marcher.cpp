@@ -145,10 +145,22 @@ bool Marcher::has(const Coat& coat, int finest) const {
                      [&](const Coated& c) { return c.slices.finest <= finest && same_strands(c.coat, coat); });
 }
 
-void Marcher::add(const Coat& coat, Slices slices) {
+std::optional<CoatNeed> Marcher::missing_coat(const FurFrame& frame) const {
+  const int finest = finest_level(frame);
+  if (has(frame.coat, finest)) return {};
+  return CoatNeed{frame.coat, finest};
+}
+
+std::size_t Marcher::coat_bytes() const {
+  std::size_t bytes = 0;
+  for (const Coated& coated : coats_) bytes += coated.atlas.bytes();
+  return bytes;
+}
+
+void Marcher::add(const Coat& coat, const Slices& slices) {
   std::erase_if(coats_, [&](const Coated& c) { return same_strands(c.coat, coat); });
   if (coats_.size() == max_cached_coats) coats_.pop_back();
-  coats_.emplace_front(coat, std::move(slices));
+  coats_.emplace_front(coat, slices);
 }
 
 std::size_t Marcher::bytes_of(std::uint64_t original) const {
@@ -185,7 +197,7 @@ ShellShadow Marcher::shell_shadow_of(const FurFrame& frame, const FurLight& ligh
                                      std::vector<float>& maps) {
   constexpr int samples = 2 * shadow_shells;
   const FurFrame seen = frame_of_light(frame, light, radius);
-  MarchScene scene = scene_of(seen, shadow_shell_set(), samples);
+  MarchScene scene = scene_of(seen, coat_of(seen.coat, finest_level(seen)), shadow_shell_set(), samples);
   scene.box = {0, 0, scene.width, scene.height};
   maps.assign(shell_map_numbers(scene.width), 1.0f);
   draw_tiles(scene, nullptr,
@@ -223,7 +235,8 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
                         std::vector<AovPixel>* aovs, MarchTimes* times) {
   assert(size_of(frame) == glm::ivec2(picture.width, picture.height));
   const std::size_t vertices = meshes_.at(frame.model).view().positions.size();
-  MarchScene scene = scene_of(frame, shells_of(quality, vertices), quality.samples);
+  MarchScene scene =
+      scene_of(frame, coat_of(frame.coat, finest_level(frame)), shells_of(quality, vertices), quality.samples);
   scene.box = part;
   add_ribbons(frame, scene);
   draw_tiles(scene, times, [&](const Tile& tile, TileScratch& scratch) {
@@ -233,7 +246,8 @@ void Marcher::draw_part(const FurFrame& frame, const MarchQuality& quality, cons
 
 FloatImage Marcher::draw_bare(const FurFrame& frame, std::vector<AovPixel>& aovs) {
   const ShellSet skin{{0}, {2}};
-  MarchScene scene = scene_of(frame, skin, 1);
+  const Coated no_fur{frame.coat, Slices{std::vector<SliceLevel>(slice_levels)}};
+  MarchScene scene = scene_of(frame, no_fur, skin, 1);
   scene.bare = true, scene.box = {0, 0, scene.width, scene.height};
   FloatImage picture = picture_of({scene.width, scene.height});
   aovs.resize(picture.rgba.size() / 4);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/coat/slices.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/marched/eye_cache.h"
@@ -50,7 +51,11 @@ class Marcher {
   bool has(const Coat& coat, int finest) const;
   /// Takes the slices of a coat, in place of coarser ones; what a frame reads and it does not have is baked when it is
   /// drawn.
-  void add(const Coat& coat, Slices slices);
+  void add(const Coat& coat, const Slices& slices);
+  /// What a frame reads of its coat; none where it is there.
+  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const;
+  /// Of the coats that it has.
+  std::size_t coat_bytes() const;
 
   /// How many changes of the model's fur there were so far, and where on a picture it has changed since there were so
   /// many; none where none has.
@@ -80,7 +85,7 @@ class Marcher {
  private:
   struct Coated;
   const Coated& coat_of(const Coat& coat, int finest);
-  MarchScene scene_of(const FurFrame& frame, const ShellSet& shells, int samples);
+  MarchScene scene_of(const FurFrame& frame, const Coated& coated, const ShellSet& shells, int samples);
   /// Places and sorts the scene's box, and calls draw(tile, scratch) for its tiles.
   template <class Draw>
   void draw_tiles(MarchScene& scene, MarchTimes* times, const Draw& draw) const;

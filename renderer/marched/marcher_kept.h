@@ -18,12 +18,10 @@ namespace pelage {
 /// A coat as it is drawn.
 struct Marcher::Coated {
   Coat coat;
-  Slices slices;
+  Slices slices;  // without texels, which the atlas has
   SliceAtlas atlas;
 
-  Coated(const Coat& of, Slices baked) : coat(of), slices(std::move(baked)), atlas(slices) {
-    for (SliceLevel& level : slices.levels) level.shape = {}, level.colour = {};  // the atlas has them now
-  }
+  Coated(const Coat& of, const Slices& baked) : coat(of), slices(without_texels(baked)), atlas(baked) {}
 };
 
 /// Maps of the shells of a frame's lights.

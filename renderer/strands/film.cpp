@@ -55,6 +55,12 @@ std::size_t Film::bytes(int width, int height, std::span<const Aov> aovs, bool f
   return each * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
+std::size_t Film::bytes() const {
+  std::size_t numbers = samples_.size();
+  for (const std::vector<float>& part : means_) numbers += part.size();
+  return numbers * sizeof(float);
+}
+
 Film::Film(int width, int height, std::span<const Aov> aovs, bool filter, const std::optional<Crop>& crop)
     : width_(width), height_(height) {
   const Crop wanted = crop.value_or(Crop{0, 0, width, height});

@@ -37,6 +37,7 @@ class Film {
   /// With a crop, only the tiles that its pixels are made of are added to.
   Film(int width, int height, std::span<const Aov> aovs, bool filter, const std::optional<Crop>& crop = {});
 
+  std::size_t bytes() const;
   int width() const { return width_; }
   int height() const { return height_; }
   int tiles_across() const { return (width_ + tile - 1) / tile; }

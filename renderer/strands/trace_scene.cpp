@@ -27,15 +27,22 @@ glm::vec4 texel(const FloatImage& image, int x, int y) {
 
 }  // namespace
 
-TraceScene::TraceScene(const FurFrame& frame, Backplate base, const StrandShading& shading)
+TraceScene::TraceScene(const FurFrame& frame, Backplate base, std::shared_ptr<const StrandShading> shading)
     : frame_(frame),
       base_(std::move(base)),
       lights_(frame.lights, frame.environment, frame.look.ambient),
-      shading_(shading),
+      shading_(std::move(shading)),
       self_shadow_(strand_depth * static_cast<float>(frame.look.self_shadow)) {
   float received = lights_.mean_environment();
   for (const FurLight& light : frame.lights) received += luminance(light.radiance);
   brightest_ = brightest_over_light * std::max(received, 1e-6f);
+}
+
+std::size_t TraceScene::backplate_bytes() const {
+  std::size_t numbers = 0;
+  for (const FloatImage* image : {&base_.beauty, &base_.direct, &base_.albedo, &base_.normal, &base_.depth})
+    numbers += image->rgba.size();
+  return numbers * sizeof(float);
 }
 
 Ray TraceScene::ray_at(glm::vec2 place) const {

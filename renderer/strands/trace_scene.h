@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/film.h"
@@ -24,11 +25,12 @@ struct BackplatePixel {
 /// A frame made ready to be traced. Safe to share between threads.
 class TraceScene {
  public:
-  TraceScene(const FurFrame& frame, Backplate base, const StrandShading& shading);  // which outlives it
+  TraceScene(const FurFrame& frame, Backplate base, std::shared_ptr<const StrandShading> shading);
 
   const FurFrame& frame() const { return frame_; }
   const StrandLights& lights() const { return lights_; }
-  const StrandShading& shading() const { return shading_; }
+  const StrandShading& shading() const { return *shading_; }
+  std::size_t backplate_bytes() const;
   float self_shadow() const { return self_shadow_; }  // optical depth of a black strand
   float brightest() const { return brightest_; }      // luminance that no sample's radiance passes
 
@@ -43,7 +45,7 @@ class TraceScene {
   FurFrame frame_;
   Backplate base_;
   StrandLights lights_;
-  const StrandShading& shading_;
+  std::shared_ptr<const StrandShading> shading_;
   float self_shadow_ = 1, brightest_ = 1;
 };
 

@@ -47,29 +47,37 @@ void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRec
 }
 
 /// Of a backplate and of the AOVs that are made in the end.
-std::size_t picture_bytes(int width, int height, std::span<const Aov> aovs) {
+std::size_t pictures_bytes(int width, int height, std::span<const Aov> aovs) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
          (backplate_images + aovs.size());
 }
 
 }  // namespace
 
+struct Tracer::Picture {
+  TraceScene scene;
+  Film film;
+  std::vector<int> active;  // tiles of the film that still need samples
+  bool blurred;             // strands move while the shutter is open
+  std::size_t reserved;     // bytes of it that strands may not take
+  TraceReport report = {};
+
+  bool trace_tile(const World& world, int tile, const GoOn& go_on);
+  bool still_noisy(int tile) const;
+  void judge();
+};
+
 struct Tracer::Impl {
   Impl(int threads, std::size_t bytes, bool yielding) : workers{threads, yielding}, memory(bytes), world(bytes) {}
 
-  bool trace_tile(int tile, const GoOn& go_on);
-  bool still_noisy(int tile) const;
-  void judge();
+  Result<World::Change> grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
+                             std::size_t picture_bytes, const GoOn& go_on);
 
   Workers workers;
   std::size_t memory;
   World world;
-  std::optional<StrandShading> shading;
-  std::optional<TraceScene> scene;
-  std::optional<Film> film;
-  std::vector<int> active;  // tiles of the film that still need samples
-  bool blurred = false;     // strands move while the shutter is open
-  TraceReport report;
+  std::shared_ptr<const StrandShading> shading;
+  std::shared_ptr<Picture> picture;  // null before the first
 };
 
 Tracer::Tracer(int threads, std::size_t memory, bool yielding)
@@ -77,67 +85,93 @@ Tracer::Tracer(int threads, std::size_t memory, bool yielding)
 Tracer::~Tracer() = default;
 
 Status Tracer::admit(int width, int height, std::span<const Aov> aovs, bool filter) const {
-  const std::size_t film = Film::bytes(width, height, aovs, filter), pictures = picture_bytes(width, height, aovs);
+  const std::size_t film = Film::bytes(width, height, aovs, filter), pictures = pictures_bytes(width, height, aovs);
   if (film <= impl_->memory / film_part && film + pictures <= impl_->memory) return {};
   return failure(Code::too_large, "The picture needs more memory than tracing may take.", "/width",
                  "fewer pixels, or fewer AOVs");
 }
 
-Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
-                     std::span<const Aov> aovs, const GoOn& go_on) {
-  Impl& tracer = *impl_;
-  tracer.film.reset(), tracer.scene.reset(), tracer.report = {};
-  if (Status refused = admit(frame.width, frame.height, aovs, frame.knobs.trace.filter); !refused.ok()) return refused;
-  tracer.world.set_memory(tracer.memory - picture_bytes(frame.width, frame.height, aovs) -
-                          Film::bytes(frame.width, frame.height, aovs, frame.knobs.trace.filter));
-  const Stopwatch passed;
+/// Strands have what the picture leaves of the memory.
+Result<World::Change> Tracer::Impl::grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
+                                         std::size_t picture_bytes, const GoOn& go_on) {
+  world.set_memory(memory - picture_bytes);
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
   const double expected = expected_strands(model, frame.coat);
   recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
   thin_out(frame, expected, mean_length(fields.length), recipe);
-  const Result<World::Change> change = tracer.world.update(model, fields, frame, recipe, tracer.workers, go_on);
+  return world.update(model, fields, frame, recipe, workers, go_on);
+}
+
+Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
+                     std::span<const Aov> aovs, const GoOn& go_on) {
+  Impl& tracer = *impl_;
+  const bool filter = frame.knobs.trace.filter;
+  tracer.picture = nullptr;
+  if (Status refused = admit(frame.width, frame.height, aovs, filter); !refused.ok()) return refused;
+  const std::size_t reserved =
+      pictures_bytes(frame.width, frame.height, aovs) + Film::bytes(frame.width, frame.height, aovs, filter);
+  const Stopwatch passed;
+  const Result<World::Change> change = tracer.grow(model, fields, frame, reserved, go_on);
   if (!change) return change.status();
-  if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading.emplace(frame);
-  tracer.scene.emplace(frame, std::move(base), *tracer.shading);
-  tracer.film.emplace(frame.width, frame.height, aovs, frame.knobs.trace.filter, frame.crop);
-  tracer.active.assign(tracer.film->tiles().begin(), tracer.film->tiles().end());
-  tracer.blurred = !fields.closing.empty();
-  tracer.report.strands = change->strands;
-  tracer.report.grow_ms = passed.milliseconds();
+  if (!tracer.shading || !tracer.shading->fits(frame)) tracer.shading = std::make_shared<const StrandShading>(frame);
+  Film film(frame.width, frame.height, aovs, filter, frame.crop);
+  std::vector<int> active(film.tiles().begin(), film.tiles().end());
+  tracer.picture =
+      std::make_shared<Picture>(Picture{TraceScene(frame, std::move(base), tracer.shading), std::move(film),
+                                        std::move(active), !fields.closing.empty(), reserved});
+  tracer.picture->report.strands = change->strands;
+  tracer.picture->report.grow_ms = passed.milliseconds();
   return {};
 }
 
-bool Tracer::Impl::trace_tile(int tile, const GoOn& go_on) {
+std::shared_ptr<Tracer::Picture> Tracer::set_aside() { return std::move(impl_->picture); }
+
+std::size_t Tracer::picture_bytes() const {
+  const Picture& picture = *impl_->picture;
+  return picture.film.bytes() + picture.scene.backplate_bytes();
+}
+
+Status Tracer::resume(const FurModel& model, const FurFields& fields, std::shared_ptr<Picture> picture,
+                      const GoOn& go_on) {
+  Impl& tracer = *impl_;
+  const FurFrame& frame = picture->scene.frame();
+  const Result<World::Change> change = tracer.grow(model, fields, frame, picture->reserved, go_on);
+  if (!change) return change.status();
+  tracer.picture = std::move(picture);
+  return {};
+}
+
+bool Tracer::Picture::trace_tile(const World& world, int tile, const GoOn& go_on) {
   if (!go_on()) return false;
-  const Tracing& trace = scene->frame().knobs.trace;
-  const int left = tile % film->tiles_across() * Film::tile, top = tile / film->tiles_across() * Film::tile;
-  for (int y = top; y < std::min(top + Film::tile, film->height()); ++y) {
-    for (int x = left; x < std::min(left + Film::tile, film->width()); ++x) {
-      const auto pixel = static_cast<std::uint32_t>(y * film->width() + x);
-      Sampler sampler(pixel, static_cast<std::uint32_t>(film->samples(x, y)), trace.seed);
+  const Tracing& trace = scene.frame().knobs.trace;
+  const int left = tile % film.tiles_across() * Film::tile, top = tile / film.tiles_across() * Film::tile;
+  for (int y = top; y < std::min(top + Film::tile, film.height()); ++y) {
+    for (int x = left; x < std::min(left + Film::tile, film.width()); ++x) {
+      const auto pixel = static_cast<std::uint32_t>(y * film.width() + x);
+      Sampler sampler(pixel, static_cast<std::uint32_t>(film.samples(x, y)), trace.seed);
       const glm::vec2 place = glm::vec2(x, y) + sampler.next2();
       const float time = blurred ? sampler.next() : 0;
       const bool paths = trace.transport == Transport::paths;
-      film->add(x, y,
-                paths ? path_sample(*scene, world, place, time, sampler)
-                      : transmitted_sample(*scene, world, place, time, sampler));
+      film.add(x, y,
+               paths ? path_sample(scene, world, place, time, sampler)
+                     : transmitted_sample(scene, world, place, time, sampler));
     }
   }
   return true;
 }
 
 /// Parts with little noise are left alone, but for those that no ray hit anything in: those are cheap.
-bool Tracer::Impl::still_noisy(int tile) const {
-  const double limit = scene->frame().knobs.trace.noise;
-  return limit == 0 || report.passes < judged_passes || film->noise(tile, scene->frame().exposure) >= limit;
+bool Tracer::Picture::still_noisy(int tile) const {
+  const double limit = scene.frame().knobs.trace.noise;
+  return limit == 0 || report.passes < judged_passes || film.noise(tile, scene.frame().exposure) >= limit;
 }
 
-void Tracer::Impl::judge() {
-  const Tracing& trace = scene->frame().knobs.trace;
-  report.samples = film->mean_samples();
-  report.noise = film->noise(scene->frame().exposure);
+void Tracer::Picture::judge() {
+  const Tracing& trace = scene.frame().knobs.trace;
+  report.samples = film.mean_samples();
+  report.noise = film.noise(scene.frame().exposure);
   active.clear();
-  for (const int tile : film->tiles()) {
+  for (const int tile : film.tiles()) {
     if (still_noisy(tile)) active.push_back(tile);
   }
   if (active.empty())
@@ -149,21 +183,23 @@ void Tracer::Impl::judge() {
 }
 
 Status Tracer::add_pass(const GoOn& go_on) {
-  Impl& tracer = *impl_;
-  if (tracer.report.end != TraceEnd::none) return {};
+  Picture& picture = *impl_->picture;
+  if (picture.report.end != TraceEnd::none) return {};
   const Stopwatch passed;
-  const std::vector<int>& tiles = tracer.active;
-  const bool whole =
-      for_each_piece(tracer.workers, tiles.size(), [&](std::size_t i) { return tracer.trace_tile(tiles[i], go_on); });
-  tracer.report.trace_ms += passed.milliseconds();
+  const std::vector<int>& tiles = picture.active;
+  const bool whole = for_each_piece(impl_->workers, tiles.size(),
+                                    [&](std::size_t i) { return picture.trace_tile(impl_->world, tiles[i], go_on); });
+  picture.report.trace_ms += passed.milliseconds();
   if (!whole) return not_wanted();
-  ++tracer.report.passes;
-  tracer.judge();
+  ++picture.report.passes;
+  picture.judge();
   return {};
 }
 
-TraceReport Tracer::report() const { return impl_->report; }
+TraceReport Tracer::report() const { return impl_->picture->report; }
 
-FloatImage Tracer::aov(Aov aov) const { return impl_->film->aov(aov, impl_->scene->frame().knobs.trace.filter); }
+FloatImage Tracer::aov(Aov aov) const {
+  return impl_->picture->film.aov(aov, impl_->picture->scene.frame().knobs.trace.filter);
+}
 
 }  // namespace pelage

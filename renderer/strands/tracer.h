@@ -47,6 +47,16 @@ class Tracer {
   /// then to be begun again.
   Status add_pass(const GoOn& go_on);
 
+  /// A picture as far as it is traced, without strands.
+  struct Picture;
+  /// Takes the picture out of the tracer, which then begins or resumes another.
+  std::shared_ptr<Picture> set_aside();
+  /// What that takes in memory.
+  std::size_t picture_bytes() const;
+  /// Goes on with a picture, with the bits that it would have had; model and fields are those that it was begun with.
+  /// Fails as `begin` does.
+  Status resume(const FurModel& model, const FurFields& fields, std::shared_ptr<Picture> picture, const GoOn& go_on);
+
   TraceReport report() const;
   /// Of at least one pass; as Renderer::draw_aovs.
   FloatImage aov(Aov aov) const;

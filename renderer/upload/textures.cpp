@@ -46,11 +46,10 @@ Texture send(const Gl& gl, const Slices& slices, Texels texels, GLenum magnified
 
 }  // namespace
 
-CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, Slices slices, UploadCount& count)
-    : coat_(coat), slices_(std::move(slices)) {
-  shapes_ = send(gl, slices_, &SliceLevel::shape, GL_LINEAR, count);
-  colours_ = send(gl, slices_, &SliceLevel::colour, GL_LINEAR, count);
-  for (SliceLevel& level : slices_.levels) level.shape = {}, level.colour = {};  // the GPU has them now
+CoatTextures::CoatTextures(const Gl& gl, const Coat& coat, const Slices& slices, UploadCount& count)
+    : coat_(coat), slices_(without_texels(slices)) {
+  shapes_ = send(gl, slices, &SliceLevel::shape, GL_LINEAR, count);
+  colours_ = send(gl, slices, &SliceLevel::colour, GL_LINEAR, count);
 }
 
 namespace {

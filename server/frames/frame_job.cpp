@@ -14,6 +14,14 @@ Status check_seconds(const FrameRequest& request, const FrameCost& cost) {
                  "/max_seconds", "at least the expected seconds, up to 86400");
 }
 
+Status too_slow(const FrameRequest& request, const FrameCost& cost) {
+  return failure(Code::invalid,
+                 "Drawing this frame took longer than " + std::to_string(std::lround(request.max_seconds)) +
+                     " s, which it is stopped after; " + std::to_string(std::lround(cost.seconds)) +
+                     " s were expected. Ask for a lower quality, a smaller picture, or more seconds.",
+                 "/max_seconds", "more seconds, up to 86400");
+}
+
 FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn) {
   const double expected = job.expected > 0 ? job.expected : cost;
   const double passed = job.begun.milliseconds() - job.paused;

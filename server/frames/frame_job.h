@@ -9,6 +9,7 @@
 #include "protocol/base/status.h"
 #include "protocol/base/stopwatch.h"
 #include "protocol/commands/quality.h"
+#include "server/frames/coat_baker.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/linear_picture.h"
 #include "server/frames/shown_scene.h"
@@ -36,6 +37,8 @@ struct FrameJob {
   FramePast past = {};
   Stopwatch asked = {};
   std::promise<Result<DrawnFrame>> answer;
+  CoatBaker::Handle coat = {};  // that it waits for, or has waited for
+  bool put_back = false;        // it was taken before its coat was there
   // While it is drawn:
   double cost = 0;      // as expected, milliseconds
   double expected = 0;  // the same once its view is known
@@ -44,10 +47,13 @@ struct FrameJob {
   std::optional<double> moment = {};  // of fur that the wind moves
   bool outdated = false;              // a frame that was let in shows another revision of the scene, or another moment
   bool given_up = false;
+  bool overdue = false;  // drawing has taken longer than its request allows
   int restarts = 0;
   double paused = 0;  // milliseconds
 
   bool left() const { return abandoned && abandoned(); }
+  /// Whether the render thread has something to do for it.
+  bool ready() const { return !coat || coat->settled() || left(); }
   bool same_view(const FrameJob& other) const {
     return !request.view.empty() && scene == other.scene && request.view == other.request.view;
   }
@@ -58,6 +64,8 @@ struct FrameJob {
 
 /// Refuses (invalid, "/max_seconds") what is expected to take longer than was asked for.
 Status check_seconds(const FrameRequest& request, const FrameCost& cost);
+/// The refusal of what has taken longer, though it was expected not to.
+Status too_slow(const FrameRequest& request, const FrameCost& cost);
 
 /// `cost`: in milliseconds, as expected before its view was known.
 FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn);

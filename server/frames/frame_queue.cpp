@@ -1,13 +1,15 @@
 #include "server/frames/frame_queue.h"
 
+#include <algorithm>
+
 #include "protocol/base/parallel.h"
 
 namespace pelage {
 
 int drawing_threads(int asked) { return asked > 0 ? asked : core_count(); }
 
-Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads) {
-  const RendererOptions options{.threads = threads};
+Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats) {
+  const RendererOptions options{.threads = threads, .coats = std::move(coats)};
   if (!context) return std::make_unique<Renderer>(options);
   return Renderer::create(context->gl(), options);
 }
@@ -25,6 +27,19 @@ double expected_cost(const FrameRequest& request) {
   if (request.max_error) return any_frame + pixels * usual_shells * shell_pixel;
   const double shells = knobs.scale * knobs.scale * knobs.shells;
   return any_frame + pixels * shells * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
+}
+
+void Turns::join(Subject subject) {
+  const auto fewest = std::min_element(waiting_.begin(), waiting_.end(),
+                                       [](const auto& a, const auto& b) { return a.second.turns < b.second.turns; });
+  const std::uint64_t turns = fewest == waiting_.end() ? 0 : fewest->second.turns;
+  ++waiting_.try_emplace(subject, Waits{turns, 0}).first->second.jobs;
+}
+
+void Turns::take(Subject subject) {
+  const auto found = waiting_.find(subject);
+  ++found->second.turns;
+  if (--found->second.jobs == 0) waiting_.erase(found);
 }
 
 FurredSkin furred_skin(const SceneView& scene) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,7 @@ namespace pelage {
 int drawing_threads(int asked);
 
 /// By the context, or on the CPU where that is null. Fails as Renderer::create does.
-Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads);
+Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats = bake_here);
 /// What draws: "EGL device, NVIDIA ..., OpenGL 4.5" or "AVX2 on the CPU".
 std::string drawn_by(const Context* context);
 
@@ -35,9 +37,30 @@ FurredSkin furred_skin(const SceneView& scene);
 
 // The order in which requests are served: what is short goes first, and nothing waits for ever.
 
-/// A job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the short pass
-/// the long, but none that came so much later. Of those that are due together the one that came first. The clock is the
-/// caller's: milliseconds from any moment.
+/// Whose job it is: viewers of one scene share its turns.
+struct Subject {
+  std::uint64_t scene = 0, view = 0;
+  auto operator<=>(const Subject&) const = default;
+};
+
+/// How often each of those who wait was served. Who comes anew has had as many turns as the one with the fewest.
+class Turns {
+ public:
+  void join(Subject subject);
+  void take(Subject subject);
+  std::uint64_t of(Subject subject) const { return waiting_.at(subject).turns; }
+
+ private:
+  struct Waits {
+    std::uint64_t turns = 0, jobs = 0;
+  };
+  std::map<Subject, Waits> waiting_;
+};
+
+/// Scenes take turns, and within a scene its views do: a scene of which a thousand frames wait holds up no other. Of
+/// one subject a job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the
+/// short pass the long, but none that came so much later. Of those that are due together the one that came first. The
+/// clock is the caller's: milliseconds from any moment.
 template <class Job>
 class ShortestFirst {
  public:
@@ -49,17 +72,32 @@ class ShortestFirst {
   std::size_t size() const { return waiting_.size(); }
 
   /// `cost` in milliseconds, as expected.
-  void add(Job job, double cost, double now) {
-    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, came_++});
+  void add(Job job, double cost, double now, Subject subject = {}) {
+    scene_turns_.join({subject.scene, 0}), view_turns_.join(subject);
+    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, came_++, subject});
   }
 
   struct Taken {
     Job job;
-    double cost = 0;  // as it was expected
+    double cost, due;  // as it was expected
+    std::uint64_t came;
+    Subject subject;
   };
-  /// None where none waits.
-  std::optional<Taken> take() {
-    return take_of([](const Waiting&) { return true; });
+  /// The first that is `ready`; none where none is.
+  std::optional<Taken> take(const std::function<bool(const Job&)>& ready = [](const Job&) { return true; }) {
+    return take_of([&](const Taken& one) { return ready(one.job); });
+  }
+
+  /// A job that was taken waits again, as long as it has waited. It has used its turn.
+  void put_back(Taken taken) {
+    scene_turns_.join({taken.subject.scene, 0}), view_turns_.join(taken.subject);
+    const auto later =
+        std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return one.came > taken.came; });
+    waiting_.insert(later, std::move(taken));
+  }
+
+  bool any(const std::function<bool(const Job&)>& wanted) const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
   }
 
   /// Marks those that wait now.
@@ -68,44 +106,42 @@ class ShortestFirst {
   /// running job that lets in those that wait when it pauses goes on however many come.
   std::optional<Taken> take_beside(double running_cost, std::uint64_t moment,
                                    const std::function<bool(const Job&)>& may) {
-    return take_of([&](const Waiting& one) {
-      return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job);
-    });
+    return take_of(
+        [&](const Taken& one) { return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job); });
   }
 
   /// All that wait, in the order that they came in: use(job, cost).
   template <class Use>
   void for_each(const Use& use) const {
-    for (const Waiting& one : waiting_) use(one.job, one.cost);
+    for (const Taken& one : waiting_) use(one.job, one.cost);
   }
 
   /// The first job, in the order that they came in, that is `wanted`; null where none is.
   Job* find(const std::function<bool(const Job&)>& wanted) {
     const auto found =
-        std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& one) { return wanted(one.job); });
+        std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
     return found == waiting_.end() ? nullptr : &found->job;
   }
 
  private:
-  struct Waiting {
-    Job job;
-    double cost, due;
-    std::uint64_t came;
-  };
-
   template <class Fits>
   std::optional<Taken> take_of(const Fits& fits) {
+    const auto rank = [&](const Taken& one) {
+      return std::tuple(scene_turns_.of({one.subject.scene, 0}), view_turns_.of(one.subject), one.due);
+    };
     auto first = waiting_.end();
     for (auto one = waiting_.begin(); one != waiting_.end(); ++one) {
-      if (fits(*one) && (first == waiting_.end() || one->due < first->due)) first = one;
+      if (fits(*one) && (first == waiting_.end() || rank(*one) < rank(*first))) first = one;
     }
     if (first == waiting_.end()) return {};
-    std::optional<Taken> taken = Taken{std::move(first->job), first->cost};
+    std::optional<Taken> taken = std::move(*first);
     waiting_.erase(first);
+    scene_turns_.take({taken->subject.scene, 0}), view_turns_.take(taken->subject);
     return taken;
   }
 
-  std::vector<Waiting> waiting_;  // in the order that they came in
+  std::vector<Taken> waiting_;  // in the order that they came in
+  Turns scene_turns_, view_turns_;
   std::uint64_t came_ = 0;
 };
 

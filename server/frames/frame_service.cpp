@@ -19,6 +19,7 @@
 #include "server/frames/frame_job.h"
 #include "server/frames/frame_planner.h"
 #include "server/frames/frame_queue.h"
+#include "server/frames/missed_goals.h"
 #include "server/frames/renderer_memory.h"
 #include "server/frames/shown_scene.h"
 
@@ -29,7 +30,12 @@ namespace {
 /// What tracing needs of the render thread; null when that is stopping.
 using Task = std::function<void(Renderer*)>;
 
-constexpr int max_restarts = 2;  // of a frame whose scene changed meanwhile
+constexpr int max_restarts = 2;                       // of a frame whose scene changed meanwhile
+constexpr std::size_t max_running = 4;                // frames that were let in one by another: each holds its picture
+constexpr std::chrono::milliseconds look_again{250};  // at whether clients of frames that wait have left
+
+/// Each bakes on two threads, beside the one that draws.
+int baking_threads() { return std::max(1, default_threads() / 4); }
 
 void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest& request,
                    const ModelPlacement& placement, PngEncoder& png, const FileTexts& texts) {
@@ -42,11 +48,13 @@ void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest
 }  // namespace
 
 struct FrameService::Impl {
-  explicit Impl(YieldGate& yield_gate) : gate(yield_gate) {}
+  Impl(YieldGate& yield_gate, std::size_t coat_memory)
+      : gate(yield_gate), baker(baking_threads(), coat_memory, [this] { wake_up(); }) {}
 
   YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
+  CoatBaker baker;
   ShortestFirst<std::unique_ptr<FrameJob>> jobs;
   std::deque<Task> tasks;  // after all jobs
   std::vector<std::uint64_t> forgotten;
@@ -69,9 +77,17 @@ struct FrameService::Impl {
   void serve(Renderer& renderer);
   /// Waits for something to do and does it; false at the end.
   bool serve_next(Renderer& renderer);
+  void wake_up() {
+    const std::lock_guard lock(mutex);
+    wake.notify_one();
+  }
+  /// Whether the render thread has anything to do. Needs the lock.
+  bool has_work() const;
+  /// Whether the frame waits for its coat to be baked, which it then asks for.
+  bool waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
-  /// Draws a job that was taken and answers it.
+  /// Draws a job that was taken and answers it, or puts it back where its coat is not there yet.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
   /// Between the pieces of a job: draws those that wait now and are short beside it. Whether the job goes on.
@@ -93,12 +109,18 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<i
   if (!context) return started.set_value(context.status());
   threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
-  Result<std::unique_ptr<Renderer>> renderer = make_renderer(context->get(), threads);
+  Result<std::unique_ptr<Renderer>> renderer = make_renderer(
+      context->get(), threads, [this](const CoatNeed& need, const Pause& pause) { return baker.wait(need, pause); });
   if (!renderer) return started.set_value(renderer.status());
   description = drawn_by(context->get());
   started.set_value({});
   serve(**renderer);
   renderer->reset();  // GL objects before their context
+}
+
+bool FrameService::Impl::has_work() const {
+  const auto ready = [](const std::unique_ptr<FrameJob>& job) { return job->ready(); };
+  return stopping || jobs.any(ready) || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
 }
 
 void FrameService::Impl::serve(Renderer& renderer) {
@@ -110,17 +132,16 @@ void FrameService::Impl::serve(Renderer& renderer) {
 }
 
 bool FrameService::Impl::serve_next(Renderer& renderer) {
+  const auto ready = [](const std::unique_ptr<FrameJob>& waiting) { return waiting->ready(); };
   std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken> job;
   Task task;
   bool forgot = false;
   {
     std::unique_lock lock(mutex);
-    wake.wait(lock, [&] {
-      return stopping || !jobs.empty() || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
-    });
+    while (!has_work()) jobs.empty() ? wake.wait(lock) : static_cast<void>(wake.wait_for(lock, look_again));
     forgot = forget_gone(renderer);
     if (stopping) return false;
-    job = jobs.take();
+    job = jobs.take(ready);
     if (!job && !tasks.empty()) {
       task = std::move(tasks.front());
       tasks.pop_front();
@@ -158,6 +179,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
   {
     const std::lock_guard lock(mutex);
     running.pop_back();
+    if (std::exchange(job.put_back, false)) return jobs.put_back(std::move(taken));
   }
   job.answer.set_value(std::move(frame));
 }
@@ -165,7 +187,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
 bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
   const Stopwatch passed;
   const auto may = [&](const std::unique_ptr<FrameJob>& other) {
-    return job.restarts < max_restarts || !other->same_subject(job);
+    return other->ready() && (job.restarts < max_restarts || !other->same_subject(job));
   };
   // Once it has taken longer than was expected, others are short beside it.
   const double taken = job.begun.milliseconds() - job.paused;
@@ -173,10 +195,12 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
     const std::lock_guard lock(mutex);
     job.given_up = job.given_up || stopping;
     if (!moment) moment = jobs.moment();
+    if (running.size() >= max_running) return std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken>();
     return jobs.take_beside(std::max(job.cost, taken), *moment, may);
   };
   while (auto other = next()) finish(renderer, std::move(*other));
-  job.given_up = job.given_up || job.outdated || job.left();
+  job.overdue = taken > 1e3 * job.request.max_seconds;
+  job.given_up = job.given_up || job.outdated || job.overdue || job.left();
   const std::lock_guard lock(mutex);
   job.paused += passed.milliseconds();
   return !job.given_up;
@@ -208,6 +232,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   frame.cost.seconds *= job.request.drawn_share();
   if (job.dry_run) return frame;
   if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
+  if (job.coat && job.coat->failed()) return status_of(job.coat->error());
+  if (waits_for_coat(renderer, shown->fur, job)) return failure(Code::unavailable, "its coat is being baked");
   {
     const std::lock_guard lock(mutex);
     job.expected = 1e3 * frame.cost.seconds;
@@ -220,6 +246,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
                       [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown->copy_id);
   count(passed.milliseconds() - (job.paused - paused), picture ? Status{} : picture.status());
+  if (job.given_up && job.overdue) return too_slow(job.request, frame.cost);
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
   if (!picture) return picture.status();
@@ -231,6 +258,13 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   frame.picture = std::move(picture).value();
   frame.frame = std::make_shared<const FurFrame>(std::move(shown->fur));
   return frame;
+}
+
+bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job) {
+  const std::optional<CoatNeed> need = renderer.missing_coat(frame);
+  if (!need) return job.coat = nullptr, false;
+  if (!job.coat || !job.coat->fits(*need)) job.coat = baker.ask(*need);
+  return job.put_back = !job.coat->settled();
 }
 
 template <class T>
@@ -253,10 +287,12 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
   std::unique_ptr<FrameJob>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
   if (older) {  // whose turn it takes
     (*older)->answer.set_value(failure(Code::conflict, "superseded by a newer frame of the same view"));
+    job->coat = std::move((*older)->coat);
     *older = std::move(job);
   } else {
     const double cost = job->dry_run ? 0 : expected_cost(job->request);
-    jobs.add(std::move(job), cost, running_time.milliseconds());
+    const Subject subject{std::hash<Scene*>()(job->scene.get()), std::hash<std::string>()(job->request.view)};
+    jobs.add(std::move(job), cost, running_time.milliseconds(), subject);
   }
   wake.notify_one();
 }
@@ -273,8 +309,8 @@ Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate,
-                                                          std::optional<int> device) {
-  auto impl = std::make_unique<Impl>(gate);
+                                                          std::optional<int> device, std::size_t coat_memory) {
+  auto impl = std::make_unique<Impl>(gate, coat_memory);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
   impl->thread = std::thread(
@@ -309,6 +345,7 @@ Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, con
                      .timings = drawn->timings,
                      .counters = drawn->counters,
                      .estimate = std::move(drawn->estimate)};
+  result.missed = missed_goals(request, result);
   encode_answer(result, std::move(drawn->picture), request, drawn->placement, impl_->png, texts);
   return result;
 }
@@ -401,6 +438,7 @@ Result<FrameAnswer> FrameService::finish(const LinearPicture& picture, const Fra
                      .timings = timings,
                      .counters = picture.counters,
                      .trace = picture.report};
+  answer.missed = missed_goals(request, answer);
   encode_answer(answer, std::move(*finished), request, picture.placement, impl_->png, texts);
   return answer;
 }
@@ -411,6 +449,8 @@ std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
     bytes += copy->bytes() + impl_->memory.of_copies(copy->view().copy_id);
   return bytes;
 }
+std::size_t FrameService::coat_bytes() const { return impl_->memory.of_coats() + impl_->baker.bytes(); }
+std::uint64_t FrameService::coats_baked() const { return impl_->baker.baked(); }
 std::size_t FrameService::gl_bytes() const { return impl_->memory.of_gl(); }
 
 void FrameService::forget(std::uint64_t model_id) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct FrameAnswer {
   FrameCounters counters;
   std::optional<TraceReport> trace = {};       // of a traced picture, and of a request with progressive
   std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are a row of the dial
+  std::string missed = {};                     // missed_goals of the request
 };
 
 /// Texts that the file of a picture carries, by all of the answer but its bytes; null for none.
@@ -51,9 +53,11 @@ class FrameService {
  public:
   /// Starts the render thread, and its context where the choice has one. Fails (unavailable) with what was tried when a
   /// GL that was asked for does not work. `threads` bounds those that the CPU or a software GL draws on, 0 for all
-  /// cores; `device` as for select_context. What yields at the gate waits while frames are drawn and encoded.
+  /// cores; `device` as for select_context. What yields at the gate waits while frames are drawn and encoded. Coats
+  /// that are baked at a time take at most `coat_memory` bytes together; one alone is always baked.
   static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate,
-                                                     std::optional<int> device = {});
+                                                     std::optional<int> device = {},
+                                                     std::size_t coat_memory = std::numeric_limits<std::size_t>::max());
   ~FrameService();
 
   /// What frames are planned by from now on; the safe defaults until then.
@@ -61,12 +65,13 @@ class FrameService {
   /// That the CPU draws on.
   int threads() const;
 
-  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Short frames go before
-  /// long ones, and between the pieces of one that is drawn; a frame whose scene changed meanwhile begins anew.
+  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Scenes take turns, and
+  /// short frames of one go before long ones; they are let in between the pieces of one that is drawn. A frame whose
+  /// scene changed meanwhile begins anew. A coat that is not there yet is baked beside, once for all who wait for it.
   /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
   /// thread before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused
   /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision, and (invalid,
-  /// "/max_seconds") when drawing is expected to take longer than asked.
+  /// "/max_seconds") when drawing is expected to take longer than asked, or does.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
@@ -89,6 +94,10 @@ class FrameService {
   /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
   /// kept of its earlier revisions. Waits for no frame.
   std::size_t copy_bytes(std::uint64_t model_id) const;
+  /// What baked coats take in memory, and those that are being baked.
+  std::size_t coat_bytes() const;
+  /// Since the start.
+  std::uint64_t coats_baked() const;
   /// Storage of all GL objects, as of the last frame.
   std::size_t gl_bytes() const;
   /// Forgets GPU copies of a model that is gone, and its earlier revisions.

@@ -14,7 +14,7 @@ namespace pelage {
 /// The request that draws a progressive picture's pictures: by strands, and without `progressive`.
 FrameRequest traced_request(const FrameRequest& request);
 
-/// Traces one picture at a time, on one thread: the tracer with what it needs of a scene and of the render thread.
+/// Traces a picture at a time, on one thread: the tracer with what it needs of a scene and of the render thread.
 class PictureTracer {
  public:
   virtual ~PictureTracer() = default;
@@ -25,6 +25,17 @@ class PictureTracer {
                                  const GoOn& go_on) = 0;
   /// As Tracer::add_pass.
   virtual Status add_pass(const GoOn& go_on) = 0;
+
+  /// A picture that gave way to another.
+  struct Aside {
+    virtual ~Aside() = default;
+  };
+  /// Takes the picture out; another may be begun or resumed then.
+  virtual std::unique_ptr<Aside> set_aside() = 0;
+  /// What that takes in memory.
+  virtual std::size_t bytes() const = 0;
+  /// Goes on with a picture, at its own revision and with the bits that it would have had. Fails as `begin` does.
+  virtual Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) = 0;
   virtual TraceReport report() const = 0;
   /// Of at least one pass.
   virtual LinearPicture picture() const = 0;

@@ -10,39 +10,60 @@ SceneTracer::SceneTracer(FrameService& frames, int threads, std::size_t memory)
 
 Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                     const GoOn& go_on) {
-  aovs_ = linear_aovs(request);
-  if (Status refused = tracer_.admit(request.width, request.height, aovs_, request.knobs.trace.filter); !refused.ok())
+  const std::vector<Aov> aovs = linear_aovs(request);
+  if (Status refused = tracer_.admit(request.width, request.height, aovs, request.knobs.trace.filter); !refused.ok())
     return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
   if (!start) return start.status();
-  const SceneView view = start->scene.view();
+  begun_ = std::make_unique<Begun>(std::move(start->scene));
+  begun_->aovs = aovs;
+  const SceneView view = begun_->scene.view();
+  begun_->picture = {.revision = view.revision,
+                     .report = {},
+                     .aovs = {},
+                     .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
+                     .placement = start->placement,
+                     .timings = start->timings,
+                     .counters = start->counters,
+                     .past = std::move(start->past)};
+  const double open = request.knobs.trace.shutter;
+  const bool blurred = start->moment && open > 0;
+  begun_->opening = blurred ? moved_at(view, *start->moment - open / 2) : start->direction;
+  begun_->closing = blurred ? moved_at(view, *start->moment + open / 2) : nullptr;
+  Status status = with_views(*begun_, [&](const FurModel& model, const FurFields& fields) {
+    return tracer_.begin(model, fields, *begun_->picture.frame, std::move(start->base), aovs, go_on);
+  });
+  if (!status.ok()) return status;
+  return view.revision;
+}
+
+std::unique_ptr<PictureTracer::Aside> SceneTracer::set_aside() {
+  begun_->traced = tracer_.set_aside();
+  return std::move(begun_);
+}
+
+Status SceneTracer::resume(std::unique_ptr<Aside> aside, const GoOn& go_on) {
+  begun_.reset(static_cast<Begun*>(aside.release()));
+  return with_views(*begun_, [&](const FurModel& model, const FurFields& fields) {
+    return tracer_.resume(model, fields, std::move(begun_->traced), go_on);
+  });
+}
+
+Status SceneTracer::with_views(const Begun& begun,
+                               const std::function<Status(const FurModel&, const FurFields&)>& use) {
+  const SceneView view = begun.scene.view();
   const Mesh& mesh = view.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
-  begun_ = {.revision = view.revision,
-            .report = {},
-            .aovs = {},
-            .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
-            .placement = start->placement,
-            .timings = start->timings,
-            .counters = start->counters,
-            .past = std::move(start->past)};
-  const double open = request.knobs.trace.shutter;
-  const bool blurred = start->moment && open > 0;
-  const MovedDirection opening = blurred ? moved_at(view, *start->moment - open / 2) : start->direction;
-  const MovedDirection closing = blurred ? moved_at(view, *start->moment + open / 2) : nullptr;
-  FurFields fields = make_fields(view, skin, std::span(&all, 1), opening.get());
-  if (closing) fields.closing = *closing;
-  Status status =
-      tracer_.begin(make_model(view, arrays_of(view)), fields, *begun_.frame, std::move(start->base), aovs_, go_on);
-  if (!status.ok()) return status;
-  return begun_.revision;
+  FurFields fields = make_fields(view, skin, std::span(&all, 1), begun.opening.get());
+  if (begun.closing) fields.closing = *begun.closing;
+  return use(make_model(view, arrays_of(view)), fields);
 }
 
 LinearPicture SceneTracer::picture() const {
-  LinearPicture picture = begun_;
+  LinearPicture picture = begun_->picture;
   picture.report = tracer_.report();
-  for (const Aov aov : aovs_) picture.aovs.push_back(tracer_.aov(aov));
+  for (const Aov aov : begun_->aovs) picture.aovs.push_back(tracer_.aov(aov));
   return picture;
 }
 

@@ -1,6 +1,11 @@
 // The tracer, with what it needs of a scene: its copy, and a picture of what lies under the strands.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "server/frames/frame_service.h"
 #include "server/frames/fur_view.h"
 #include "server/frames/picture_tracer.h"
@@ -15,16 +20,29 @@ class SceneTracer : public PictureTracer {
 
   Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
   Status add_pass(const GoOn& go_on) override { return tracer_.add_pass(go_on); }
+  std::unique_ptr<Aside> set_aside() override;
+  std::size_t bytes() const override { return tracer_.picture_bytes() + begun_->scene.bytes(); }
+  Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) override;
   TraceReport report() const override { return tracer_.report(); }
   LinearPicture picture() const override;
 
  private:
+  /// A picture with what it is traced from.
+  struct Begun : Aside {
+    explicit Begun(SceneCopy from) : scene(std::move(from)) {}
+    SceneCopy scene;
+    MovedDirection opening, closing;  // null for fur at rest, and for none that is blurred
+    std::vector<Aov> aovs;
+    LinearPicture picture;  // all but report and AOVs
+    std::shared_ptr<Tracer::Picture> traced;
+  };
+  /// Calls use(model, fields) with views of what a picture is traced from.
+  Status with_views(const Begun& begun, const std::function<Status(const FurModel&, const FurFields&)>& use);
   const ModelArrays& arrays_of(const SceneView& scene);
 
   FrameService& frames_;
   Tracer tracer_;
-  std::vector<Aov> aovs_;
-  LinearPicture begun_;  // all but report and AOVs
+  std::unique_ptr<Begun> begun_;
   // Of the last model in its colours, which it keeps alive.
   std::shared_ptr<const SceneModel> model_;
   std::shared_ptr<const RawImage> backplate_;

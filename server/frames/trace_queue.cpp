@@ -12,6 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr std::chrono::milliseconds abandoned_slice{250};  // how soon a trace is dropped that nobody waits for
+constexpr int max_turn = 64;                               // passes of a picture while another has fewer
 
 enum class Stage { waiting, running, ended };
 
@@ -43,6 +44,9 @@ struct TraceQueue::Job {
   Status status = {};  // why it ended, ok at the end of its passes
   std::shared_ptr<const LinearPicture> picture = {};
   std::atomic<bool> dropped{false};
+  int passes = 0, turn_began = 0;                         // of them, when it was last taken
+  std::unique_ptr<PictureTracer::Aside> aside = nullptr;  // of a picture that gave way
+  std::size_t aside_bytes = 0;
 
   Job(std::shared_ptr<Scene> in, const FrameRequest& asked_for, std::optional<Revision> at)
       : scene(std::move(in)), request(traced_request(asked_for)), key(encode(asked_for)), revision(at) {}
@@ -187,14 +191,20 @@ void TraceQueue::forget_old(Clock::time_point now) {
   }
 }
 
-TraceQueue::JobPtr TraceQueue::take_ready(Clock::time_point now) {
-  JobPtr newest;
+TraceQueue::JobPtr TraceQueue::next_ready(Clock::time_point now) const {
+  JobPtr first;
+  const auto rank = [](const JobPtr& job) { return std::pair(-job->passes, job->asked); };
   for (const JobPtr& job : jobs_) {
     const bool ready = job->stage == Stage::waiting && (!job->revision || now - job->start >= limits_.settle_time);
-    if (ready && (!newest || job->asked > newest->asked)) newest = job;
+    if (ready && (!first || rank(job) > rank(first))) first = job;
   }
-  if (newest) newest->stage = Stage::running;
-  return newest;
+  return first;
+}
+
+std::size_t TraceQueue::aside_bytes() const {
+  std::size_t bytes = 0;
+  for (const JobPtr& job : jobs_) bytes += job->aside ? job->aside_bytes : 0;
+  return bytes;
 }
 
 /// When a job becomes ready, or is to be forgotten.
@@ -212,7 +222,9 @@ TraceQueue::Clock::time_point TraceQueue::next_event() const {
 void TraceQueue::run() {
   while (const JobPtr job = next()) {
     const Stopwatch passed;
-    Status status = caught([&] { return trace_job(job); });
+    std::optional<Status> status;
+    const Status thrown = caught([&] { return status = trace_job(job), Status{}; });
+    if (!thrown.ok()) status = thrown;
     end(job, std::move(status), passed.seconds());
   }
 }
@@ -223,7 +235,9 @@ TraceQueue::JobPtr TraceQueue::next() {
     if (stopping_) return nullptr;
     const Clock::time_point now = Clock::now();
     forget_old(now);
-    if (JobPtr job = take_ready(now)) {
+    if (JobPtr job = next_ready(now)) {
+      job->stage = Stage::running, job->turn_began = job->passes;
+      if (job->passes > 0) return job;
       ++counts_.traces;
       job->queue_ms = std::chrono::duration<double, std::milli>(now - job->start).count();
       return job;
@@ -238,16 +252,37 @@ bool TraceQueue::still_wanted(const Job& job) const {
   return !job.revision || job.scene->is_at(*job.revision);
 }
 
-Status TraceQueue::trace_job(const JobPtr& job) {
-  const GoOn go_on = [&] { return gate_.pass([&] { return still_wanted(*job); }); };
+Status TraceQueue::start(const JobPtr& job, const GoOn& go_on) {
   if (!go_on()) return nobody_waits(*job->scene);
+  if (job->aside) return tracer_->resume(std::move(job->aside), go_on);
   const Result<Revision> begun = tracer_->begin(job->scene, job->request, go_on);
   if (!begun) return begun.status();
   if (job->revision && *begun != *job->revision) return nobody_waits(*job->scene);  // the scene went on meanwhile
+  return {};
+}
+
+std::optional<Status> TraceQueue::trace_job(const JobPtr& job) {
+  const GoOn go_on = [&] { return gate_.pass([&] { return still_wanted(*job); }); };
+  if (Status started = start(job, go_on); !started.ok()) return started;
   for (;;) {
     if (Status added = tracer_->add_pass(go_on); !added.ok()) return added;
-    if (offer(job)) return {};
+    if (offer(job)) return Status{};
+    if (give_way(job)) return {};
   }
+}
+
+/// After a pass that was not the last one.
+bool TraceQueue::give_way(const JobPtr& job) {
+  const std::lock_guard lock(mutex_);
+  const JobPtr other = next_ready(Clock::now());
+  if (!other || other->passes >= job->passes || job->stage == Stage::ended) return false;
+  const int turn = std::clamp(job->turn_began, 1, max_turn);
+  if (other->passes > 0 && job->passes - job->turn_began < turn) return false;
+  job->aside_bytes = tracer_->bytes();
+  if (aside_bytes() + job->aside_bytes > limits_.aside_bytes) return false;
+  job->aside = tracer_->set_aside();
+  job->stage = Stage::waiting;
+  return true;
 }
 
 /// After a pass. True when it was the last one.
@@ -257,7 +292,7 @@ bool TraceQueue::offer(const JobPtr& job) {
   const Clock::time_point now = Clock::now();
   {
     const std::lock_guard lock(mutex_);
-    ++counts_.passes;
+    ++counts_.passes, ++job->passes;
     forget_old(now);
     const bool waited_for = job->wanted && now - job->offered >= limits_.between;
     if (!last && !(job->revision && (waited_for || on_schedule(report.passes)))) return false;
@@ -273,14 +308,15 @@ bool TraceQueue::offer(const JobPtr& job) {
   return last;
 }
 
-/// What was dropped is out of the list already. A progressive picture stays, for those who ask for its picture or its
-/// failure.
-void TraceQueue::end(const JobPtr& job, Status status, double seconds) {
+/// Without a status it gave way. What was dropped is out of the list already. A progressive picture stays, for those
+/// who ask for its picture or its failure.
+void TraceQueue::end(const JobPtr& job, std::optional<Status> status, double seconds) {
   {
     const std::lock_guard lock(mutex_);
     counts_.seconds += seconds;
-    if (!status.ok() && job->scene->removed()) status = nobody_waits(*job->scene);
-    if (job->stage != Stage::ended) job->status = std::move(status);
+    if (!status) return;
+    if (!status->ok() && job->scene->removed()) status = nobody_waits(*job->scene);
+    if (job->stage != Stage::ended) job->status = *std::move(status);
     job->stage = Stage::ended;
     if (!job->revision || !still_wanted(*job)) std::erase(jobs_, job);
     ended_.notify_all();

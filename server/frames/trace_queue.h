@@ -1,4 +1,4 @@
-// Pictures that are traced: one at a time, on a thread of its own.
+// Pictures that are traced: a pass at a time, on a thread of its own.
 #pragma once
 
 #include <atomic>
@@ -34,9 +34,12 @@ struct TraceCounts {
   double seconds = 0;
 };
 
-/// Thread-safe. Of what waits, that which somebody asked for last is traced next. A job is either a picture that its
-/// caller waits for, or a progressive picture: a picture of one revision that gets better while somebody asks for it,
-/// and is dropped as soon as the scene leaves that revision. Jobs of a named view give way to the view's next request.
+/// Thread-safe. Pictures take turns: the one with the fewest passes is traced next, of those with as many the one that
+/// somebody asked for last. So a picture gives way after a pass while another has none, and else after as many passes
+/// as it had, 64 at most, while another has fewer; where there is no room to set it aside it goes on. A job is either a
+/// picture that its caller waits for, or a progressive picture: a picture of one revision that gets better while
+/// somebody asks for it, and is dropped as soon as the scene leaves that revision. Jobs of a named view give way to the
+/// view's next request.
 class TraceQueue {
  public:
   using Clock = std::chrono::steady_clock;
@@ -48,6 +51,7 @@ class TraceQueue {
     std::chrono::milliseconds idle_timeout{30'000};      // that a progressive picture lives without being asked for,
     std::chrono::milliseconds busy_idle_timeout{2'000};  // and that it is traced so while other jobs wait
     std::chrono::milliseconds between{500};              // pictures for somebody who waits
+    std::size_t aside_bytes = std::size_t{1} << 30;      // of all pictures that gave way
   };
 
   TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits);
@@ -84,9 +88,13 @@ class TraceQueue {
   // On the tracing thread.
   void run();
   JobPtr next();
-  Status trace_job(const JobPtr& job);
+  /// Begins a picture or goes on with it.
+  Status start(const JobPtr& job, const std::function<bool()>& go_on);
+  /// How it ended; none where it gave way.
+  std::optional<Status> trace_job(const JobPtr& job);
+  bool give_way(const JobPtr& job);
   bool offer(const JobPtr& job);
-  void end(const JobPtr& job, Status status, double seconds);
+  void end(const JobPtr& job, std::optional<Status> status, double seconds);
   bool still_wanted(const Job& job) const;
 
   // All of these need the lock.
@@ -97,7 +105,8 @@ class TraceQueue {
   void drop_view(const Scene& scene, const std::string& view, const JobPtr& but);
   void make_room();
   void forget_old(Clock::time_point now);
-  JobPtr take_ready(Clock::time_point now);
+  JobPtr next_ready(Clock::time_point now) const;
+  std::size_t aside_bytes() const;
   Clock::time_point next_event() const;
 
   const Limits limits_;

@@ -9,6 +9,7 @@
 #include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
+#include "server/http/transport/http_transport.h"
 
 namespace pelage {
 
@@ -139,6 +140,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   response.set_header("Pelage-Quality", encode(frame->knobs));
   response.set_header("Pelage-Counters", encode(frame->counters));
   if (frame->estimate) response.set_header("Pelage-Error", encode(*frame->estimate));
+  if (!frame->missed.empty()) response.set_header("Pelage-Missed", frame->missed);
   if (frame->trace) response.set_header("Pelage-Trace", encode(*frame->trace));
   response.set_header("Server-Timing", server_timing(*frame));
   response.set_header("Cache-Control", "no-cache");
@@ -169,6 +171,9 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
   }
   if (!status.ok()) return reply_problem(response, status);
   reply_frame(service, scene, *wanted, *news, client, response);
+  Exchange* exchange = exchange_of(request);
+  if (exchange && response.has_header("Pelage-Missed"))
+    exchange->problem = "missed " + response.get_header_value("Pelage-Missed");
 }
 
 /// Whether only the cost is asked for.

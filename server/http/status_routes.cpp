@@ -59,7 +59,8 @@ static std::string scene_memory(const MemoryUse& use) {
          single("pelage_scene_memory_bytes", "gauge", "Estimate of what open scenes take.", use.bytes) +
          single("pelage_scene_copies_bytes", "gauge", "Of that, the renderer's copies with their GL buffers.",
                 use.copies) +
-         single("pelage_scene_memory_budget_bytes", "gauge", "What open scenes may take (--memory).", use.budget) +
+         single("pelage_scene_memory_budget_bytes", "gauge", "What open scenes and coats may take (--memory).",
+                use.budget) +
          single("pelage_scene_evictions_total", "counter", "Times that a scene was evicted.", use.evictions) +
          single("pelage_scene_reopenings_total", "counter", "Times that an evicted scene was opened.", use.reopened);
 }
@@ -79,6 +80,9 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_frames_total", "counter", "Frames that the render thread drew.", gauges.frames_drawn);
   text +=
       single("pelage_drawing_seconds_total", "counter", "Time that the render thread drew.", gauges.seconds_drawing);
+  text += single("pelage_coats_baked_total", "counter", "Coats that were baked for frames.", gauges.coats_baked);
+  text += single("pelage_coat_memory_bytes", "gauge", "Baked coats, and those that are being baked; part of --memory.",
+                 gauges.coat_bytes);
   text += single("pelage_gl_bytes", "gauge", "Storage of GL buffers, textures and targets.", gauges.gl_bytes);
   text += single("pelage_traces_total", "counter", "Pictures of strands that were begun.", gauges.traces.traces);
   text += single("pelage_trace_passes_total", "counter", "Passes that were traced.", gauges.traces.passes);
@@ -117,6 +121,8 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .streams = service.streams.held(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),
+                        .coat_bytes = service.frames.coat_bytes(),
+                        .coats_baked = service.frames.coats_baked(),
                         .gl_bytes = service.frames.gl_bytes(),
                         .traces = service.traces.counts(),
                         .renderer = service.frames.description()};

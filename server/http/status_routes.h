@@ -21,6 +21,8 @@ struct Gauges {
   int streams = 0;  // of events
   std::size_t frames_drawn = 0;
   double seconds_drawing = 0;
+  std::size_t coat_bytes = 0;
+  std::uint64_t coats_baked = 0;
   std::size_t gl_bytes = 0;
   TraceCounts traces;
   std::string renderer;  // what the GL calls itself

@@ -63,7 +63,7 @@ OpenScenes::Slot* OpenScenes::next_to_evict() {
 
 OpenScenes::Dropped OpenScenes::keep_to_budget() {
   Dropped dropped;
-  while (open_bytes() > budget_) {
+  while (open_bytes() + coats_bytes() > budget_) {
     Slot* slot = next_to_evict();
     if (!slot) break;
     slot->summary = slot->scene->last_summary();

@@ -17,7 +17,7 @@ namespace pelage {
 
 /// How the scenes of a server share its memory.
 struct MemoryUse {
-  std::size_t budget = 0, bytes = 0;          // what open scenes may take and take, estimated
+  std::size_t budget = 0, bytes = 0;          // what scenes and coats may take, and open scenes take, estimated
   std::size_t copies = 0;                     // of these bytes, the renderer's copies
   std::size_t open = 0, evicted = 0;          // scenes
   std::uint64_t evictions = 0, reopened = 0;  // since the start
@@ -37,6 +37,8 @@ class OpenScenes {
   /// Before anyone else uses this.
   void on_close(OnClose on_close) { on_close_ = std::move(on_close); }
   void count_copies(CopyBytes copy_bytes) { copy_bytes_ = std::move(copy_bytes); }
+  /// Baked coats take room beside scenes; asked as copies are.
+  void count_coats(std::function<std::size_t()> coat_bytes) { coat_bytes_ = std::move(coat_bytes); }
 
   /// Refused (busy) at the limit of scenes, as `add` does.
   Status has_room() const;
@@ -67,6 +69,7 @@ class OpenScenes {
   Slot* slot_of(const std::string& id);
   std::size_t open_bytes() const;
   std::size_t copies_bytes() const;
+  std::size_t coats_bytes() const { return coat_bytes_ ? coat_bytes_() : 0; }
   Slot* next_to_evict();
   /// Evicts until the open scenes fit. The caller lets go of them without the lock: to free one takes long.
   Dropped keep_to_budget();
@@ -78,6 +81,7 @@ class OpenScenes {
   const Open open_;
   OnClose on_close_;
   CopyBytes copy_bytes_;
+  std::function<std::size_t()> coat_bytes_;
   mutable std::mutex mutex_;
   std::condition_variable opened_;
   Slots slots_;  // in the order that the scenes were made in

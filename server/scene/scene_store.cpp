@@ -207,6 +207,9 @@ std::vector<SceneSummary> SceneStore::list() const { return impl_->scenes.list()
 MemoryUse SceneStore::memory() const { return impl_->scenes.memory(); }
 
 void SceneStore::on_close(OpenScenes::OnClose forget) { impl_->scenes.on_close(std::move(forget)); }
+void SceneStore::count_coats(std::function<std::size_t()> coat_bytes) {
+  impl_->scenes.count_coats(std::move(coat_bytes));
+}
 void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.count_copies(std::move(copy_bytes)); }
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,

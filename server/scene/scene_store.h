@@ -51,6 +51,8 @@ class SceneStore {
   void on_close(OpenScenes::OnClose forget);
   /// Counts the renderer's copies of scenes into the budget. Before anyone else uses the store.
   void count_copies(OpenScenes::CopyBytes copy_bytes);
+  /// The same of baked coats.
+  void count_coats(std::function<std::size_t()> coat_bytes);
 
   /// Reads the bytes through the worker and gives the model to the scene. At most two imports run at a time; more are
   /// refused (busy).

@@ -114,6 +114,19 @@ class Dial(ServedTest):
             seen.setdefault(header(answer, "pelage-error")["correction"], set()).add(answer.headers["pelage-quality"])
         self.assertTrue(all(len(knobs) == 1 for knobs in seen.values()), seen)
 
+    def test_what_was_missed_is_said(self):
+        trace = {"strands": 20000, "passes": 4096, "seconds": 0.01}
+        for request, missed in (({"budget_ms": 1, "width": 2048, "height": 2048}, "budget_ms"),
+                                ({"max_error": 0.000001}, "max_error"),
+                                ({"quality": {"method": "strands", "trace": trace}}, "seconds")):
+            self.assertEqual(self.scene.frame(**request).headers.get("pelage-missed"), missed)
+            self.assertRegex(self.server.printed(), f"path=/v1/scenes/{self.scene.id}/frames status=200 .*missed {missed}")
+        for request in ({"budget_ms": 600000}, {"max_error": 1}, {}):
+            self.assertNotIn("pelage-missed", self.scene.frame(**request).headers)
+        said = json.loads(self.pelage("--json", "frame", self.scene.id, "-o", self.server.folder / "missed.png",
+                                      "--max-error", 0.000001).stdout)
+        self.assertEqual(said["missed"], "max_error")
+
     def test_what_goes_with_a_dial(self):
         exr = self.scene.frame(budget_ms=50, format="exr", aovs=["beauty", "normal"])
         self.assertEqual(exr.headers["content-type"], "image/x-exr")
@@ -176,6 +189,22 @@ class StoredCalibration(unittest.TestCase):
             server.start()
             self.assertEqual(self.calibration_of(server), name)
         self.assertRegex(server.printed(), fr"measured with {server.threads + 1} threads of .*\.\n  next:    .*`pelage calibrate`")
+
+    def test_a_frame_that_passes_its_limit_is_stopped(self):
+        """A calibration that is far too low lets a frame of minutes begin."""
+        server = Server()
+        self.addCleanup(server.close)
+        description = server.printed().split(" with ", 1)[1].splitlines()[0]
+        server.terminate()
+        (server.data / "calibration.json").write_text(json.dumps(
+            {"version": 4, "name": "2001-01-01", "machine": description, "threads": server.threads, "price": 1e-6}))
+        server.start()
+        scene = server.new_scene("torus", 800)
+        frame = {"width": 4000, "height": 4000, "quality": {"shells": 64, "steps": 16}, "max_seconds": 1}
+        answer = scene.post("frames", frame)
+        self.assertEqual((answer.status, answer.json.get("pointer")), (422, "/max_seconds"), answer)
+        self.assertIn("took longer than 1 s", answer.json["detail"])
+        self.assertEqual(scene.frame(quality="draft").status, 200)
 
     def test_calibrating_needs_a_gl(self):
         run = subprocess.run([BIN / "pelage", "calibrate", "--gl", "some"], capture_output=True, text=True)

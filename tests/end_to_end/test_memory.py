@@ -1,6 +1,11 @@
 """A server with room for few scenes: the others are evicted and opened again."""
 
+import json
+import pathlib
+import re
+import socket
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 from support.server import Server, comb
 
@@ -49,6 +54,43 @@ class Memory(unittest.TestCase):
         for text in ("lots", "0", "-1G"):
             with self.assertRaisesRegex(AssertionError, "--memory"):
                 Server(arguments=["--memory", text]).close()
+
+
+class Coats(unittest.TestCase):
+    """Slices of a coat seen closely take 90 MB, and half a gigabyte while they are baked."""
+
+    def setUp(self):
+        self.server = Server()
+        self.addCleanup(self.server.close)
+
+    def metric(self, name):
+        return next(float(line.split()[1]) for line in self.server.get("/metrics").body.decode().splitlines()
+                    if line.startswith(name))
+
+    def peak_bytes(self):
+        status = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
+        return 1024 * int(re.search(r"VmHWM:\s+(\d+)", status)[1])
+
+    def test_equal_cold_frames_bake_their_coat_once(self):
+        scene, before = self.server.new_scene("sphere", 2000), self.peak_bytes()
+        close = {"width": 256, "height": 256, "camera": {"position": [0, 0, 0.7], "target": [0, 0, 0]}}
+        with ThreadPoolExecutor(12) as pool:
+            answers = list(pool.map(lambda _: scene.frame(**close), range(12)))
+        self.assertEqual(len({answer.body for answer in answers}), 1)
+        self.assertEqual(self.metric("pelage_coats_baked_total"), 1)
+        self.assertGreater(self.metric("pelage_coat_memory_bytes"), 80e6, "the frames are near enough for all levels")
+        self.assertLess(self.peak_bytes() - before, 1.5e9)
+
+    def test_a_bake_that_all_have_left_ends(self):
+        scene = self.server.new_scene("sphere", 2000)
+        body = json.dumps({"camera": {"position": [0, 0, 0.7], "target": [0, 0, 0]}}).encode()
+        request = (f"POST {scene.path}/frames HTTP/1.1\r\nHost: 127.0.0.1:{self.server.port}\r\n"
+                   f"Content-Type: application/json\r\nContent-Length: {len(body)}\r\n\r\n").encode() + body
+        for _ in range(3):
+            with socket.create_connection(("127.0.0.1", self.server.port)) as client:
+                client.sendall(request)
+        self.assertEqual(scene.frame(quality="draft", width=32, height=32).status, 200)
+        self.assertEqual(self.server.get("/livez").status, 200)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 import json
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
@@ -273,3 +274,29 @@ class Traced(ServedTest):
         self.pelage("frame", self.scene.id, *size, "--passes", 2, code=3)
         self.pelage("frame", self.scene.id, *size, "--until-pass", 2, code=2)
         self.pelage("frame", self.scene.id, "-o", "-", "--progressive", code=3)
+
+
+class Turns(ServedTest):
+    def test_pictures_that_take_turns_have_the_bits_that_they_have_alone(self):
+        scenes = [self.server.new_scene("torus", 800), self.server.new_scene("sphere", 500)]
+        quality = {"method": "strands", "trace": {"strands": 3000, "passes": 48}}
+        alone = [scene.frame(quality=quality).body for scene in scenes]
+        with ThreadPoolExecutor(4) as pool:
+            together = list(pool.map(lambda scene: scene.frame(quality=quality).body, scenes * 2))
+        self.assertEqual(together, alone * 2)
+
+    def test_a_long_trace_lets_others_first_pass_through(self):
+        scene, other = self.server.new_scene("torus", 800), self.server.new_scene("sphere", 500)
+        quality = {"method": "strands", "trace": {"strands": 3000, "passes": 65536}}
+        long = threading.Thread(target=lambda: scene.post("frames", {"width": 128, "height": 128, "quality": quality}))
+        long.start()
+        while not self.passes():
+            time.sleep(0.05)
+        self.assertEqual(other.frame(quality={"method": "strands", "trace": {"strands": 3000, "passes": 4}}).status, 200)
+        self.assertTrue(long.is_alive(), "it is far from its end")
+        self.assertEqual(self.server.call("DELETE", scene.path).status, 204)  # which ends it
+        long.join()
+
+    def passes(self):
+        lines = self.server.get("/metrics").body.decode().splitlines()
+        return next(float(line.split()[1]) for line in lines if line.startswith("pelage_trace_passes_total"))

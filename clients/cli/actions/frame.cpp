@@ -37,13 +37,15 @@ Result<FrameRequest> frame_request_of(const Options& options) {
 void print_frame(const Options& options, const HttpAnswer& answer) {
   const std::string revision = header(answer, "pelage-revision"), quality = header(answer, "pelage-quality");
   const std::string timing = header(answer, "server-timing"), trace = header(answer, "pelage-trace");
-  const std::string estimate = header(answer, "pelage-error");
+  const std::string estimate = header(answer, "pelage-error"), missed = header(answer, "pelage-missed");
   if (options.json) {
-    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}{}{}}}\n", json_text(options.output),
+    fmt::print("{{\"file\":{},\"revision\":{},\"quality\":{},\"server_timing\":{}{}{}{}}}\n", json_text(options.output),
                revision, quality, json_text(timing), trace.empty() ? "" : ",\"trace\":" + trace,
-               estimate.empty() ? "" : ",\"estimate\":" + estimate);
+               estimate.empty() ? "" : ",\"estimate\":" + estimate,
+               missed.empty() ? "" : ",\"missed\":" + json_text(missed));
   } else {
     fmt::print("{}: revision {}, {}\n", options.output, revision, timing);
+    if (!missed.empty()) fmt::print("it missed: {}\n", missed);
   }
 }
 

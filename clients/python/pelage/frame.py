@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, Dict, Optional
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 from . import arrays
 from .connection import Answer
@@ -49,6 +49,7 @@ class Frame(Picture):
 
     quality: The knobs that were used; as `quality` they draw the same frame.
     estimate: Its error and cost, or None where nothing is known of them.
+    missed: What it did not keep of the request: "budget_ms", "max_error", "seconds".
     trace: Of a traced picture, and of all `better_frames`; else None.
     counters: What it asked of the GL, or None.
     timing: Milliseconds by the name of the stage, such as "draw" and "encode".
@@ -58,6 +59,7 @@ class Frame(Picture):
         super().__init__(answer, format)
         self.quality: Optional[Knobs] = header(answer, "pelage-quality")
         self.estimate: Optional[FrameEstimate] = header(answer, "pelage-error")
+        self.missed: Tuple[str, ...] = tuple(filter(None, answer.headers.get("pelage-missed", "").split(", ")))
         self.trace: Optional[TraceReport] = header(answer, "pelage-trace")
         self.counters: Optional[FrameCounters] = header(answer, "pelage-counters")
         self.timing = timing_of(answer.headers.get("server-timing", ""))

@@ -9,9 +9,13 @@ namespace {
 
 using Queue = ShortestFirst<std::string>;
 
-std::string order_of(Queue& queue) {
+std::string order_of(Queue& queue, int count = 1000) {
   std::string order;
-  while (auto taken = queue.take()) order += taken->job;
+  for (; count > 0; --count) {
+    const auto taken = queue.take();
+    if (!taken) break;
+    order += taken->job;
+  }
   return order;
 }
 
@@ -62,6 +66,29 @@ TEST(ShortestFirst, FindsOneToReplace) {
   *queue.find([](const std::string& job) { return job == "a"; }) = "b";
   EXPECT_EQ(queue.find([](const std::string& job) { return job == "a"; }), nullptr);
   EXPECT_EQ(order_of(queue), "b");
+}
+
+TEST(ShortestFirst, AScenesManyFramesHoldUpNoOtherScene) {
+  Queue queue;
+  for (int i = 0; i < 64; ++i) queue.add("h", 20, i, {1, 0});
+  for (int i = 0; i < 8; ++i) queue.take();
+  queue.add("p", 20, 1e6, {2, 0});
+  EXPECT_EQ(order_of(queue, 2), "hp") << "each has its turn, however late it comes";
+  queue.add("p", 20, 1e6, {2, 0});
+  EXPECT_EQ(order_of(queue, 2), "hp");
+  queue.add("s", 20, 1e6, {1, 5});
+  EXPECT_EQ(order_of(queue, 2), "hs") << "so have the views of one scene";
+}
+
+TEST(ShortestFirst, WhatIsPutBackKeepsItsPlaceInTheLine) {
+  Queue queue;
+  for (const char* name : {"a", "b", "c"}) queue.add(name, 5, 0);
+  auto taken = queue.take();
+  ASSERT_EQ(taken->job, "a");
+  queue.put_back(std::move(*taken));
+  EXPECT_FALSE(queue.take([](const std::string& job) { return job == "d"; }));
+  EXPECT_EQ(queue.take([](const std::string& job) { return job != "a"; })->job, "b") << "a is not ready";
+  EXPECT_EQ(order_of(queue), "ac");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using Picture = Result<std::shared_ptr<const LinearPicture>>;
 struct Stage {
   std::atomic<int> allowed{1'000'000};  // passes of all jobs before it waits
   std::atomic<bool> refuses{false};
-  std::atomic<int> begun{0}, passes{0};
+  std::atomic<int> begun{0}, resumed{0}, passes{0};
   std::mutex mutex;
   std::vector<std::string> views;  // in the order they were begun in
 };
@@ -46,10 +46,24 @@ class FakeTracer : public PictureTracer {
     if (++report_.passes >= max_) report_.end = TraceEnd::passes;
     return {};
   }
+  std::unique_ptr<Aside> set_aside() override { return std::make_unique<FakeAside>(report_, max_); }
+  std::size_t bytes() const override { return 100; }
+  Status resume(std::unique_ptr<Aside> aside, const GoOn&) override {
+    const auto& fake = static_cast<const FakeAside&>(*aside);
+    report_ = fake.report, max_ = fake.max;
+    ++stage_.resumed;
+    return {};
+  }
   TraceReport report() const override { return report_; }
   LinearPicture picture() const override { return {.report = report_}; }
 
  private:
+  struct FakeAside : Aside {
+    FakeAside(const TraceReport& so_far, int passes) : report(so_far), max(passes) {}
+    TraceReport report;
+    int max;
+  };
+
   Stage& stage_;
   TraceReport report_;
   int max_ = 0;
@@ -255,13 +269,19 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
   std::this_thread::sleep_for(400ms);
   EXPECT_TRUE(queue_->better(*scene, left, {})) << "nobody else waits";
   ASSERT_TRUE(queue_->improve(scene, next, 0).ok());
-  for (int i = 0; i < 20; ++i) {
-    std::this_thread::sleep_for(20ms);
-    ASSERT_TRUE(queue_->better(*scene, left, {})) << "somebody still looks";
-  }
-  EXPECT_EQ(stage_.begun, 1);
-  EXPECT_TRUE(wait_better(*scene, next, {0, 1}));
-  EXPECT_FALSE(queue_->better(*scene, left, {}));
+  EXPECT_TRUE(wait_better(*scene, next, {0, 1})) << "both have their turns while somebody looks";
+  const FrameRequest other = progressive(1'000'000, "other");  // which goes on
+  ASSERT_TRUE(queue_->improve(scene, other, 0).ok());
+  const auto gone_unasked = [&] {
+    for (int i = 0; i < 12; ++i) {
+      std::this_thread::sleep_for(50ms);
+      EXPECT_TRUE(queue_->improve(scene, other, 0).ok());
+    }
+    return !queue_->better(*scene, left, {});  // which asks for it
+  };
+  bool gone = false;
+  for (int i = 0; i < 20 && !gone; ++i) gone = gone_unasked();
+  EXPECT_TRUE(gone);
 }
 
 TEST_F(TraceQueueTest, WaitsUntilTheHandRests) {
@@ -292,6 +312,58 @@ TEST_F(TraceQueueTest, TakesWhatWasAskedForLast) {
   ASSERT_TRUE(soon([&] { return stage_.begun == 4; }));
   const std::lock_guard lock(stage_.mutex);
   EXPECT_EQ(stage_.views, (std::vector<std::string>{"first", "second", "fourth", "third"}));
+}
+
+TEST_F(TraceQueueTest, ALongTraceLetsOthersFirstPassThrough) {
+  const auto scene = make();
+  queue();
+  std::future<Picture> endless =
+      std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
+  ASSERT_TRUE(soon([&] { return stage_.passes > 3; }));
+  for (int i = 1; i <= 3; ++i) {
+    std::future<Picture> other = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(4)); });
+    const bool came = other.wait_for(30s) == std::future_status::ready;
+    EXPECT_TRUE(came) << "it waits for all passes of the other";
+    if (!came) queue_->stop();
+    EXPECT_EQ(other.get().ok(), came);
+    EXPECT_TRUE(soon([&] { return stage_.resumed >= i; })) << "the long one goes on";
+  }
+  EXPECT_EQ(queue_->counts().traces, 4u);
+  queue_->stop();
+  EXPECT_FALSE(endless.get().ok());
+}
+
+TEST_F(TraceQueueTest, PicturesThatAreTracedTogetherTakeTurns) {
+  const auto scene = make();
+  queue();
+  stage_.allowed = 0;
+  std::vector<std::future<Picture>> pictures;
+  for (int i = 0; i < 3; ++i) {
+    pictures.push_back(std::async(std::launch::async, [&] { return queue_->trace(scene, traced(256)); }));
+    ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
+  }
+  std::this_thread::sleep_for(50ms);  // until all wait
+  stage_.allowed = 1'000'000;
+  for (auto& picture : pictures) {
+    const Picture traced_picture = picture.get();
+    ASSERT_TRUE(traced_picture.ok());
+    EXPECT_EQ((*traced_picture)->report.passes, 256);
+  }
+  EXPECT_EQ(stage_.passes, 3 * 256);
+  EXPECT_GE(stage_.resumed, 3 * 7) << "turns of 1, 1, 2, 4 ... 64 passes";
+  EXPECT_LE(stage_.resumed, 3 * 16) << "strands may grow anew for each turn, so turns are not of one pass";
+}
+
+TEST_F(TraceQueueTest, APictureGoesOnWhereItCannotBeSetAside) {
+  const auto scene = make();
+  TraceQueue::Limits limits = quick();
+  limits.aside_bytes = 99;
+  queue(limits);
+  std::future<Picture> first = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(300)); });
+  ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
+  EXPECT_TRUE(queue_->trace(scene, traced(2)).ok());
+  EXPECT_TRUE(first.get().ok());
+  EXPECT_EQ(stage_.resumed, 0);
 }
 
 TEST_F(TraceQueueTest, YieldsWhileAnyoneGoesFirst) {
