@@ -1,7 +1,12 @@
 """Every shared model loads with its counts; every nasty one gets what the table says, and the server lives on."""
 
+import math
+import pathlib
 import re
+import socket
+import time
 import unittest
+import urllib.parse
 
 from support.server import ServedTest, shared_folder
 
@@ -9,6 +14,15 @@ EQUAL = [("spot.obj", "spot.ply", "spot.glb"), ("cat.obj", "cat_ascii.ply"), ("k
          ("goathead.obj", "goathead.stl"), ("spot_low.gltf", "spot_low_ascii.stl")]
 # Quads are two triangles and pentagons three; counts of the table are in faces and unwelded vertices.
 COUNTS = {"spot_control_mesh.obj": (188, 4 + 160 * 2 + 16 * 3), "spot.glb": (2930, 5856), "Fox.glb": (None, 576)}
+
+
+def spiky(corners):
+    """One polygon as OBJ, each second corner of which is the tip of a spike."""
+    lines = []
+    for i in range(corners):
+        angle, radius = 2 * math.pi * i / corners, 1 - i % 2 / 2
+        lines.append(f"v {radius * math.cos(angle):.9f} {radius * math.sin(angle):.9f} 0")
+    return ("\n".join(lines) + "\nf " + " ".join(str(i + 1) for i in range(corners)) + "\n").encode()
 
 
 def rows(title):
@@ -103,6 +117,36 @@ class Uploads(ServedTest):
         scene.run({"op": "length", "flood": True, "value": 0.1})
         self.assertIn("1 command.", self.server.call("PUT", put, model).json["detail"])
         self.assertEqual(self.server.call("PUT", f"{put}&discard=1", model).status, 200)
+
+    def cpu_ticks(self):
+        fields = pathlib.Path(f"/proc/{self.server.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return sum(map(int, fields[11:15]))  # its own and that of workers that ended
+
+    def wait_until_idle(self):
+        deadline, last, since = time.monotonic() + 120, self.cpu_ticks(), time.monotonic()
+        while time.monotonic() - since < 3:
+            self.assertLess(time.monotonic(), deadline, "the server works on")
+            time.sleep(0.2)
+            if (now := self.cpu_ticks()) > last + 1:
+                since = time.monotonic()
+            last = now
+
+    def test_a_polygon_of_many_spikes_loads(self):
+        scene = self.server.new_scene("plane", 2)
+        answer = self.server.call("PUT", f"{scene.path}/model?format=obj", spiky(20_000))
+        self.assertEqual(answer.status, 200, answer)
+        self.assertEqual(answer.json["triangles"], 19_998)
+
+    def test_a_load_ends_with_its_client(self):
+        scene = self.server.new_scene("plane", 2)
+        body = spiky(200_000)
+        address = urllib.parse.urlsplit(self.server.address)
+        with socket.create_connection((address.hostname, address.port)) as client:
+            client.sendall(f"PUT {scene.path}/model?format=obj HTTP/1.1\r\nHost: {address.netloc}\r\n"
+                           f"Content-Length: {len(body)}\r\n\r\n".encode() + body)
+        self.wait_until_idle()
+        self.assertEqual(scene.info()["revision"], 0)
+        self.assertEqual(scene.info()["model"], "plane")
 
     def test_a_groomed_upload_is_drawn(self):
         scene = self.server.new_scene("plane", 2)

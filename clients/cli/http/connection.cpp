@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <netinet/tcp.h>
 
 #include <algorithm>
 #include <cctype>
@@ -11,9 +12,18 @@ namespace pelage {
 namespace {
 
 constexpr int connection_seconds = 5;
-constexpr int answer_seconds = 600;  // a large model or picture takes a while
+constexpr int answer_seconds = 24 * 3600;                         // the server says itself when it gives up
+constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP, which find a host that is gone
 constexpr const char* bytes_type = "application/octet-stream";
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
+
+void keep_alive(socket_t socket) {
+  const auto set = [&](int level, int option, int value) { setsockopt(socket, level, option, &value, sizeof value); };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, idle_seconds);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, probe_seconds);
+  set(IPPROTO_TCP, TCP_KEEPCNT, probes);
+}
 
 /// A body that says how far it is.
 httplib::ContentProvider in_pieces(const std::string& bytes, const Sent& sent) {
@@ -43,6 +53,7 @@ struct Connection::Impl {
     client.set_read_timeout(answer_seconds);
     client.set_write_timeout(answer_seconds);
     client.set_keep_alive(true);
+    client.set_socket_options(keep_alive);
     client.set_tcp_nodelay(true);
     if (!token.empty()) client.set_bearer_token_auth(token);
   }
