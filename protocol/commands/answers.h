@@ -155,14 +155,6 @@ struct Comparison {
   bool operator==(const Comparison&) const = default;
 };
 
-/// Triangles of the model, and how many of them the fur's shells turn over above (science.md 1): fur of that length
-/// leans too far there for the skin's bending, or stands in a hollow narrower than it is long.
-struct FoldCount {
-  Revision revision = 0;
-  std::size_t triangles = 0, folded = 0;
-  bool operator==(const FoldCount&) const = default;
-};
-
 /// What made a revision: a new step ("do" on the wire); a part that joins the last step; the ways through the steps;
 /// and commands that are listed by themselves but belong to the undo step of the entry before. Journals hold the
 /// numbers.

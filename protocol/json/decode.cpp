@@ -79,7 +79,6 @@ template Result<SceneSummary> decode_answer(std::string_view);
 template Result<SceneList> decode_answer(std::string_view);
 template Result<PickAnswer> decode_answer(std::string_view);
 template Result<Comparison> decode_answer(std::string_view);
-template Result<FoldCount> decode_answer(std::string_view);
 template Result<SettingsAnswer> decode_answer(std::string_view);
 template Result<Log> decode_answer(std::string_view);
 template Result<SceneEvent> decode_answer(std::string_view);

@@ -28,7 +28,6 @@ std::string encode(const SceneSummary& summary);
 std::string encode(const SceneList& scenes);
 std::string encode(const PickAnswer& answer);
 std::string encode(const Comparison& comparison);
-std::string encode(const FoldCount& folds);
 std::string encode(const SettingsAnswer& settings);  // each member as its command is encoded
 std::string encode(const Log& log);
 std::string encode(const SceneEvent& event);

@@ -248,14 +248,6 @@ void members(V& v, Visited<V, Comparison>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, FoldCount>& c) {
-  v.answer("FoldCount", "How much of the fur turns over.");
-  v.counter("revision", c.revision, "Revision that was counted.");
-  v.counter("triangles", c.triangles, "Number of triangles.");
-  v.counter("folded", c.folded, "Number of triangles over which the fur turns over.");
-}
-
-template <class V>
 void members(V& v, Visited<V, LogEntry>& c) {
   v.answer("LogEntry", "One entry of the log.");
   v.counter("revision", c.revision, "Revision that it made.");

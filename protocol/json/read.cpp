@@ -349,7 +349,6 @@ template SceneSummary read(const Value&);
 template SceneList read(const Value&);
 template CommandAnswer read(const Value&);
 template Comparison read(const Value&);
-template FoldCount read(const Value&);
 template SettingsAnswer read(const Value&);
 template Log read(const Value&);
 template SceneEvent read(const Value&);

@@ -395,7 +395,7 @@ nlohmann::ordered_json schemas() {
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
   describe<GuideUpload>(all);
   describe<ExportRequest>(all), describe<ExportAnswer>(all);
-  describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all), describe<FoldCount>(all);
+  describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all);
   describe<SettingsAnswer>(all);
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
   describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);

@@ -207,7 +207,6 @@ template Json written(const SceneSummary&);
 template Json written(const SceneList&);
 template Json written(const CommandAnswer&);
 template Json written(const Comparison&);
-template Json written(const FoldCount&);
 template Json written(const SettingsAnswer&);
 template Json written(const Log&);
 template Json written(const SceneEvent&);

@@ -100,7 +100,6 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}/events", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/settings", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/compare", "GET, HEAD"},
-                                                      {"/v1/scenes/{id}/folds", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/frames", "GET, HEAD, POST"},
                                                       {"/v1/scenes/{id}/frame.png", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/pick", "POST"},

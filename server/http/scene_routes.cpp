@@ -87,10 +87,6 @@ void add_scene_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes/([^/]+)/compare", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { compare_revisions(*scene, request, response); });
   });
-  server.Get("/v1/scenes/([^/]+)/folds", [&](const Request& request, Response& response) {
-    with_scene(service, request, response,
-               [&](const auto& scene) { reply_json(response, 200, encode(scene->count_folds())); });
-  });
   server.Delete("/v1/scenes/([^/]+)",
                 [&](const Request& request, Response& response) { remove_scene(service, request, response); });
 }

@@ -8,7 +8,6 @@
 
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
-#include "renderer/coat/folds.h"
 #include "server/fields/edit_layers.h"
 #include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
@@ -331,15 +330,6 @@ Result<MapFile> Scene::draw_map(const MapRequest& request) const {
 Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
   const std::lock_guard lock(mutex_);
   return pelage::pick(model_->surface, fields_, wanted);
-}
-
-FoldCount Scene::count_folds() const {
-  const std::lock_guard lock(mutex_);
-  const Mesh& mesh = model_->surface.mesh();
-  const Coat& coat = history_.settings().coat;
-  const FurredSurface fur{mesh.positions,      mesh.normals,     mesh.tangents,   mesh.triangles,
-                          fields_.direction(), fields_.length(), coat.lean_curve, coat.root_share};
-  return {history_.revision(), mesh.triangles.size(), pelage::count_folds(fur)};
 }
 
 void Scene::read(const std::function<void(const SceneView&)>& use) const {

@@ -182,8 +182,6 @@ class Scene {
   Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
-  /// Looks at all triangles, each at eight heights: about 30 us a triangle.
-  FoldCount count_folds() const;
 
   /// Runs `use` under the scene's lock.
   void read(const std::function<void(const SceneView&)>& use) const;

@@ -301,9 +301,8 @@ class Pictures(PackageTest):
         self.assertGreater(hit["position"][2], 0.9)
         self.assertEqual(self.scene.pick(0.5, 0.5, camera="front", width=64, height=64), {"hit": False})
 
-    def test_mesh_folds_subdivide(self):
+    def test_mesh_subdivide(self):
         self.assertTrue(self.scene.mesh(triangles=200).startswith(b"glTF"))
-        self.assertEqual(self.scene.folds()["folded"], 0)
         triangles = self.scene.info()["triangles"]
         self.assertEqual(self.scene.subdivide(levels=1)["triangles"], 4 * triangles)
 

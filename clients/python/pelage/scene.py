@@ -18,7 +18,6 @@ from .schemas import (
     CommandAnswer,
     Comparison,
     Field,
-    FoldCount,
     FrameProgress,
     LogEntry,
     Pick,
@@ -176,10 +175,6 @@ class Scene(Commands[CommandAnswer], Pictures):
         parameters: Those of GET frame.png, such as `camera="front", width=256`. A server with a token asks for it there too.
         """
         return self._connection.address + with_query(f"{self._path}/frame.png", parameters)
-
-    def folds(self) -> FoldCount:
-        """Over how many triangles the fur turns over."""
-        return cast(FoldCount, self._connection.get(f"{self._path}/folds").json)
 
     def upload_skin_texture(
         self,

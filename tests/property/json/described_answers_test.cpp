@@ -31,7 +31,7 @@ RC_GTEST_PROP(DescribedAnswers, OfScenesComeBack, ()) {
   expect_back<SceneSummary>("Scene"), expect_back<SceneList>("SceneList"), expect_back<Log>("Log");
   expect_back<SceneEvent>("SceneEvent"), expect_back<ChangeEvent>("ChangeEvent");
   expect_back<CommandAnswer>("CommandAnswer"), expect_back<Comparison>("Comparison");
-  expect_back<FoldCount>("FoldCount"), expect_back<PickAnswer>("Pick"), expect_back<Problem>("Problem");
+  expect_back<PickAnswer>("Pick"), expect_back<Problem>("Problem");
 }
 
 RC_GTEST_PROP(DescribedAnswers, OfPicturesComeBack, ()) {

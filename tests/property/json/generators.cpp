@@ -250,7 +250,6 @@ template SceneSummary answer();
 template SceneList answer();
 template CommandAnswer answer();
 template Comparison answer();
-template FoldCount answer();
 template SettingsAnswer answer();
 template Log answer();
 template SceneEvent answer();

@@ -110,21 +110,5 @@ TEST_F(SceneToolsTest, ComparisonsMeasureTheDifference) {
   EXPECT_EQ(scene->compare(1, 3).status().pointer, "/to");
 }
 
-TEST_F(SceneToolsTest, LongLeaningFurFolds) {
-  const auto scene = make(Builtin::knot, 2000);
-  Unify lean;
-  lean.flood = true, lean.inclination = 1, lean.weight = 1, lean.brush.strength = 1;
-  const std::size_t before = scene->count_folds().folded;
-  Length longer;
-  longer.flood = true, longer.brush.strength = 1, longer.value = 0.2;
-  execute(*scene, {lean, longer});
-  const FoldCount folds = scene->count_folds();
-  EXPECT_EQ(folds.triangles, scene->summary().report.triangles);
-  EXPECT_GT(folds.folded, before + 50);
-  longer.value = 0;
-  execute(*scene, {longer});
-  EXPECT_EQ(scene->count_folds().folded, 0u);
-}
-
 }  // namespace
 }  // namespace pelage::scene_tools_test
