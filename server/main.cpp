@@ -23,6 +23,7 @@
 #include "server/import/import.h"
 #include "server/log/server_log.h"
 #include "server/process/signals.h"
+#include "server/process/stop_deadline.h"
 #include "server/scene/scene_memory.h"
 #include "server/scene/scene_store.h"
 
@@ -159,6 +160,7 @@ void load_picture_files() {
 
 int serve(const Options& options, const HttpOptions& http) {
   const StopSignals signals;
+  StopDeadline deadline;
   YieldGate gate;
   const std::size_t memory = options.memory ? options.memory : default_memory();
   const auto frames = FrameService::start(options.gl, options.threads, gate, options.device, memory / coat_share);
@@ -190,6 +192,7 @@ int serve(const Options& options, const HttpOptions& http) {
       fmt::print("pelaged: stopping, process {} sent signal {}\n", stop.sender, stop.signal);
       std::fflush(stdout);
     }
+    deadline.begin();
     (*server)->stop();
   });
   std::thread loader(load_picture_files);

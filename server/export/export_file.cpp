@@ -64,12 +64,16 @@ ExportFile file_of(const SceneView& scene, ExportedStrands gathered, const Expor
 
 }  // namespace
 
-Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request) {
-  Result<ExportedStrands> strands = gather_strands(scene.view(), request);
+Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel) try {
+  Result<ExportedStrands> strands = gather_strands(scene.view(), request, cancel);
   if (!strands) return strands.status();
   ExportFile file = file_of(scene.view(), std::move(*strands), request);
-  file.about.bytes = size_of(file.write);
+  file.about.bytes = size_of([&](const Sink& sink) {
+    return file.write([&](std::string_view piece) { return cancel.check(), sink(piece); });
+  });
   return file;
+} catch (const Cancelled&) {
+  return nobody_waits();
 }
 
 }  // namespace pelage

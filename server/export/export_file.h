@@ -23,11 +23,13 @@ struct ExportFile {
 };
 
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
-/// (too_large, "/every") where more than limits::export_strands are expected.
-Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request);
+/// (too_large, "/every") where more than limits::export_strands are expected; unavailable once nobody waits, which is
+/// asked on several threads.
+Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel = {});
 
 /// The scene itself: what SceneStore::save writes, as gzip. The file lies in a temporary folder as long as this does.
-Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene);
+/// Unavailable once nobody waits.
+Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel = {});
 
 /// Makes a scene of the bytes of such a file, as SceneStore::open_saved.
 Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name);

@@ -23,12 +23,13 @@ Status cannot_be_written() {
 
 }  // namespace
 
-Status compress_file(const std::string& from, const std::string& to) {
+Status compress_file(const std::string& from, const std::string& to, const std::function<void()>& between) {
   std::ifstream input(from, std::ios::binary);
   GzipFile output(gzopen(to.c_str(), "wb"));
   std::string piece(piece_bytes, '\0');
   if (!input || !output) return cannot_be_written();
   while (input.read(piece.data(), static_cast<std::streamsize>(piece.size())) || input.gcount() > 0) {
+    if (between) between();
     const auto size = static_cast<unsigned>(input.gcount());
     if (gzwrite(output.get(), piece.data(), size) != static_cast<int>(size)) return cannot_be_written();
   }

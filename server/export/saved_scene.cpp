@@ -21,19 +21,22 @@ bool copy_file(const std::string& path, const Sink& sink) {
 
 }  // namespace
 
-Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene) {
+Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel) try {
   Result<TemporaryFolder> made = TemporaryFolder::make();
   if (!made) return made.status();
   const auto folder = std::make_shared<const TemporaryFolder>(std::move(*made));
   ExportFile file;
-  file.about.format = ExportFormat::pelage, file.about.revision = scene.last_summary().revision;
   const std::string plain = folder->file("scene"), path = folder->file("scene.pelage");
-  if (Status saved = store.save(scene, plain); !saved.ok()) return saved;
-  if (Status compressed = compress_file(plain, path); !compressed.ok()) return compressed;
+  const Result<Revision> saved = store.save(scene, plain, cancel);
+  if (!saved) return saved.status();
+  file.about.format = ExportFormat::pelage, file.about.revision = *saved;
+  if (Status compressed = compress_file(plain, path, [&] { cancel.check(); }); !compressed.ok()) return compressed;
   file.content_type = "application/gzip", file.ending = ".pelage";
   file.write = [folder, path](const Sink& sink) { return copy_file(path, sink); };
   file.about.bytes = size_of(file.write);
   return file;
+} catch (const Cancelled&) {
+  return nobody_waits();
 }
 
 Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name) {

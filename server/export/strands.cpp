@@ -36,12 +36,13 @@ void find_root_uvs(const Surface& surface, const StrandSet& set, glm::vec2* uvs)
   }
 }
 
-void add_root_uvs(const Surface& surface, ExportedStrands& strands) {
+void add_root_uvs(const Surface& surface, ExportedStrands& strands, const Cancel& cancel) {
   if (surface.mesh().texture_uv.empty()) return;
   std::vector<std::size_t> first{0};
   for (const StrandSet& set : strands.sets) first.push_back(first.back() + set.count());
   strands.root_uvs.resize(first.back());
   for_each_in_parallel(static_cast<std::uint32_t>(strands.sets.size()), [&](std::uint32_t i) {
+    cancel.check();
     find_root_uvs(surface, strands.sets[i], strands.root_uvs.data() + first[i]);
   });
 }
@@ -73,7 +74,7 @@ std::uint64_t ExportedStrands::points() const {
                          [](std::uint64_t sum, const StrandSet& set) { return sum + set.points.size(); });
 }
 
-Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& asked) {
+Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& asked, const Cancel& cancel) {
   const Mesh& mesh = scene.model.surface.mesh();
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
@@ -89,14 +90,16 @@ Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportReque
   ExportedStrands strands;
   strands.centre = mesh.centre, strands.size = mesh.size;
   strands.sets.resize(chunks.size());
-  for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()),
-                       [&](std::uint32_t i) { strands.sets[i] = grower.grow(chunks[i]); });
+  for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()), [&](std::uint32_t i) {
+    cancel.check();
+    strands.sets[i] = grower.grow(chunks[i]);
+  });
   std::erase_if(strands.sets, [](const StrandSet& set) { return set.count() == 0; });
   if (request.curves && !frame.curves.empty()) {
     strands.sets.push_back(grow_curves(frame.curves));
     strands.curve_sets = 1;
   }
-  add_root_uvs(scene.model.surface, strands);
+  add_root_uvs(scene.model.surface, strands, cancel);
   return strands;
 }
 

@@ -8,6 +8,7 @@
 #include "protocol/base/status.h"
 #include "protocol/commands/export.h"
 #include "renderer/strands/strand_set.h"
+#include "server/groom/cancel.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -26,7 +27,7 @@ struct ExportedStrands {
   float model_width(const StrandPoint& point) const { return static_cast<float>(2 * double{point.radius} * size); }
 };
 
-/// Refused as export_scene says. Deterministic at any thread count.
-Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& request);
+/// Refused as export_scene says. Deterministic at any thread count. Throws Cancelled.
+Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& request, const Cancel& cancel = {});
 
 }  // namespace pelage

@@ -7,14 +7,14 @@ namespace pelage {
 
 Result<PastCopy> PastScenes::find(const Scene& scene, Revision revision) {
   if (scene.is_at(revision)) return PastCopy();
-  const std::uint64_t present = scene.last_memory().copy_id;
+  const std::uint64_t present = scene.memory().copy_id;
   if (PastCopy known = find_kept(present, revision)) return known;
   Result<SceneCopy> made = scene.copy_at(revision, new_copy_id());
   if (!made) return made.status();
   auto copy = std::make_shared<const SceneCopy>(std::move(*made));
   keep({present, revision, copy});
   // Whoever gives the scene another model or removes it says so first, and has its copies forgotten then.
-  if (scene.removed() || scene.last_memory().copy_id != present) forget(present);
+  if (scene.removed() || scene.memory().copy_id != present) forget(present);
   return PastCopy(std::move(copy));
 }
 

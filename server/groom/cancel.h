@@ -4,10 +4,17 @@
 #include <functional>
 #include <utility>
 
+#include "protocol/base/status.h"
+
 namespace pelage {
 
 /// Thrown out of an evaluation that nobody waits for any more; nothing has changed then.
 struct Cancelled {};
+
+/// What whoever asked is told then, should they listen after all.
+inline Status nobody_waits() {
+  return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
+}
 
 /// Whether somebody still waits. Asked on the evaluation's own thread, between pieces of work of a few microseconds up
 /// to a tenth of a second.
@@ -16,9 +23,10 @@ class Cancel {
   Cancel() = default;  // somebody always waits
   explicit Cancel(std::function<bool()> nobody_waits) : nobody_waits_(std::move(nobody_waits)) {}
 
+  bool asked() const { return nobody_waits_ && nobody_waits_(); }
   /// Throws Cancelled once nobody waits.
   void check() const {
-    if (nobody_waits_ && nobody_waits_()) throw Cancelled{};
+    if (asked()) throw Cancelled{};
   }
 
  private:

@@ -229,9 +229,8 @@ History::Record History::next_record(const Entry& entry, std::size_t index, cons
   return record;
 }
 
-History::Prepared History::prepare(std::span<const Entry> entries) {
+History::Prepared History::prepare(std::span<const Entry> entries) const {
   assert(!entries.empty() && accepts(entries.front()));
-  reserve(entries.size());
   Prepared prepared;
   std::optional<FieldDelta> step;  // that a part would join; none where the journal alone has it
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -260,7 +259,10 @@ std::optional<FieldDelta> History::change_in_memory(const Step& step) const {
   return std::move(*decoded);
 }
 
-void History::record(const Entry& entry) { record(prepare(std::span(&entry, 1))); }
+void History::record(const Entry& entry) {
+  reserve(1);
+  record(prepare(std::span(&entry, 1)));
+}
 
 void History::record(Prepared prepared) noexcept {
   for (Prepared::Change& change : prepared.changes_) {
@@ -334,18 +336,27 @@ std::vector<LoggedChange> History::changes_after(Revision after, std::size_t max
   return changes;
 }
 
-std::vector<ListedStep> History::listed_steps() const {
-  std::vector<ListedStep> steps;
-  std::optional<ListedStep> later;  // parts that join the entry below
+std::vector<ListedEntry> History::listed_entries() const {
+  std::vector<ListedEntry> entries;
   for (std::size_t at = records_.back().top; at != 0; at = records_[at].below) {
     const LogEntry& line = records_[at].line;
-    ListedStep step{line.step, first_ + at, first_ + at, first_ + records_[at].below, whole_commands(line.commands)};
+    const bool joins = line.kind == name_of(EntryKind::join);
+    entries.push_back({line.step, first_ + at, first_ + records_[at].below, line.commands, joins});
+  }
+  return entries;
+}
+
+std::vector<ListedStep> steps_of(const std::vector<ListedEntry>& entries) {
+  std::vector<ListedStep> steps;
+  std::optional<ListedStep> later;  // parts that join the entry below
+  for (const ListedEntry& entry : entries) {
+    ListedStep step{entry.step, entry.revision, entry.revision, entry.before, whole_commands(entry.commands)};
     if (later) {
       prepend_samples(later->commands.front(), step.commands.front());
       step.commands = std::move(later->commands), step.last = later->last;
       later.reset();
     }
-    if (records_[at].line.kind == name_of(EntryKind::join))
+    if (entry.joins)
       later = std::move(step);
     else
       steps.push_back(std::move(step));
@@ -354,9 +365,9 @@ std::vector<ListedStep> History::listed_steps() const {
   return steps;
 }
 
-std::vector<std::vector<Command>> History::effective_log() const {
+std::vector<std::vector<Command>> commands_of(const std::vector<ListedEntry>& entries) {
   std::vector<std::vector<Command>> log;
-  for (ListedStep& step : listed_steps()) log.push_back(std::move(step.commands));
+  for (ListedStep& step : steps_of(entries)) log.push_back(std::move(step.commands));
   return log;
 }
 

@@ -62,6 +62,17 @@ struct ListedStep {
   std::vector<Command> commands;  // a stroke that came in parts is one whole stroke without an id
 };
 
+/// An entry of that list, with its commands still to be decoded.
+struct ListedEntry {
+  Revision step = 0, revision = 0, before = 0;  // as ListedStep has number, first and last, and before
+  std::string commands;                         // as in Entry
+  bool joins = false;                           // the entry before it
+};
+/// The steps of a list that begins with its last entry.
+std::vector<ListedStep> steps_of(const std::vector<ListedEntry>& entries);
+/// The commands of the steps.
+std::vector<std::vector<Command>> commands_of(const std::vector<ListedEntry>& entries);
+
 /// A change as those who follow the scene are told of it; its `ops` are still to be read from its commands.
 struct LoggedChange {
   ChangeEvent event;
@@ -78,7 +89,9 @@ class History {
   Revision revision() const { return first_ + records_.size() - 1; }
   Revision first_revision() const { return first_; }
   const SceneSettings& settings() const { return *records_.back().settings; }
-  const SceneSettings& settings_at(Revision revision) const { return *records_[revision - first_].settings; }
+  const std::shared_ptr<const SceneSettings>& settings_at(Revision revision) const {
+    return records_[revision - first_].settings;
+  }
   std::size_t undo_steps() const { return done_.size(); }
   std::size_t redo_steps() const { return undone_.size(); }
 
@@ -95,12 +108,14 @@ class History {
 
   /// Whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
-  /// What recording entries adds, with all memory that it takes.
+  /// What recording entries adds.
   class Prepared;
-  /// Entries that follow one another, the first of them accepted; an undo or redo comes alone. Changes nothing that can
-  /// be seen.
-  Prepared prepare(std::span<const Entry> entries);
-  /// Takes what was just prepared, and cannot fail. Both a running scene and a restart come through here.
+  /// Entries that follow one another, the first of them accepted; an undo or redo comes alone.
+  Prepared prepare(std::span<const Entry> entries) const;
+  /// Room for as many more entries, without which recording them could fail. Changes nothing that can be seen.
+  void reserve(std::size_t entries);
+  /// Takes what was just prepared, for which there is room, and cannot fail. Both a running scene and a restart come
+  /// through here.
   void record(Prepared prepared) noexcept;
   void record(const Entry& entry);
 
@@ -108,12 +123,13 @@ class History {
   std::vector<LogEntry> log() const;
   /// At most `max` entries that come next after a revision from first_revision() on, oldest first.
   std::vector<LoggedChange> changes_after(Revision after, std::size_t max) const;
-  /// The steps from the first groom to the present state, oldest first. After an amendment each replayed step is one of
-  /// them, though all are undone together.
-  std::vector<ListedStep> listed_steps() const;
+  /// The entries whose commands lead from the first groom to the present state, newest first.
+  std::vector<ListedEntry> listed_entries() const;
+  /// Their steps, oldest first. After an amendment each replayed step is one of them, though all are undone together.
+  std::vector<ListedStep> listed_steps() const { return steps_of(listed_entries()); }
   /// The commands from the first groom to the present state, one element for each step; parts of a stroke are one whole
   /// stroke without an id.
-  std::vector<std::vector<Command>> effective_log() const;
+  std::vector<std::vector<Command>> effective_log() const { return commands_of(listed_entries()); }
 
  private:
   struct Record {
@@ -131,7 +147,6 @@ class History {
   };
 
   bool is_last(EntryKind kind) const;
-  void reserve(std::size_t entries);
   Record next_record(const Entry& entry, std::size_t index, const Record& last) const;
   Result<FieldDelta> change(const Step& step) const;
   std::optional<FieldDelta> change_in_memory(const Step& step) const;

@@ -79,15 +79,17 @@ Status Journal::change(const std::string& scene, const std::function<Status(LogT
 Status Journal::add_scene(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
   const std::lock_guard lock(mutex_);
-  return change(scene.id, [&](LogTail& tail) {
-    tail = {scene.first_revision, scene.first_revision};
-    Statement insert = database_->prepare(
-        "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
-        " first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, id, checksum)"
-        " VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,0)");
-    insert.text(scene.name);
-    return run_with_model(*database_, std::move(insert), scene, first_groom);
-  });
+  return change(scene.id, [&](LogTail& tail) { return insert_scene(scene, first_groom, tail); });
+}
+
+Status Journal::insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail) {
+  tail = {scene.first_revision, scene.first_revision};
+  Statement insert = database_->prepare(
+      "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
+      " first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, id, checksum)"
+      " VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,0)");
+  insert.text(scene.name);
+  return run_with_model(*database_, std::move(insert), scene, first_groom);
 }
 
 Status Journal::replace_model(const StoredScene& scene) {
@@ -156,27 +158,45 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   });
 }
 
-Status Journal::copy_into(const StoredScene& stored, const std::string& scene, Journal& to) const {
+/// Inside a change of `to`, up to a revision of this log.
+Status Journal::copy_into(const StoredScene& stored, const std::string& scene, Revision last, Journal& to,
+                          LogTail& tail, const std::function<void()>& between) const {
+  if (Status added = to.insert_scene(stored, encode_delta(stored.first_groom), tail); !added.ok()) return added;
   const Result<std::vector<std::string>> pictures = pictures_of(scene);
   if (!pictures) return pictures.status();
   for (const std::string& name : *pictures) {
+    if (between) between();
     const Result<std::string> bytes = picture(name);
     if (!bytes) return bytes.status();
-    if (Status added = to.add_picture(name, *bytes); !added.ok()) return added;
-    if (Status used = to.use_picture(stored.id, name); !used.ok()) return used;
+    if (Status added = to.insert_picture(name, *bytes); !added.ok()) return added;
+    if (Status used = keep_picture(*to.database_, stored.id, name); !used.ok()) return used;
   }
-  return for_each_entry(scene, 0, [&](const Entry& entry) { return to.append(stored.id, entry); });
+  const auto copy = [&](const Entry& entry) {
+    if (between) between();
+    return to.insert_entry(stored.id, entry, encode_delta(entry.delta), tail);
+  };
+  Status copied = for_each_entry(scene, stored.first_revision, copy, last);
+  return copied.ok() && tail.revision != last ? damaged("an entry is missing") : copied;
 }
 
-Status Journal::copy_scene(const std::string& scene, Journal& to, const std::string& copy,
-                           const std::string& name) const {
+Result<Revision> Journal::copy_scene(const std::string& scene, Journal& to, const std::string& copy,
+                                     const std::string& name, const std::function<void()>& between) const {
+  const Revision last = last_revision(scene);
   Result<StoredScene> stored = this->scene(scene);
   if (!stored) return stored.status();
   stored->id = copy, stored->name = name;
-  if (Status added = to.add_scene(*stored); !added.ok()) return added;
-  Status copied = copy_into(*stored, scene, to);
-  if (!copied.ok()) static_cast<void>(to.remove_scene(copy));  // the copy's failure is the one to tell
-  return copied;
+  const std::lock_guard lock(to.mutex_);
+  Status copied = to.change(copy, [&](LogTail& tail) { return copy_into(*stored, scene, last, to, tail, between); });
+  if (copied.ok()) return last;
+  const Result<StoredScene> now = this->scene(scene);
+  if (now && now->first_revision == stored->first_revision && stored->first_revision <= last) return copied;
+  return failure(Code::conflict, "the scene was removed or got another model while it was copied");
+}
+
+Revision Journal::last_revision(const std::string& scene) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = tails_.find(scene);
+  return known == tails_.end() ? 0 : known->second.revision;
 }
 
 Result<std::vector<std::string>> Journal::scene_ids() const {

@@ -1,7 +1,9 @@
 // The durable log of all scenes: what it has answered ok to is on disk.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -75,10 +77,13 @@ class Journal {
   /// Adds a scene with another one's model and entries up to `last`. `scene` has to be there.
   Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last);
 
-  /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name. On a
-  /// failure `to` has no such scene. Each change is read and written by itself, so that it takes little memory, and
-  /// what is damaged is refused (internal).
-  Status copy_scene(const std::string& scene, Journal& to, const std::string& copy, const std::string& name) const;
+  /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name: all
+  /// of it up to the revision that it answers, or nothing, in one transaction. Some entries are read at a time, so that
+  /// it takes little memory, and what is damaged is refused (internal); conflict where the scene goes or gets another
+  /// model meanwhile. Others use this journal meanwhile, and wait for `to`. `between` is called between entries, and
+  /// ends the copy by throwing.
+  Result<Revision> copy_scene(const std::string& scene, Journal& to, const std::string& copy, const std::string& name,
+                              const std::function<void()>& between = {}) const;
 
   /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One
   /// that is known stays.
@@ -92,9 +97,10 @@ class Journal {
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
   Result<StoredScene> scene(const std::string& id) const;
-  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails. Fails (internal) at the
-  /// first entry that is damaged or that does not follow the one before it.
-  Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use) const;
+  /// Calls `use` with each entry with a revision in (after, last], oldest first, until it fails. Fails (internal) at
+  /// the first entry that is damaged or that does not follow the one before it. Others use the journal meanwhile.
+  Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use,
+                        Revision last = std::numeric_limits<std::int64_t>::max()) const;  // as far as SQLite counts
   /// What a request made that came to this path with this Idempotency-Key; none where it changed nothing, or where the
   /// scene is gone.
   Result<std::optional<RequestedChange>> change_of_request(const std::string& path, const std::string& key) const;
@@ -109,13 +115,24 @@ class Journal {
 
  private:
   explicit Journal(std::unique_ptr<Database> database);
-  Status copy_into(const StoredScene& stored, const std::string& scene, Journal& to) const;
+  Status copy_into(const StoredScene& stored, const std::string& scene, Revision last, Journal& to, LogTail& tail,
+                   const std::function<void()>& between) const;
+  Revision last_revision(const std::string& scene) const;
+  // Some rows at a time, without which those who write would wait for a long log.
+  /// The entries after `tail`, which moves to the last of them; none at the end.
+  Result<std::vector<Entry>> next_entries(const std::string& scene, LogTail& tail, Revision last) const;
+  /// encode_delta of the first changes in (after, last].
+  Result<std::vector<std::string>> next_changes(const std::string& scene, Revision after, Revision last) const;
+
   // All of these need the lock.
   /// All of `work`, which moves the tail of the scene's log, or nothing of it.
   Status change(const std::string& scene, const std::function<Status(LogTail&)>& work);
   Status read_tails();
   Result<std::uint64_t> chain_at(const std::string& scene, Revision revision) const;
-  Status use_picture(const std::string& scene, const std::string& picture);
+  Status insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail);
+  Status insert_picture(const std::string& name, const std::string& bytes);
+  /// The chain goes on from `tail`, which moves to the entry.
+  Status insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail);
 
   mutable std::mutex mutex_;
   std::unique_ptr<Database> database_;

@@ -22,28 +22,6 @@ Status write_request(Database& database, const KeyedRequest& request, const Requ
       .run();
 }
 
-/// The chain goes on from `tail`, which moves to the entry.
-Status write_entry(Database& database, const std::string& scene, const Entry& entry, const std::string& delta,
-                   LogTail& tail) {
-  if (entry.settings && !entry.settings->skin_texture.empty()) {
-    if (Status kept = keep_picture(database, scene, entry.settings->skin_texture); !kept.ok()) return kept;
-  }
-  for (const std::string& picture : entry.pictures) {
-    if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
-  }
-  Statement insert = database.prepare(
-      "INSERT INTO entries(scene, revision, kind, argument, commands, settings, hash_low, hash_high, delta, author,"
-      " chain) VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,chained(?11,?2,?3,?4,?5,?6,?7,?8,?9,?10)) RETURNING chain");
-  insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
-  bind_settings(insert.text(entry.commands), entry.settings);
-  insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).text(entry.author);
-  const Result<bool> written = insert.number(tail.chain).step();
-  if (!written) return written.status();
-  tail = {entry.revision, insert.number_at(0)};
-  if (!entry.request) return {};
-  return write_request(database, *entry.request, {{}, scene, entry.revision, entry.fields_hash});
-}
-
 Result<Entry> read_entry(const Statement& row) {
   Entry entry;
   entry.revision = row.number_at(0);
@@ -63,7 +41,30 @@ Result<Entry> read_entry(const Statement& row) {
   return entry;
 }
 
+constexpr std::size_t rows_at_a_time = 64, bytes_at_a_time = std::size_t{4} << 20;
+
 }  // namespace
+
+Status Journal::insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail) {
+  Database& database = *database_;
+  if (entry.settings && !entry.settings->skin_texture.empty()) {
+    if (Status kept = keep_picture(database, scene, entry.settings->skin_texture); !kept.ok()) return kept;
+  }
+  for (const std::string& picture : entry.pictures) {
+    if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
+  }
+  Statement insert = database.prepare(
+      "INSERT INTO entries(scene, revision, kind, argument, commands, settings, hash_low, hash_high, delta, author,"
+      " chain) VALUES(?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,chained(?11,?2,?3,?4,?5,?6,?7,?8,?9,?10)) RETURNING chain");
+  insert.text(scene).number(entry.revision).number(static_cast<std::uint64_t>(entry.kind)).number(entry.argument);
+  bind_settings(insert.text(entry.commands), entry.settings);
+  insert.number(entry.fields_hash.low).number(entry.fields_hash.high).blob(delta).text(entry.author);
+  const Result<bool> written = insert.number(tail.chain).step();
+  if (!written) return written.status();
+  tail = {entry.revision, insert.number_at(0)};
+  if (!entry.request) return {};
+  return write_request(database, *entry.request, {{}, scene, entry.revision, entry.fields_hash});
+}
 
 Status Journal::append(const std::string& scene, std::span<const Entry> entries) {
   std::vector<std::string> deltas;
@@ -72,7 +73,7 @@ Status Journal::append(const std::string& scene, std::span<const Entry> entries)
   return change(scene, [&](LogTail& tail) {
     Status written;
     for (std::size_t i = 0; written.ok() && i < entries.size(); ++i)
-      written = write_entry(*database_, scene, entries[i], deltas[i], tail);
+      written = insert_entry(scene, entries[i], deltas[i], tail);
     return written;
   });
 }
@@ -86,24 +87,44 @@ Result<std::uint64_t> Journal::chain_at(const std::string& scene, Revision revis
   return found ? Result<std::uint64_t>(row.number_at(0)) : found.status();
 }
 
-Status Journal::for_each_entry(const std::string& scene, Revision after,
-                               const std::function<Status(const Entry&)>& use) const {
-  const std::lock_guard lock(mutex_);
-  Result<std::uint64_t> chain = chain_at(scene, after);
-  if (!chain) return chain.status();
+Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTail& tail, Revision last) const {
   const std::string question = std::string("SELECT ") + entry_columns + ", chain, checksum(" + entry_columns +
-                               ") FROM entries WHERE scene = ? AND revision > ? ORDER BY revision";
+                               ") FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision";
+  std::vector<Entry> entries;
+  std::size_t bytes = 0;
+  const std::lock_guard lock(mutex_);
   Statement rows = database_->prepare(question.c_str());
-  rows.text(scene).number(after);
-  Result<bool> row = rows.step();
-  for (; row && *row; row = rows.step()) {
-    *chain = next_chain(*chain, rows.number_at(10));
-    if (*chain != rows.number_at(9)) return damaged_journal();
-    const Result<Entry> entry = read_entry(rows);
+  rows.text(scene).number(tail.revision).number(last);
+  while (entries.size() < rows_at_a_time && bytes < bytes_at_a_time) {
+    const Result<bool> row = rows.step();
+    if (row && !*row) break;
+    const std::uint64_t chain = row ? next_chain(tail.chain, rows.number_at(10)) : 0;
+    Result<Entry> entry = !row ? row.status() : chain == rows.number_at(9) ? read_entry(rows) : damaged_journal();
+    if (entry && entry->revision <= tail.revision) entry = damaged_journal();
+    if (!entry && !entries.empty()) break;  // those before it are whole; it comes next
     if (!entry) return entry.status();
-    if (Status used = use(*entry); !used.ok()) return used;
+    bytes += rows.blob_at(7).size();
+    tail = {entry->revision, chain};
+    entries.push_back(std::move(*entry));
   }
-  return row ? Status{} : row.status();
+  return entries;
+}
+
+Status Journal::for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use,
+                               Revision last) const {
+  std::unique_lock lock(mutex_);
+  const Result<std::uint64_t> chain = chain_at(scene, after);
+  lock.unlock();
+  if (!chain) return chain.status();
+  LogTail tail{after, *chain};
+  for (;;) {
+    const Result<std::vector<Entry>> entries = next_entries(scene, tail, last);
+    if (!entries) return entries.status();
+    if (entries->empty()) return {};
+    for (const Entry& entry : *entries) {
+      if (Status used = use(entry); !used.ok()) return used;
+    }
+  }
 }
 
 Result<std::optional<RequestedChange>> Journal::change_of_request(const std::string& path,
@@ -124,21 +145,36 @@ Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision a
   return read.ok() ? Result<std::vector<Entry>>(std::move(entries)) : read;
 }
 
-Status Journal::for_each_change(const std::string& scene, Revision after, Revision last,
-                                const std::function<void(const FieldDelta&)>& use) const {
+Result<std::vector<std::string>> Journal::next_changes(const std::string& scene, Revision after, Revision last) const {
+  std::vector<std::string> changes;
+  std::size_t bytes = 0;
   const std::lock_guard lock(mutex_);
   Statement rows = database_->prepare(
-      "SELECT delta FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision");
+      "SELECT revision, delta FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision");
   rows.text(scene).number(after).number(last);
-  Revision read = after;
-  Result<bool> row = rows.step();
-  for (; row && *row; row = rows.step(), ++read) {
-    const Result<FieldDelta> delta = decode_delta(rows.blob_at(0));
-    if (!delta) return delta.status();
-    use(*delta);
+  while (after < last && changes.size() < rows_at_a_time && bytes < bytes_at_a_time) {
+    const Result<bool> row = rows.step();
+    if (!row) return row.status();
+    if (!*row || rows.number_at(0) != ++after) return damaged("an entry is missing");
+    changes.emplace_back(rows.bytes_at(1));
+    bytes += changes.back().size();
   }
-  if (!row) return row.status();
-  return read == last ? Status{} : damaged("an entry is missing");
+  return changes;
+}
+
+Status Journal::for_each_change(const std::string& scene, Revision after, Revision last,
+                                const std::function<void(const FieldDelta&)>& use) const {
+  while (after < last) {
+    const Result<std::vector<std::string>> changes = next_changes(scene, after, last);
+    if (!changes) return changes.status();
+    for (const std::string& change : *changes) {
+      const Result<FieldDelta> delta = decode_delta(std::as_bytes(std::span(change)));
+      if (!delta) return delta.status();
+      use(*delta);
+    }
+    after += changes->size();
+  }
+  return {};
 }
 
 Result<FieldDelta> Journal::change(const std::string& scene, Revision after, Revision last) const {

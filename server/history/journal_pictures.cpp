@@ -6,15 +6,14 @@
 
 namespace pelage {
 
-Status Journal::use_picture(const std::string& scene, const std::string& picture) {
-  const std::lock_guard lock(mutex_);
-  return keep_picture(*database_, scene, picture);
-}
-
 Status Journal::add_picture(const std::string& name, const std::string& bytes) {
   if (has_picture(name)) return {};
-  const std::string stored = compress_bytes(bytes);
   const std::lock_guard lock(mutex_);
+  return insert_picture(name, bytes);
+}
+
+Status Journal::insert_picture(const std::string& name, const std::string& bytes) {
+  const std::string stored = compress_bytes(bytes);
   return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(stored).run();
 }
 

@@ -31,7 +31,7 @@ void run_commands(Service& service, Scene& scene, const Request& request, Respon
   auto options = options_of(request, {"dry_run"});
   if (!options) return reply_problem(response, options.status());
   const ClientSocket client(request);
-  options->cancel = Cancel([&client] { return client.gone(); });
+  options->cancel = cancel_of(client);
   const auto commands = decode_commands(request.body);
   if (!commands) return reply_problem(response, commands.status());
   reply_answer(response, service.scenes.execute(scene, *commands, *options));
@@ -44,7 +44,9 @@ void subdivide(Service& service, Scene& scene, const Request& request, Response&
   const auto how = decode_subdivide(request.body);
   if (!how) return reply_problem(response, how.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const auto summary = service.scenes.subdivide(scene, *how, {.if_match = *if_match});
+  const ClientSocket client(request);
+  const ExecuteOptions options{.if_match = *if_match, .cancel = cancel_of(client)};
+  const auto summary = service.scenes.subdivide(scene, *how, options);
   if (!summary) return reply_problem(response, summary.status());
   if (model_id_of(scene) != old_model) service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);
@@ -79,7 +81,7 @@ void amend(Service& service, Scene& scene, const Request& request, Response& res
   auto options = options_of(request, {"dry_run"});
   if (!options) return reply_problem(response, options.status());
   const ClientSocket client(request);
-  options->cancel = Cancel([&client] { return client.gone(); });
+  options->cancel = cancel_of(client);
   const auto wanted = decode_amend(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
   reply_answer(response, service.scenes.amend(scene, *wanted, *options));

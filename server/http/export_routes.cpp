@@ -32,11 +32,11 @@ Gate::Pass enter_soon(Gate& gate) {
   return gate.enter();
 }
 
-Result<ExportFile> make_file(Service& service, const Scene& scene, const ExportRequest& wanted) {
-  if (wanted.format == ExportFormat::pelage) return export_saved(service.scenes, scene);
+Result<ExportFile> make_file(Service& service, const Scene& scene, const ExportRequest& wanted, const Cancel& cancel) {
+  if (wanted.format == ExportFormat::pelage) return export_saved(service.scenes, scene, cancel);
   std::optional<SceneCopy> copy;
   scene.read([&](const SceneView& view) { copy.emplace(view); });
-  return export_scene(*copy, wanted);
+  return export_scene(*copy, wanted, cancel);
 }
 
 /// Sends the file piece by piece, and holds the pass as long as that takes.
@@ -56,7 +56,8 @@ void export_file(Service& service, const Scene& scene, const Request& request, R
   Gate::Pass pass = enter_soon(service.exports);
   if (!pass)
     return reply_problem(response, failure(Code::unavailable, "Another file is being exported.", "", "one at a time"));
-  Result<ExportFile> file = make_file(service, scene, *wanted);
+  const ClientSocket client(request);
+  Result<ExportFile> file = make_file(service, scene, *wanted, cancel_of(client));
   if (!file) return reply_problem(response, file.status());
   if (*dry_run) return reply_json(response, 200, encode(file->about));
   response.status = 200;

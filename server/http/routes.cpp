@@ -19,6 +19,10 @@ void with_scene(Service& service, const httplib::Request& request, httplib::Resp
   use(*scene);
 }
 
+Cancel cancel_of(const ClientSocket& client) {
+  return Cancel([&client] { return client.gone(); });
+}
+
 std::uint64_t model_id_of(const Scene& scene) {
   std::uint64_t id = 0;
   scene.read([&](const SceneView& view) { id = view.copy_id; });

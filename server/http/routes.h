@@ -63,6 +63,9 @@ void reply_created(httplib::Response& response, const Result<std::shared_ptr<Sce
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
                 const std::function<void(const std::shared_ptr<Scene>&)>& use);
 
+/// Ends what is done for a client that has hung up, or was cut off because the server stops. For as long as it lives.
+Cancel cancel_of(const ClientSocket& client);
+
 /// What the renderer keeps the scene's model by.
 std::uint64_t model_id_of(const Scene& scene);
 

@@ -18,7 +18,11 @@ namespace {
 
 using httplib::Request;
 using httplib::Response;
-using Bytes = std::span<const std::byte>;
+
+struct Upload {
+  std::span<const std::byte> bytes;
+  Cancel cancel;
+};
 
 /// Refuses (conflict, "/discard") a new model for a scene with a groom.
 Status check_loss(const Scene& scene) {
@@ -33,8 +37,8 @@ Status check_loss(const Scene& scene) {
 }
 
 /// Loads the model only where that loses no groom, not even one of commands that come while its bytes are read.
-Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const ImportOptions& options, Bytes bytes,
-                                         ExecuteOptions execute) {
+Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const ImportOptions& options,
+                                         std::span<const std::byte> bytes, ExecuteOptions execute) {
   const bool is_asked = execute.if_match.has_value();
   if (!is_asked) execute.if_match = scene.revision();
   if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
@@ -44,7 +48,7 @@ Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const I
   return summary;
 }
 
-void load_model(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void load_model(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   Query query = query_of(request);
   std::erase_if(query, [](const auto& parameter) { return parameter.first == "discard"; });
   const auto options = decode_import_query(query);
@@ -54,58 +58,61 @@ void load_model(Service& service, Scene& scene, const Request& request, Response
   const auto discard = flag_of(request, "discard");
   if (!discard) return reply_problem(response, discard.status());
   const std::uint64_t old_model = model_id_of(scene);
-  const ClientSocket client(request);
-  const ExecuteOptions execute{.if_match = *if_match, .cancel = Cancel([&client] { return client.gone(); })};
-  const auto summary = *discard ? service.scenes.load_model(scene, *options, bytes, execute)
-                                : load_into_ungroomed(service, scene, *options, bytes, execute);
+  const ExecuteOptions execute{.if_match = *if_match, .cancel = file.cancel};
+  const auto summary = *discard ? service.scenes.load_model(scene, *options, file.bytes, execute)
+                                : load_into_ungroomed(service, scene, *options, file.bytes, execute);
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);
 }
 
-void load_environment(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void load_environment(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   const auto how = decode_environment_query(query_of(request));
   if (!how) return reply_problem(response, how.status());
-  const auto options = change_options_of(request);
+  auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
-  const auto answer = service.scenes.load_environment(scene, *how, bytes, *options);
+  options->cancel = file.cancel;
+  const auto answer = service.scenes.load_environment(scene, *how, file.bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void load_skin_texture(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void load_skin_texture(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
-  const auto options = change_options_of(request);
+  auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
-  const auto answer = service.scenes.load_skin_texture(scene, bytes, *options);
+  options->cancel = file.cancel;
+  const auto answer = service.scenes.load_skin_texture(scene, file.bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void load_map(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void load_map(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   const auto how = decode_map_upload_query(map_query_of(request));
   if (!how) return reply_problem(response, how.status());
-  const auto options = change_options_of(request);
+  auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
-  const auto answer = service.scenes.load_map(scene, *how, bytes, *options);
+  options->cancel = file.cancel;
+  const auto answer = service.scenes.load_map(scene, *how, file.bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void follow_guides(Service&, Scene& scene, const Request& request, Response& response, Bytes bytes) {
+void follow_guides(Service&, Scene& scene, const Request& request, Response& response, const Upload& file) {
   const auto how = decode_guide_query(query_of(request));
   if (!how) return reply_problem(response, how.status());
-  const auto options = change_options_of(request);
+  auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  options->cancel = file.cancel;
+  const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
   const auto answer = load_guides(scene, *how, text, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void keep_picture(Service& service, Scene&, const Request& request, Response& response, Bytes bytes) {
+void keep_picture(Service& service, Scene&, const Request& request, Response& response, const Upload& file) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
-  const auto answer = service.scenes.keep_picture(bytes);
+  const auto answer = service.scenes.keep_picture(file.bytes, file.cancel);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer));
 }
@@ -113,7 +120,7 @@ void keep_picture(Service& service, Scene&, const Request& request, Response& re
 /// One kind of upload.
 struct Kind {
   std::size_t max_bytes;
-  void (*use)(Service& service, Scene& scene, const Request& request, Response& response, Bytes bytes);
+  void (*use)(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file);
 };
 
 /// The whole body; a refusal leaves bytes unread, so the connection has to end.
@@ -154,7 +161,9 @@ void upload(Service& service, const Kind& kind, const Request& request, Response
             const httplib::ContentReader& read) {
   with_body(service, kind.max_bytes, request, response, read, [&](const std::string& bytes) {
     with_scene(service, request, response, [&](const auto& scene) {
-      kind.use(service, *scene, request, response, std::as_bytes(std::span(bytes)));
+      const ClientSocket client(request);
+      const Upload file{std::as_bytes(std::span(bytes)), cancel_of(client)};
+      kind.use(service, *scene, request, response, file);
     });
   });
 }

@@ -92,9 +92,11 @@ class SpawnActions {
   posix_spawnattr_t attributes_;
 };
 
+constexpr long long max_wait = 250;  // milliseconds until somebody is asked whether the child is still wanted
+
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<long long>(left, 0, 1'000'000));
+  return static_cast<int>(std::clamp<long long>(left, 0, max_wait));
 }
 
 /// One conversation with a running child, over its stream (in and out) and its standard error.
@@ -115,6 +117,9 @@ class Conversation {
       if (!all_sent_) waits[0].events |= POLLOUT;
       const int ready = poll(waits.data(), waits.size(), milliseconds_until(deadline_));
       if (ready < 0 && errno == EINTR) continue;
+      result.cancelled = limits_.cancelled && limits_.cancelled();
+      if (result.cancelled) return;
+      if (ready == 0 && Clock::now() < deadline_) continue;
       if (ready <= 0) {
         result.timed_out = true;
         return;

@@ -1,6 +1,7 @@
 // Another program, fed and listened to until a deadline.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,8 +11,9 @@
 namespace pelage {
 
 struct ChildLimits {
-  double seconds;            // of wall time, then it is killed
-  std::size_t answer_bytes;  // on its standard output, then it is killed
+  double seconds;                        // of wall time, then it is killed
+  std::size_t answer_bytes;              // on its standard output, then it is killed
+  std::function<bool()> cancelled = {};  // asked four times a second; then it is killed
 };
 
 /// How a child ended and what it said.
@@ -20,6 +22,7 @@ struct ChildResult {
   std::string complaint;   // the first 4 KiB of its standard error
   bool timed_out = false;  // killed at the deadline
   bool too_long = false;   // killed because its answer grew over the limit
+  bool cancelled = false;  // killed because nobody waited for it
   int exit_code = -1;      // -1 when a signal ended it
   int signal = 0;          // 0 when it exited
 };

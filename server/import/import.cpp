@@ -38,6 +38,7 @@ std::string seconds_text(double seconds) {
 
 /// Why there is no answer; ok when there is one.
 Status outcome(const std::string& subject, const ChildResult& result, const ImportLimits& limits) {
+  if (result.cancelled) return failure(Code::unavailable, "Nobody waits for the " + subject + " any more.");
   if (result.timed_out) return refusal(subject, "it takes longer than " + seconds_text(limits.seconds) + " s.");
   if (result.too_long) {
     return refusal(subject, "it becomes larger than " + std::to_string(limits.answer_bytes) + " bytes in memory.");
@@ -59,7 +60,7 @@ Result<std::string> run_worker(const std::string& worker, const std::string& job
                                const std::string& pose = {}) {
   const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
                                               std::to_string(limits.memory_bytes), pose};
-  Result<ChildResult> result = run_child(arguments, bytes, {limits.seconds, limits.answer_bytes});
+  Result<ChildResult> result = run_child(arguments, bytes, {limits.seconds, limits.answer_bytes, limits.cancelled});
   if (!result.ok()) return result.status();
   if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
   return std::move(result->answer);

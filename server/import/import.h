@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -38,6 +39,7 @@ struct ImportLimits {
   double seconds = 60;                              // of wall time and of CPU
   std::size_t memory_bytes = std::size_t{6} << 30;  // address space of the worker
   std::size_t answer_bytes = std::size_t{2} << 30;  // what the worker may send back
+  std::function<bool()> cancelled = {};             // ends the worker (unavailable); asked four times a second
 };
 
 /// The folder that holds this program, where its workers lie too.

@@ -28,7 +28,7 @@ Status not_replayed(const ListedStep& step, Status reason) {
 }  // namespace
 
 Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOptions& options) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;
   const std::vector<ListedStep> steps = history_.listed_steps();
   const auto amended = std::find_if(steps.begin(), steps.end(), [&](const ListedStep& step) {
@@ -59,10 +59,9 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
   if (!then) return then.status();
   Entry entry;
   entry.revision = history_.revision() + 1, entry.kind = EntryKind::revert, entry.argument = before;
-  entry.delta = difference(fields_, *then);
+  entry.delta = difference(*fields_, *then);
   entry.fields_hash = then->hash();
-  auto settings = std::make_shared<const SceneSettings>(history_.settings_at(before));
-  return Replay{std::move(*then), std::move(settings), {std::move(entry)}, {}};
+  return Replay{std::move(*then), history_.settings_at(before), {std::move(entry)}, {}};
 }
 
 /// Evaluates one step on what those before it left. Its entry has a revision of its own, which its checkpoints name.
@@ -115,22 +114,18 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
 
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                              std::uint64_t copy_id) const {
-  std::shared_ptr<const SceneModel> model;
-  {
-    const std::lock_guard lock(mutex_);
-    if (Status gone = admit({}); !gone.ok()) return gone;
-    const Revision last = at.value_or(history_.revision());
-    if (Status bad = check_revision(last); !bad.ok()) return bad;
-    if (Status written = journal_.branch(id_, id, name, last); !written.ok()) return written;
-    model = model_;
-  }
+  const Snapshot now = snapshot();
+  const Revision last = at.value_or(now.revision);
+  if (Status bad = has_revision(last); !bad.ok()) return bad;
+  if (Status written = journal_.branch(id_, id, name, last); !written.ok()) return written;
   const Result<StoredScene> stored = journal_.scene(id);
-  auto scene = std::make_shared<Scene>(id, name, std::move(model), FirstGroom{}, journal_, undo_bytes_);
+  auto scene = std::make_shared<Scene>(id, name, now.model, FirstGroom{}, journal_, undo_bytes_);
   scene->copy_id_ = copy_id;
-  Status restored =
-      stored ? scene->restore(stored->first_groom, stored->first_revision, stored->first_settings) : stored.status();
-  if (restored.ok()) return scene;
+  Status restored = stored ? scene->restore(stored->first_groom, stored->first_revision, stored->first_settings)
+                           : Status(stored.status());
+  if (restored.ok() && scene->revision() == last) return scene;
   scene->remove();
+  if (Status gone = has_revision(last); !gone.ok()) return gone;  // it got another model or was removed meanwhile
   return restored;
 }
 
@@ -140,11 +135,23 @@ Status Scene::check_revision(Revision revision, std::string pointer) const {
                  "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
 }
 
-Result<FieldSet> Scene::fields_at(Revision revision) const {
-  if (Status bad = check_revision(revision); !bad.ok()) return bad;
-  FieldSet then = fields_;
+Status Scene::has_revision(Revision revision) const {
+  const std::lock_guard lock(mutex_);
+  if (Status gone = admit({}); !gone.ok()) return gone;
+  return check_revision(revision);
+}
+
+Result<Scene::Snapshot> Scene::snapshot_with(Revision revision, const std::string& pointer) const {
+  const std::lock_guard lock(mutex_);
+  if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
+  return present();
+}
+
+/// From those of now by the journal.
+Result<FieldSet> Scene::fields_before(const Snapshot& now, Revision revision) const {
+  FieldSet then = *now.fields;
   bool fits = true;
-  Status read = journal_.for_each_change(id_, revision, history_.revision(), [&](const FieldDelta& delta) {
+  Status read = journal_.for_each_change(id_, revision, now.revision, [&](const FieldDelta& delta) {
     fits = fits && then.accepts(delta);
     if (fits) then.apply(delta);
   });
@@ -152,56 +159,56 @@ Result<FieldSet> Scene::fields_at(Revision revision) const {
   return fits ? Result<FieldSet>(std::move(then)) : damaged_journal();
 }
 
-Result<Comparison> Scene::compare(Revision from, Revision to) const {
-  const std::lock_guard lock(mutex_);
-  if (Status bad = check_revision(from, "/from"); !bad.ok()) return bad;
-  if (Status bad = check_revision(to, "/to"); !bad.ok()) return bad;
-  const Result<FieldSet> before = fields_at(from), after = fields_at(to);
-  if (!before) return before.status();
-  if (!after) return after.status();
-  const FieldDelta delta = difference(*before, *after);
-  return Comparison{from, to, delta.vertices().size(), measure(delta, *before)};
-}
-
-Result<SettingsAnswer> Scene::settings(std::optional<Revision> revision) const {
-  const std::lock_guard lock(mutex_);
-  const Revision at = revision.value_or(history_.revision());
-  if (Status bad = check_revision(at); !bad.ok()) return bad;
-  return SettingsAnswer{at, history_.settings_at(at)};
-}
-
-Status Scene::has_revision(Revision revision) const {
-  const std::lock_guard lock(mutex_);
-  return check_revision(revision);
-}
-
-Result<SceneCopy> Scene::copy_at(Revision revision, std::uint64_t copy_id) const {
-  Result<PastFields> past = past_fields(revision, "/revision");
-  if (!past) return past.status();
-  const std::lock_guard lock(mutex_);
-  if (Status gone = check_revision(revision); !gone.ok()) return gone;  // with the model, meanwhile
-  const SceneSettings& settings = history_.settings_at(revision);
-  Result<LaidPicture> picture = picture_of(settings);
-  if (!picture) return picture.status();
-  return SceneCopy(std::move(*past), settings, std::move(picture->image), revision, copy_id);
+Result<FieldSet> Scene::fields_at(Revision revision) const {
+  if (Status bad = check_revision(revision); !bad.ok()) return bad;
+  return fields_before(present(), revision);
 }
 
 Result<PastFields> Scene::past_fields(Revision revision, const std::string& pointer) const {
-  std::unique_lock lock(mutex_);
-  if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
-  PastFields past{model_, fields_};
-  const Revision present = history_.revision();
-  lock.unlock();  // entries stay as they are for as long as the model does
-  bool fits = true;
-  Status read = journal_.for_each_change(id_, revision, present, [&](const FieldDelta& delta) {
-    fits = fits && past.fields.accepts(delta);
-    if (fits) past.fields.apply(delta);
-  });
-  if (read.ok() && fits) return past;
-  lock.lock();
+  const Result<Snapshot> now = snapshot_with(revision, pointer);
+  if (!now) return now.status();
+  Result<FieldSet> then = fields_before(*now, revision);
+  if (then) return PastFields{now->model, std::move(*then)};
+  // Entries stay for as long as their model does. Where that went meanwhile, its entries were missing.
+  const std::lock_guard lock(mutex_);
   if (Status gone = admit({}); !gone.ok()) return gone;
   if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
-  return read.ok() ? damaged_journal() : read;
+  return then.status();
+}
+
+Result<Comparison> Scene::compare(Revision from, Revision to) const {
+  const Result<PastFields> before = past_fields(from, "/from");
+  if (!before) return before.status();
+  const Result<PastFields> after = past_fields(to, "/to");
+  if (!after) return after.status();
+  if (before->model != after->model) return failure(Code::conflict, "the scene got another model meanwhile");
+  const FieldDelta delta = difference(before->fields, after->fields);
+  return Comparison{from, to, delta.vertices().size(), measure(delta, before->fields)};
+}
+
+Result<std::shared_ptr<const SceneSettings>> Scene::settings_at(Revision revision) const {
+  const std::lock_guard lock(mutex_);
+  if (Status bad = check_revision(revision); !bad.ok()) return bad;
+  return history_.settings_at(revision);
+}
+
+Result<SettingsAnswer> Scene::settings(std::optional<Revision> revision) const {
+  const Snapshot now = snapshot();
+  if (!revision) return SettingsAnswer{now.revision, *now.settings};
+  const auto settings = settings_at(*revision);
+  if (!settings) return settings.status();
+  return SettingsAnswer{*revision, **settings};
+}
+
+/// No two models of a scene have a revision in common, so that all of this is of one model.
+Result<SceneCopy> Scene::copy_at(Revision revision, std::uint64_t copy_id) const {
+  const auto settings = settings_at(revision);
+  if (!settings) return settings.status();
+  Result<PastFields> past = past_fields(revision, "/revision");
+  if (!past) return past.status();
+  Result<LaidPicture> picture = picture_of(**settings, snapshot().picture);
+  if (!picture) return picture.status();
+  return SceneCopy(std::move(*past), *settings, std::move(picture->image), revision, copy_id);
 }
 
 }  // namespace pelage

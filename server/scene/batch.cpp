@@ -169,7 +169,7 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
   try {
     return evaluate_all(steps, start, surface, fields, settings, next, cancel);
   } catch (const Cancelled&) {
-    return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
+    return nobody_waits();
   }
 }
 

@@ -1,5 +1,4 @@
 // How a change comes into a scene: whole or not at all.
-#include <new>
 #include <span>
 #include <utility>
 
@@ -13,39 +12,60 @@ namespace {
 
 constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are merged now and then
 
-std::vector<VertexRange> with_changes(std::vector<VertexRange> dirty, std::span<const Entry> entries) {
+std::vector<VertexRange> changed_ranges(std::span<const Entry> entries) {
+  std::vector<VertexRange> changed;
   for (const Entry& entry : entries) {
     const std::vector<VertexRange> more = entry.delta.dirty_ranges();
-    dirty.insert(dirty.end(), more.begin(), more.end());
+    changed.insert(changed.end(), more.begin(), more.end());
   }
-  return dirty.size() > many_ranges ? merge_ranges(std::move(dirty)) : dirty;
+  return changed;
+}
+
+void make_room(std::vector<VertexRange>& dirty, std::size_t more) {
+  if (dirty.size() > many_ranges) dirty = merge_ranges(dirty);
+  dirty.reserve(dirty.size() + more);
+}
+
+/// Where a reader took the ranges and their room meanwhile, `more` takes their place.
+void add_ranges(std::vector<VertexRange>& dirty, std::vector<VertexRange>& more, std::size_t vertices) noexcept {
+  if (dirty.empty()) return dirty.swap(more);
+  if (dirty.capacity() - dirty.size() >= more.size())
+    dirty.insert(dirty.end(), more.begin(), more.end());
+  else
+    dirty.assign(1, {0, static_cast<std::uint32_t>(vertices)});
 }
 
 }  // namespace
 
 /// Entries lead to `fields` and to `live`. All that can fail comes before the journal has the entries and is put beside
-/// the scene; what comes after only moves it in, so that the scene and the journal never differ.
+/// the scene; what comes after only moves it in, so that the scene and the journal never differ. Readers wait for that
+/// alone.
 Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live) {
+  auto after = std::make_shared<const FieldSet>(std::move(fields));
+  std::vector<VertexRange> changed = changed_ranges(entries);
   History::Prepared prepared = history_.prepare(entries);
-  Result<LaidPicture> picture = picture_of(prepared.settings());
+  Result<LaidPicture> picture = picture_of(prepared.settings(), picture_);
   if (!picture) return picture.status();
-  std::vector<VertexRange> dirty = with_changes(dirty_, entries);
-  SceneSummary summary = describe();
-  summary.edit_layers = prepared.settings().layers;
+  {
+    const std::lock_guard lock(mutex_);
+    history_.reserve(entries.size());
+    make_room(dirty_, changed.size());
+  }
   if (Status written = journal_.append(id_, entries); !written.ok()) return written;
-  fields_ = std::move(fields);
+  const std::lock_guard lock(mutex_);
+  fields_.swap(after);  // which is freed without the lock
   history_.record(std::move(prepared));
   live_ = std::move(live);
   picture_ = std::move(*picture);
-  dirty_ = std::move(dirty);
-  publish(std::move(summary));
+  add_ranges(dirty_, changed, fields_->size());
+  announce();
   return {};
 }
 
 /// The journal keeps the pictures that logs name, so that undo and redo find them.
-Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) const {
+Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings, const LaidPicture& present) const {
   const std::string& name = settings.skin_texture;
-  if (name == picture_.name) return picture_;
+  if (name == present.name) return present;
   if (name.empty()) return LaidPicture{};
   const Result<std::string> bytes = journal_.picture(name);
   if (!bytes) return bytes.status();
@@ -54,23 +74,32 @@ Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings) cons
   return LaidPicture{std::make_shared<const RawImage>(std::move(*image)), name};
 }
 
-/// To those who wait, and to those who look without the lock. `summary` has all of the scene but for its numbers.
-void Scene::publish(SceneSummary&& summary) noexcept {
-  newest_ = summary.revision = history_.revision();
-  summary.fields_hash = fields_.hash();
-  summary.undo_steps = history_.undo_steps();
-  summary.redo_steps = history_.redo_steps();
-  const SceneMemory memory = measure_memory();
-  {
-    const std::lock_guard lock(published_mutex_);
-    published_ = std::move(summary);
-    memory_ = memory;
-  }
-  changed_.notify_all();
+/// All that it takes is allocated before the journal has the model.
+Scene::Beginning Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, History history,
+                                  LaidPicture picture) {
+  const auto vertices = static_cast<std::uint32_t>(fields.size());
+  return {std::move(model),
+          std::make_shared<const FieldSet>(std::move(fields)),
+          std::move(history),
+          std::move(picture),
+          {{0, vertices}}};
 }
 
-/// Where memory does not do for a summary, lists show the one before: the change itself is done and stays.
-void Scene::announce() noexcept try { publish(describe()); } catch (const std::bad_alloc&) {
+/// What was there is put into `beginning`, to be freed without the lock.
+void Scene::begin_anew(Beginning& beginning) noexcept {
+  const std::lock_guard lock(mutex_);
+  if (model_ != beginning.model) copy_id_ = beginning.model->id, pose_.reset();
+  model_.swap(beginning.model);
+  fields_.swap(beginning.fields);
+  std::swap(history_, beginning.history);
+  std::swap(picture_, beginning.picture);
+  dirty_.swap(beginning.dirty);
+  live_.end();
+  announce();
+}
+
+/// To those who wait.
+void Scene::announce() noexcept {
   newest_ = history_.revision();
   changed_.notify_all();
 }

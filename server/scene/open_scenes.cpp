@@ -30,7 +30,7 @@ std::size_t OpenScenes::open_bytes() const {
   std::size_t bytes = copies_bytes();
   for (const Slot& slot : slots_) {
     if (!slot.scene) continue;
-    const SceneMemory memory = slot.scene->last_memory();
+    const SceneMemory memory = slot.scene->memory();
     bytes += memory.own;
     models[memory.model_id] = memory.model;
   }
@@ -41,7 +41,7 @@ std::size_t OpenScenes::open_bytes() const {
 std::size_t OpenScenes::copies_bytes() const {
   std::size_t bytes = 0;
   for (const Slot& slot : slots_) {
-    if (slot.scene && copy_bytes_) bytes += copy_bytes_(slot.scene->last_memory().copy_id);
+    if (slot.scene && copy_bytes_) bytes += copy_bytes_(slot.scene->memory().copy_id);
   }
   return bytes;
 }
@@ -54,7 +54,7 @@ OpenScenes::Slot* OpenScenes::next_to_evict() {
   bool next_in_stroke = false;
   for (Slot& slot : slots_) {
     if (!slot.scene || slot.scene.use_count() > 1 || slot.last_use == uses_) continue;
-    const bool in_stroke = slot.scene->last_memory().in_stroke;
+    const bool in_stroke = slot.scene->memory().in_stroke;
     if (next && std::pair(next_in_stroke, next->last_use) < std::pair(in_stroke, slot.last_use)) continue;
     next = &slot, next_in_stroke = in_stroke;
   }
@@ -66,7 +66,7 @@ OpenScenes::Dropped OpenScenes::keep_to_budget() {
   while (open_bytes() + coats_bytes() > budget_) {
     Slot* slot = next_to_evict();
     if (!slot) break;
-    slot->summary = slot->scene->last_summary();
+    slot->summary = slot->scene->summary();
     dropped.push_back(std::move(slot->scene));
     slot->scene = nullptr;
     ++evictions_;
@@ -78,7 +78,7 @@ OpenScenes::Dropped OpenScenes::keep_to_budget() {
 void OpenScenes::close(Dropped dropped) const {
   if (dropped.empty()) return;
   for (const auto& scene : dropped) {
-    if (on_close_) on_close_(scene->last_memory().copy_id);
+    if (on_close_) on_close_(scene->memory().copy_id);
   }
   dropped.clear();
   give_memory_back();
@@ -175,7 +175,7 @@ std::vector<SceneSummary> OpenScenes::list() const {
   const std::lock_guard lock(mutex_);
   std::vector<SceneSummary> summaries;
   summaries.reserve(slots_.size());
-  for (const Slot& slot : slots_) summaries.push_back(slot.scene ? slot.scene->last_summary() : slot.summary);
+  for (const Slot& slot : slots_) summaries.push_back(slot.scene ? slot.scene->summary() : slot.summary);
   return summaries;
 }
 

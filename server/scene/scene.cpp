@@ -46,12 +46,9 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       undo_bytes_(undo_bytes),
       model_(std::move(model)),
       copy_id_(model_->id),
-      fields_(first_groom(model_->surface.mesh(), fur)),
+      fields_(std::make_shared<const FieldSet>(first_groom(model_->surface.mesh(), fur))),
       history_(new_history(0, first_settings(*model_))),
-      dirty_(whole_range(fields_.size())) {
-  published_ = describe();
-  memory_ = measure_memory();
-}
+      dirty_(whole_range(fields_->size())) {}
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
 History Scene::new_history(Revision first, SceneSettings settings) const {
@@ -63,30 +60,29 @@ History Scene::new_history(Revision first, SceneSettings settings) const {
 
 Status Scene::restore(const FieldDelta& first_groom, Revision first,
                       const std::shared_ptr<const SceneSettings>& settings) {
-  const std::lock_guard lock(mutex_);
-  fields_ = FieldSet(fields_.size());
-  history_ = new_history(first, settings ? *settings : first_settings(*model_));
-  dirty_ = whole_range(fields_.size());
-  if (!fields_.accepts(first_groom)) return damaged_journal();
-  fields_.apply(first_groom);
+  const std::lock_guard changing(changing_);
+  FieldSet fields(fields_->size());
+  History history = new_history(first, settings ? *settings : first_settings(*model_));
+  if (!fields.accepts(first_groom)) return damaged_journal();
+  fields.apply(first_groom);
   Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
-    if (!history_.accepts(entry) || !fields_.accepts(entry.delta)) return damaged_journal();
-    fields_.apply(entry.delta);
-    if (fields_.hash() != entry.fields_hash) return damaged_journal();
-    history_.record(entry);
+    if (!history.accepts(entry) || !fields.accepts(entry.delta)) return damaged_journal();
+    fields.apply(entry.delta);
+    if (fields.hash() != entry.fields_hash) return damaged_journal();
+    history.record(entry);
     return Status{};
   });
-  announce();
   if (!taken.ok()) return taken;
-  Result<LaidPicture> picture = picture_of(history_.settings());
+  Result<LaidPicture> picture = picture_of(history.settings(), {});
   if (!picture) return picture.status();
-  picture_ = std::move(*picture);
+  Beginning restored = beginning(model_, std::move(fields), std::move(history), std::move(*picture));
+  begin_anew(restored);
   return {};
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
 Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const ExecuteOptions& options) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;
 
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
@@ -97,7 +93,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
-  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, model_->surface, fields_, history_.settings(),
+  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, model_->surface, *fields_, history_.settings(),
                                              history_.revision() + 1, options.cancel);
   if (!evaluated) return evaluated.status();
   Outcome& outcome = *evaluated;
@@ -129,6 +125,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
     Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
     if (!written.ok()) return written;
   } else {
+    const std::lock_guard lock(mutex_);
     live_ = std::move(live);
   }
   return answer(std::move(outcome.results));
@@ -136,16 +133,16 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
 
 // Undo, redo and revert enter the same story with a stored change.
 Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions& options) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
   entry->author = options.author;
   entry->request = options.request;
-  std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, fields_)};
+  std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, *fields_)};
   const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
   if (!options.dry_run && !stays) {
-    FieldSet after = fields_;
+    FieldSet after = *fields_;
     after.apply(entry->delta);
     if (Status written = commit(std::span(&*entry, 1), std::move(after), {}); !written.ok()) return written;
   }
@@ -153,6 +150,7 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
 }
 
 Status Scene::admit(const ExecuteOptions& options) const {
+  if (options.cancel.asked()) return nobody_waits();
   if (removed_) return failure(Code::not_found, "the scene has been removed");
   if (!options.if_match || *options.if_match == history_.revision()) return {};
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
@@ -237,19 +235,32 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
   return step;
 }
 
-SceneView Scene::view() const {
-  SceneView view{*model_,  fields_, history_.settings(), history_.revision(), picture_.image.get(),
-                 copy_id_, model_,  picture_.image};
-  if (!pose_) return view;
-  return {*pose_->model, fields_,           pose_->settings,
-          view.revision, view.skin_texture, pose_->model->id,
-          pose_->model,  picture_.image,    pose_->swing ? &*pose_->swing : nullptr};
+SceneView Scene::Snapshot::view() const {
+  const RawImage* image = picture.image.get();
+  if (!pose)
+    return {*model, *fields, *settings, revision, image, copy_id, model, picture.image, nullptr, fields, settings};
+  const std::shared_ptr<const SceneSettings> posed(pose, &pose->settings);
+  return {*pose->model, *fields,       *posed,
+          revision,     image,         pose->model->id,
+          pose->model,  picture.image, pose->swing ? &*pose->swing : nullptr,
+          fields,       posed};
+}
+
+Scene::Snapshot Scene::snapshot() const {
+  const std::lock_guard lock(mutex_);
+  return present();
+}
+
+Scene::Snapshot Scene::present() const {
+  const Revision revision = history_.revision();
+  return {model_, copy_id_, fields_, history_.settings_at(revision), revision, picture_, pose_};
 }
 
 void Scene::pose(std::optional<ScenePose> pose) {
+  auto posed = pose ? std::make_shared<const ScenePose>(std::move(*pose)) : nullptr;
   const std::lock_guard lock(mutex_);
-  assert(!pose || pose->model->surface.mesh().triangles.size() == model_->surface.mesh().triangles.size());
-  pose_ = std::move(pose);
+  assert(!posed || posed->model->surface.mesh().triangles.size() == model_->surface.mesh().triangles.size());
+  pose_.swap(posed);
   dirty_ = {{0, static_cast<std::uint32_t>(model_->surface.mesh().positions.size())}};
 }
 
@@ -270,19 +281,20 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
     entry.argument = std::get<Revert>(move).revision;
     const Result<FieldSet> then = fields_at(entry.argument);
     if (!then) return then.status();
-    delta = difference(fields_, *then);
+    delta = difference(*fields_, *then);
   }
   if (!delta) return delta.status();
   entry.delta = std::move(*delta);
-  entry.fields_hash = fields_.hash_after(entry.delta);
+  entry.fields_hash = fields_->hash_after(entry.delta);
   return entry;
 }
 
 CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
-  return {history_.revision(), fields_.hash(), std::move(results)};
+  return {history_.revision(), fields_->hash(), std::move(results)};
 }
 
-SceneSummary Scene::describe() const {
+SceneSummary Scene::summary() const {
+  const std::lock_guard lock(mutex_);
   return {id_,
           name_,
           history_.revision(),
@@ -290,20 +302,10 @@ SceneSummary Scene::describe() const {
           model_->mesh_id,
           json_names::word_of(json_names::fur_patches, model_->fur_patches),
           model_->surface.mesh().report,
-          fields_.hash(),
+          fields_->hash(),
           history_.undo_steps(),
           history_.redo_steps(),
           history_.settings().layers};
-}
-
-SceneSummary Scene::summary() const {
-  const std::lock_guard lock(mutex_);
-  return describe();
-}
-
-SceneSummary Scene::last_summary() const {
-  const std::lock_guard lock(published_mutex_);
-  return published_;
 }
 
 std::vector<LogEntry> Scene::log() const {
@@ -312,63 +314,66 @@ std::vector<LogEntry> Scene::log() const {
 }
 
 std::vector<std::vector<Command>> Scene::effective_log() const {
-  const std::lock_guard lock(mutex_);
-  return history_.effective_log();
+  std::vector<ListedEntry> listed;
+  {
+    const std::lock_guard lock(mutex_);
+    listed = history_.listed_entries();
+  }
+  return commands_of(listed);
 }
 
 Result<MapFile> Scene::draw_map(const MapRequest& request) const {
-  std::unique_lock lock(mutex_);
-  const std::shared_ptr<const SceneModel> model = model_;
-  const FieldSet fields = fields_;
-  const Revision revision = history_.revision();
-  lock.unlock();
-  Result<MapFile> file = make_map_file(model->surface.mesh(), fields, request);
-  if (file) file->answer.revision = revision;
+  const Snapshot now = snapshot();
+  Result<MapFile> file = make_map_file(now.model->surface.mesh(), *now.fields, request);
+  if (file) file->answer.revision = now.revision;
   return file;
 }
 
 Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
-  const std::lock_guard lock(mutex_);
-  return pelage::pick(model_->surface, fields_, wanted);
+  const Snapshot now = snapshot();
+  return pelage::pick(now.model->surface, *now.fields, wanted);
 }
 
 void Scene::read(const std::function<void(const SceneView&)>& use) const {
-  const std::lock_guard lock(mutex_);
-  use(view());
+  const Snapshot now = snapshot();
+  use(now.view());
 }
 
 void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
-  const std::lock_guard lock(mutex_);
-  use(view(), merge_ranges(dirty_));
-  dirty_.clear();  // once all of it was read: what is thrown meanwhile leaves it to the next
+  std::vector<VertexRange> dirty;
+  std::unique_lock lock(mutex_);
+  const Snapshot now = present();
+  dirty_.swap(dirty);
+  lock.unlock();
+  try {
+    use(now.view(), merge_ranges(std::move(dirty)));
+  } catch (...) {  // what was not taken over is still to be drawn
+    lock.lock();
+    dirty_ = whole_range(fields_->size());
+    throw;
+  }
 }
 
 Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
                                           const ExecuteOptions& options) {
   FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;
-  if (options.dry_run) return describe();
+  if (options.dry_run) return summary();
   const Revision revision = history_.revision() + 1;
   const FieldDelta groom = difference(FieldSet(first.size()), first);
+  Beginning fresh = beginning(model, std::move(first), new_history(revision, first_settings(*model)), {});
   Status written = journal_.replace_model({id_, name_, std::move(stored), revision, groom});
   if (!written.ok()) return written;
-  model_ = std::move(model);
-  copy_id_ = model_->id;
-  pose_.reset();
-  fields_ = std::move(first);
-  history_ = new_history(revision, first_settings(*model_));
-  picture_ = {};
-  live_.end();
-  dirty_ = whole_range(fields_.size());
-  announce();
-  return describe();
+  begin_anew(fresh);
+  return summary();
 }
 
 Status Scene::remove() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (removed_) return failure(Code::not_found, "the scene has been removed");
   if (Status gone = journal_.remove_scene(id_); !gone.ok()) return gone;
+  const std::lock_guard lock(mutex_);
   removed_ = true;
   announce();
   return {};

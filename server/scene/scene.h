@@ -1,4 +1,5 @@
-// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order.
+// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order; nobody
+// who reads the scene waits for them.
 #pragma once
 
 #include <atomic>
@@ -60,7 +61,7 @@ struct BodySwing {
   double step = 1.0 / 24;  // seconds, [1/1000, 1], from one known acceleration to the next
 };
 
-/// What drawing needs to read, under the scene's lock, for as long as the callback of Scene::read runs.
+/// What drawing needs to read, for as long as the callback of Scene::read runs.
 struct SceneView {
   const SceneModel& model;
   const FieldSet& fields;
@@ -68,9 +69,11 @@ struct SceneView {
   Revision revision;
   const RawImage* skin_texture = nullptr;              // that the settings name; null for the model's own colours
   std::uint64_t copy_id = model.id;                    // what the renderer keeps the model with these fields by
-  std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on without the lock
+  std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on when it has returned
   std::shared_ptr<const RawImage> picture_owner = {};
   const BodySwing* swing = nullptr;  // null for a model that stands still
+  std::shared_ptr<const FieldSet> fields_owner = {};
+  std::shared_ptr<const SceneSettings> settings_owner = {};
 };
 
 /// How a scene stands at a moment: its model elsewhere, and its settings with what stands on the model there. The groom
@@ -119,7 +122,8 @@ class Journal;
 struct MapFile;
 struct StoredModel;
 
-/// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned.
+/// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned. What changes the
+/// scene waits for the change before it; all else sees the scene as it was after the last change, and waits for none.
 class Scene {
  public:
   /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
@@ -152,17 +156,14 @@ class Scene {
 
   /// Refused (invalid, "/revision") when this model has no such revision.
   Status has_revision(Revision revision) const;
-  /// Reads the journal without holding up commands. Refused (invalid, with the pointer) as compare does.
+  /// Refused (invalid, with the pointer) as compare does.
   Result<PastFields> past_fields(Revision revision, const std::string& pointer = "/overlay_from") const;
   /// All that drawing reads, as it was, under a `copy_id` of its own. Reads the journal as past_fields does. Refused
   /// (invalid, "/revision") when this model has no such revision.
   Result<SceneCopy> copy_at(Revision revision, std::uint64_t copy_id) const;
 
   SceneSummary summary() const;
-  /// As it was after the last change, without waiting for one that goes on. For lists.
-  SceneSummary last_summary() const;
-  /// The same for what it takes in memory.
-  SceneMemory last_memory() const;
+  SceneMemory memory() const noexcept;
   /// Of a revision, the present one when none is given. Refused (invalid, "/revision") when this model has no such
   /// revision.
   Result<SettingsAnswer> settings(std::optional<Revision> revision = {}) const;
@@ -178,14 +179,15 @@ class Scene {
   /// (invalid, "/revision").
   Result<GroomSource> groom(std::optional<Revision> revision) const;
   Result<PickAnswer> pick(const PickRequest& wanted) const;
-  /// A field through the model's texture coordinates; the scene goes on while it is drawn. Refused as make_map_file.
+  /// A field through the model's texture coordinates. Refused as make_map_file.
   Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
 
-  /// Runs `use` under the scene's lock.
+  /// What `use` sees does not change while it runs.
   void read(const std::function<void(const SceneView&)>& use) const;
-  /// As read, and hands over the vertex ranges that changed since the last call (everything after a new model).
+  /// As read, and hands over the vertex ranges that changed since the last call (everything after a new model, and
+  /// after a call whose `use` has thrown).
   void read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use);
 
   /// Lets whoever draws the present see the scene so until the next call, and at rest for none; settings that are set
@@ -212,7 +214,7 @@ class Scene {
   /// The present, and at most 256 changes that came next after a revision; none where this model has no such revision.
   SceneNews news(std::optional<Revision> after) const;
   Revision revision() const;
-  /// These never wait for commands. A scene that has been removed is at no revision.
+  /// A scene that has been removed is at no revision.
   bool is_at(Revision revision) const { return !removed() && newest_ == revision; }
   bool removed() const { return removed_; }
   const std::string& id() const;
@@ -246,8 +248,37 @@ class Scene {
     std::string name = {};
   };
 
-  // All of these need the lock.
-  Status admit(const ExecuteOptions& options) const;
+  /// What readers see. None of it changes.
+  struct Snapshot {
+    std::shared_ptr<const SceneModel> model;
+    std::uint64_t copy_id;
+    std::shared_ptr<const FieldSet> fields;
+    std::shared_ptr<const SceneSettings> settings;
+    Revision revision;
+    LaidPicture picture;
+    std::shared_ptr<const ScenePose> pose;
+
+    SceneView view() const;
+  };
+  Snapshot snapshot() const;
+  /// Refused as check_revision.
+  Result<Snapshot> snapshot_with(Revision revision, const std::string& pointer) const;
+  Result<std::shared_ptr<const SceneSettings>> settings_at(Revision revision) const;
+  Result<FieldSet> fields_before(const Snapshot& now, Revision revision) const;
+  Result<LaidPicture> picture_of(const SceneSettings& settings, const LaidPicture& present) const;
+
+  /// What a model brings along, ready to take the place of what is there.
+  struct Beginning {
+    std::shared_ptr<const SceneModel> model;
+    std::shared_ptr<const FieldSet> fields;
+    History history;
+    LaidPicture picture;
+    std::vector<VertexRange> dirty;
+  };
+  static Beginning beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, History history,
+                             LaidPicture picture);
+
+  // All of these need `changing_`.
   Result<Plan> plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const;
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
@@ -255,73 +286,77 @@ class Scene {
   /// `number` as LogEntry::step.
   Status replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
                      const ExecuteOptions& options) const;
-  History new_history(Revision first, SceneSettings settings) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
-  Status check_revision(Revision revision, std::string pointer = "/revision") const;
+  void begin_anew(Beginning& beginning) noexcept;
   Result<Step> with_rest(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
-  Result<LaidPicture> picture_of(const SceneSettings& settings) const;
-  void announce() noexcept;
-  void publish(SceneSummary&& summary) noexcept;
-  SceneMemory measure_memory() const noexcept;
-  SceneView view() const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
-  SceneSummary describe() const;
+
+  // These need `changing_` or `mutex_`.
+  Status admit(const ExecuteOptions& options) const;
+  Snapshot present() const;
+  Status check_revision(Revision revision, std::string pointer = "/revision") const;
+  void announce() noexcept;  // needs both
+  History new_history(Revision first, SceneSettings settings) const;
 
   const std::string id_, name_;
   Journal& journal_;
   const std::size_t undo_bytes_;
+  // Whoever changes the scene holds `changing_` from the first look to the end, and `mutex_` to put in place what is
+  // ready and on disk. Whoever reads it holds `mutex_` for a look or a copy, and never for work.
+  std::mutex changing_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  mutable std::mutex published_mutex_;  // held for a copy only
-  SceneSummary published_;
-  SceneMemory memory_;  // published with it
   std::shared_ptr<const SceneModel> model_;
   std::uint64_t copy_id_;
-  FieldSet fields_;
+  std::shared_ptr<const FieldSet> fields_;
   History history_;
   LiveStroke live_;
   LaidPicture picture_;
-  std::optional<ScenePose> pose_;
-  std::vector<VertexRange> dirty_;   // since the last frame
+  std::shared_ptr<const ScenePose> pose_;
+  std::vector<VertexRange> dirty_;   // since the last frame; readers take it
   std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
   std::atomic<bool> removed_{false};
 };
 
-// A scene at a revision, kept without its lock.
+// A scene at a revision, for as long as anybody wants it.
 
-/// What a SceneView shows. Fields and settings are copied; model and picture never change and are shared.
+/// What a SceneView shows. None of it changes; it is shared with the scene.
 class SceneCopy {
  public:
+  /// Of a view with all owners.
   explicit SceneCopy(const SceneView& scene)
       : model_(scene.model_owner),
         picture_(scene.picture_owner),
-        fields_(scene.fields),
-        settings_(scene.settings),
+        fields_(scene.fields_owner),
+        settings_(scene.settings_owner),
         revision_(scene.revision),
         copy_id_(scene.copy_id) {}
-  SceneCopy(PastFields past, SceneSettings settings, std::shared_ptr<const RawImage> picture, Revision revision,
-            std::uint64_t copy_id)
+  SceneCopy(PastFields past, std::shared_ptr<const SceneSettings> settings, std::shared_ptr<const RawImage> picture,
+            Revision revision, std::uint64_t copy_id)
       : model_(std::move(past.model)),
         picture_(std::move(picture)),
-        fields_(std::move(past.fields)),
+        fields_(std::make_shared<const FieldSet>(std::move(past.fields))),
         settings_(std::move(settings)),
         revision_(revision),
         copy_id_(copy_id) {}
 
   /// For as long as the copy lives.
   SceneView view() const {
-    return {*model_, fields_, settings_, revision_, picture_.get(), copy_id_, model_, picture_};
+    return {*model_, *fields_, *settings_, revision_, picture_.get(), copy_id_,
+            model_,  picture_, nullptr,    fields_,   settings_};
   }
   /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
-  std::size_t bytes() const { return sizeof(SceneCopy) + fields_.bytes() + (picture_ ? picture_->rgba.capacity() : 0); }
+  std::size_t bytes() const {
+    return sizeof(SceneCopy) + fields_->bytes() + (picture_ ? picture_->rgba.capacity() : 0);
+  }
 
  private:
   std::shared_ptr<const SceneModel> model_;
   std::shared_ptr<const RawImage> picture_;
-  FieldSet fields_;
-  SceneSettings settings_;
+  std::shared_ptr<const FieldSet> fields_;
+  std::shared_ptr<const SceneSettings> settings_;
   Revision revision_;
   std::uint64_t copy_id_;
 };

@@ -15,8 +15,9 @@ std::size_t bytes_of(const SceneModel& model) {
   return bytes;
 }
 
-SceneMemory Scene::measure_memory() const noexcept {
-  std::size_t own = sizeof(Scene) + fields_.bytes() + history_.bytes() + dirty_.capacity() * sizeof(VertexRange);
+SceneMemory Scene::memory() const noexcept {
+  const std::lock_guard lock(mutex_);
+  std::size_t own = sizeof(Scene) + fields_->bytes() + history_.bytes() + dirty_.capacity() * sizeof(VertexRange);
   if (picture_.image) own += picture_.image->rgba.capacity();
   return {own, model_->id, bytes_of(*model_), copy_id_, live_.goes_on()};
 }
@@ -31,11 +32,6 @@ void keep_memory_together() {
 #ifdef __GLIBC__
   mallopt(M_ARENA_MAX, 2);
 #endif
-}
-
-SceneMemory Scene::last_memory() const {
-  const std::lock_guard lock(published_mutex_);
-  return memory_;
 }
 
 }  // namespace pelage

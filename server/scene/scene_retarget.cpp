@@ -22,11 +22,12 @@ Status in_step(Status status, std::size_t step) {
 
 Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneModel& other) const {
   std::shared_ptr<const SceneModel> own;
-  std::vector<std::vector<Command>> steps;
+  std::vector<ListedEntry> listed;
   {
     const std::lock_guard lock(mutex_);
-    own = model_, steps = history_.effective_log();
+    own = model_, listed = history_.listed_entries();
   }
+  std::vector<std::vector<Command>> steps = commands_of(listed);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     for (Command& command : steps[k]) {
       Result<Command> carried = carried_command(command, own->surface, other.surface);
@@ -43,36 +44,31 @@ std::shared_ptr<const SceneModel> Scene::model() const {
 }
 
 Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
-  const std::lock_guard lock(mutex_);
-  Result<FieldSet> fields = fields_at(revision.value_or(history_.revision()));
-  if (!fields) return fields.status();
-  return GroomSource{id_, revision, revision.value_or(history_.revision()), model_,
-                     std::make_shared<const FieldSet>(std::move(*fields))};
+  const Snapshot now = snapshot();
+  if (!revision) return GroomSource{id_, revision, now.revision, now.model, now.fields};
+  Result<PastFields> past = past_fields(*revision, "/revision");
+  if (!past) return past.status();
+  return GroomSource{id_, revision, *revision, past->model, std::make_shared<const FieldSet>(std::move(past->fields))};
 }
 
 Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;
-  Result<SubdividedScene> subdivided = subdivide_scene(*model_, fields_, history_.settings().layers, how, id);
+  Result<SubdividedScene> subdivided = subdivide_scene(*model_, *fields_, history_.settings().layers, how, id);
   if (!subdivided) return subdivided.status();
-  if (options.dry_run || !subdivided->model) return describe();
+  if (options.dry_run || !subdivided->model) return summary();
   const Revision revision = history_.revision() + 1;
   auto settings = std::make_shared<SceneSettings>(history_.settings());
   settings->checkpoints.clear();  // of revisions that are gone
   StoredModel model;
   model.subdivisions = subdivided->model->subdivisions;
   const FieldDelta groom = difference(FieldSet(subdivided->fields.size()), subdivided->fields);
+  Beginning finer =
+      beginning(subdivided->model, std::move(subdivided->fields), new_history(revision, *settings), picture_);
   Status written = journal_.subdivide_model({id_, name_, std::move(model), revision, groom, settings});
   if (!written.ok()) return written;
-  model_ = std::move(subdivided->model);
-  copy_id_ = model_->id;
-  pose_.reset();
-  fields_ = std::move(subdivided->fields);
-  history_ = new_history(revision, *settings);
-  live_.end();
-  dirty_ = {{0, static_cast<std::uint32_t>(fields_.size())}};
-  announce();
-  return describe();
+  begin_anew(finer);
+  return summary();
 }
 
 }  // namespace pelage

@@ -45,6 +45,10 @@ PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
   return options;
 }
 
+ImportLimits ended_by(const Cancel& cancel) {
+  return {.cancelled = [cancel] { return cancel.asked(); }};
+}
+
 Status no_such_source() {
   return failure(Code::invalid, "the server has no such scene to take fields from", "/scene",
                  "the id of a scene of this server, not its name");
@@ -68,7 +72,7 @@ struct SceneStore::Impl {
   explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return restored(id); }) {}
 
   Result<std::shared_ptr<Scene>> restored(const std::string& id);
-  Result<PictureAnswer> keep_map(std::span<const std::byte> bytes);
+  Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
   /// Throws Cancelled.
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
                                   const ExecuteOptions& execute);
@@ -149,9 +153,13 @@ Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const Branc
   return removed.ok() ? added : removed;
 }
 
-Status SceneStore::save(const Scene& scene, const std::string& path) const {
+Result<Revision> SceneStore::save(const Scene& scene, const std::string& path, const Cancel& cancel) const try {
   const auto file = Journal::open(path);
-  return file ? impl_->journal->copy_scene(scene.id(), **file, scene.id(), scene.last_summary().name) : file.status();
+  if (!file) return file.status();
+  const std::string name = scene.summary().name;
+  return impl_->journal->copy_scene(scene.id(), **file, scene.id(), name, [&] { cancel.check(); });
+} catch (const Cancelled&) {
+  return nobody_waits();
 }
 
 Status SceneStore::not_saved(const Status& status) {
@@ -181,8 +189,8 @@ Result<std::shared_ptr<Scene>> SceneStore::open_saved(const std::string& path, c
   const std::string id = random_id();
   const auto named = decode_branch(encode(BranchRequest{.name = name.empty() ? stored->name : name}));
   if (!named) return not_saved(named.status());  // a file may come from anybody
-  const Status copied = (*file)->copy_scene(stored->id, *impl_->journal, id, named->name);
-  if (!copied.ok()) return not_saved(copied);
+  const Result<Revision> copied = (*file)->copy_scene(stored->id, *impl_->journal, id, named->name);
+  if (!copied) return not_saved(copied.status());
   Result<std::shared_ptr<Scene>> scene = impl_->restored(id);
   const Status added = scene ? impl_->scenes.add(*scene) : not_saved(scene.status());
   if (added.ok()) return scene;
@@ -217,13 +225,13 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
   try {
     return impl_->load_model(scene, options, bytes, execute);
   } catch (const Cancelled&) {
-    return failure(Code::unavailable, "nobody waits for the model any more, so nothing was changed");
+    return nobody_waits();
   }
 }
 
 Result<SceneSummary> SceneStore::Impl::load_model(Scene& scene, const ImportOptions& options,
                                                   std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose);
+  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(execute.cancel));
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
                   .prepare = preparation_of(options, *raw),
@@ -278,7 +286,7 @@ Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Comman
 
 Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> bytes,
                                                    const ExecuteOptions& execute) {
-  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes);
+  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, ended_by(execute.cancel));
   if (!harmonics) return harmonics.status();
   how.harmonics = *harmonics;
   return scene.execute({SetEnvironment{how}}, execute);
@@ -286,7 +294,7 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how
 
 Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                                     const ExecuteOptions& execute) {
-  const Result<RawImage> picture = import_picture(impl_->worker, bytes);
+  const Result<RawImage> picture = import_picture(impl_->worker, bytes, ended_by(execute.cancel));
   if (!picture) return picture.status();
   return lay_skin_texture(scene, *picture, execute);
 }
@@ -299,8 +307,8 @@ Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage&
   return scene.execute({SetSkinTexture{name}}, execute);
 }
 
-Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes) {
-  const Result<MapPicture> picture = import_map(worker, bytes);
+Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes, const Cancel& cancel) {
+  const Result<MapPicture> picture = import_map(worker, bytes, ended_by(cancel));
   if (!picture) return picture.status();
   const std::string kept = encode_map_picture(*picture);
   PictureAnswer answer{name_of_picture(kept), picture->width, picture->height, picture->bits, picture->scale};
@@ -308,11 +316,13 @@ Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> byte
   return answer;
 }
 
-Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> bytes) { return impl_->keep_map(bytes); }
+Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> bytes, const Cancel& cancel) {
+  return impl_->keep_map(bytes, cancel);
+}
 
 Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                            const ExecuteOptions& execute) {
-  const Result<PictureAnswer> picture = impl_->keep_map(bytes);
+  const Result<PictureAnswer> picture = impl_->keep_map(bytes, execute.cancel);
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
   command.tile = upload.tile;

@@ -82,13 +82,14 @@ class SceneStore {
   /// Keeps the picture and names it in a set_skin_texture. Refused as that command is.
   Result<CommandAnswer> lay_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
   /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
-  Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes);
+  Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes, const Cancel& cancel = {});
   /// The same, and reads a map from it with ApplyMap. Refused as that command is.
   Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                  const ExecuteOptions& execute = {});
 
-  /// Writes the scene with its model, log and pictures as a file of its own: a journal of one scene.
-  Status save(const Scene& scene, const std::string& path) const;
+  /// Writes the scene with its model, log and pictures as a file of its own: a journal of one scene. Others change and
+  /// read scenes meanwhile. The revision that the file has; unavailable once nobody waits.
+  Result<Revision> save(const Scene& scene, const std::string& path, const Cancel& cancel = {}) const;
   /// Makes a scene of such a file; `name` "" for its own. Refused (invalid) when it is none, damaged or of a newer
   /// version; the file may be brought to this version.
   Result<std::shared_ptr<Scene>> open_saved(const std::string& path, const std::string& name);

@@ -4,6 +4,7 @@ import concurrent.futures
 import http.client
 import itertools
 import select
+import signal
 import socket
 import subprocess
 import tempfile
@@ -292,6 +293,30 @@ class Stopping(unittest.TestCase):
             self.assertEqual(server.terminate(), 0)
             self.assertEqual(frame.result().image.shape[:2], (160, 160))
             self.assertEqual(waiting.result().status, 304)
+
+    def test_sigterm_ends_what_takes_long_and_loses_nothing(self):
+        server = Server()
+        self.addCleanup(server.close)
+        scene = server.new_scene("creature", 20000)
+        self.assertEqual(scene.run({"op": "noise", "flood": True, "seed": 7, "amount": 0.2, "fields": ["direction"]}).status, 200)
+        long = {"op": "smooth", "flood": True, "t": 0.5, "passes": 2000, "fields": ["direction"]}  # seconds each
+        self.assertEqual(scene.run(long, query="?dry_run=1").status, 200)
+
+        def revision_of_answer(_):
+            try:
+                answer = scene.run(long)
+                return answer.json["revision"] if answer.status == 200 else 1
+            except OSError:
+                return 1
+
+        with concurrent.futures.ThreadPoolExecutor(60) as pool:
+            answered = [pool.submit(revision_of_answer, k) for k in range(60)]  # one after the other: minutes
+            time.sleep(1)
+            server.process.send_signal(signal.SIGTERM)
+            self.assertEqual(server.process.wait(timeout=40), 0, server.printed())  # 10 s, on a machine that is not busy
+            newest = max(one.result() for one in answered)
+        server.start()
+        self.assertGreaterEqual(scene.info()["revision"], newest)
 
 
 if __name__ == "__main__":

@@ -89,7 +89,7 @@ TEST_P(PastFrames, SendNothingTwiceAndLeaveThePresentWhereItIs) {
 TEST_P(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
   const auto scene = make();
   draw(scene);
-  const std::uint64_t id = scene->last_memory().copy_id;
+  const std::uint64_t id = scene->memory().copy_id;
   const std::size_t alone = frames_->copy_bytes(id);
   groom(scene);
   const std::size_t gl = frames_->gl_bytes();
@@ -127,7 +127,7 @@ TEST_P(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   EXPECT_EQ(shown->revision, 0u);
   ASSERT_TRUE(past->copy);
   EXPECT_EQ(shown->copy_id, past->copy->view().copy_id);
-  for (const std::uint64_t id : {shown->copy_id, scene->last_memory().copy_id}) (*renderer)->forget(id);
+  for (const std::uint64_t id : {shown->copy_id, scene->memory().copy_id}) (*renderer)->forget(id);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, PastFrames, both_backends(), name_of);

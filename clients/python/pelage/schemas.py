@@ -2433,19 +2433,6 @@ class CommandAnswer(TypedDict):
 Comparison = TypedDict("Comparison", {"from": int, "to": int, "touched": int, "fields": Sequence[FieldChange]})
 
 
-class FoldCount(TypedDict):
-    """How much of the fur turns over.
-
-    revision: Revision that was counted. At least 0.
-    triangles: Number of triangles. At least 0.
-    folded: Number of triangles over which the fur turns over. At least 0.
-    """
-
-    revision: int
-    triangles: int
-    folded: int
-
-
 class NamedRevision(TypedDict):
     """A revision that has a name.
 

@@ -16,7 +16,7 @@ class PastScenesTest : public StoreTest {
     EXPECT_TRUE(copy.ok()) << copy.status().message;
     return copy.ok() ? *copy : nullptr;
   }
-  static std::uint64_t present(const Scene& scene) { return scene.last_memory().copy_id; }
+  static std::uint64_t present(const Scene& scene) { return scene.memory().copy_id; }
   /// At revision 3.
   std::shared_ptr<Scene> groomed() const {
     const auto scene = make();

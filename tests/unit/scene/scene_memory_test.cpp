@@ -61,7 +61,7 @@ TEST_F(SceneMemoryTest, TheRenderersCopiesCount) {
   const std::string a = make_groomed(), b = make_groomed(9);
   const std::size_t bare = store_->memory().bytes;
   EXPECT_EQ(store_->memory().open, 2u);
-  const auto copy_of = [&](const std::string& id) { return (*store_->find(id))->last_memory().copy_id; };
+  const auto copy_of = [&](const std::string& id) { return (*store_->find(id))->memory().copy_id; };
   const std::uint64_t first = copy_of(a), second = copy_of(b);
   copies = {{first, bare}, {second, bare}};  // both were drawn
   EXPECT_EQ(store_->memory().copies, 2 * bare);

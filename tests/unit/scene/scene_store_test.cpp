@@ -1,8 +1,5 @@
 #include "server/scene/scene_store.h"
 
-#include <chrono>
-#include <future>
-
 #include "protocol/base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/builtin/builtin.h"
@@ -31,22 +28,6 @@ TEST_F(SceneStoreTest, MakesFindsListsAndRemoves) {
   EXPECT_EQ(store_->remove(a->id()).code, Code::not_found);
   open();
   ASSERT_EQ(store_->list().size(), 1u);
-}
-
-TEST_F(SceneStoreTest, ListsDoNotWaitForASceneThatWorks) {
-  const auto scene = make();
-  execute(*scene, {comb_at(*scene, 5)});
-  std::future<std::vector<SceneSummary>> listed;  // outlives the lock, so that a list that waits can end
-  scene->read_for_drawing([&](const SceneView&, const std::vector<VertexRange>&) {  // holds the scene's lock
-    listed = std::async(std::launch::async, [&] { return store_->list(); });
-    EXPECT_EQ(listed.wait_for(std::chrono::seconds(20)), std::future_status::ready) << "the list waits for the scene";
-  });
-  const std::vector<SceneSummary> scenes = listed.get();
-  ASSERT_EQ(scenes.size(), 1u);
-  EXPECT_EQ(scenes[0].revision, 1u);
-  EXPECT_EQ(scenes[0].undo_steps, 1u);
-  EXPECT_EQ(store_->count(), 1u);
-  EXPECT_EQ(store_->list()[0].fields_hash, scene->summary().fields_hash);
 }
 
 TEST_F(SceneStoreTest, IsFullAtTheLimit) {

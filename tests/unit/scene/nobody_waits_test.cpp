@@ -1,0 +1,191 @@
+// Whoever reads a scene waits for nobody who changes, exports or syncs it.
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "server/builtin/builtin.h"
+#include "server/history/journal.h"
+#include "server/scene/model.h"
+#include "tests/unit/scene/store_fixture.h"
+
+namespace pelage::nobody_waits_test {
+namespace {
+
+constexpr std::chrono::seconds guard(60);  // only against a hang
+
+/// Something that goes on until it is let go, on a thread of its own.
+class Held {
+ public:
+  /// `work` calls what it is given once it is in the middle, which returns when it is let go.
+  explicit Held(const std::function<void(const std::function<void()>&)>& work)
+      : thread_(std::async(std::launch::async, [this, work] {
+          work([this] {
+            begun_.set_value();
+            let_go_.get_future().wait();
+          });
+        })) {
+    EXPECT_EQ(begun_.get_future().wait_for(guard), std::future_status::ready);
+  }
+  ~Held() { end(); }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+
+  void end() {
+    if (!std::exchange(ended_, true)) let_go_.set_value();
+    if (thread_.valid()) thread_.get();
+  }
+
+ private:
+  std::promise<void> begun_, let_go_;
+  bool ended_ = false;
+  std::future<void> thread_;
+};
+
+/// A cancel that nobody asks for; it calls `middle` the first time that it is asked.
+Cancel that_waits(const std::function<void()>& middle, int after = 1) {
+  return Cancel([middle, left = std::make_shared<int>(after)] {
+    if ((*left)-- == 0) middle();
+    return false;
+  });
+}
+
+/// All that clients read of a scene as it is, on a thread of its own; whether it ends.
+void expect_read(Scene& scene, Revision revision) {
+  auto read = std::async(std::launch::async, [&scene] {
+    Revision seen = 0;
+    scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) { seen = view.revision; });
+    EXPECT_TRUE(scene.pick({.nearest = glm::dvec3(0, 1, 0)})->hit);
+    EXPECT_EQ(scene.summary().revision, seen);
+    EXPECT_EQ(scene.settings()->revision, seen);
+    EXPECT_EQ(scene.groom({})->revision, seen);
+    EXPECT_EQ(scene.log().size(), scene.effective_log().size());
+    EXPECT_EQ(scene.news({}).now.revision, seen);
+    EXPECT_EQ(scene.wait_newer(seen, 0), seen);
+    EXPECT_GT(scene.memory().own, 0u);
+    return seen;
+  });
+  if (read.wait_for(guard) != std::future_status::ready) {
+    ADD_FAILURE() << "a reader waits";
+    std::quick_exit(1);  // the thread that hangs would be waited for
+  }
+  EXPECT_EQ(read.get(), revision);
+}
+
+class NobodyWaits : public StoreTest {
+ protected:
+  void SetUp() override {
+    StoreTest::SetUp();
+    scene_ = make(), other_ = make();
+    execute(*scene_, {comb_at(*scene_, 5)});
+  }
+  void TearDown() override {
+    scene_.reset(), other_.reset();
+    StoreTest::TearDown();
+  }
+  void expect_all_read() const {
+    expect_read(*scene_, 1), expect_read(*other_, 0);
+    const auto listed = store_->list();
+    ASSERT_EQ(listed.size(), 2u);
+    EXPECT_EQ(listed[0].revision, 1u);
+    EXPECT_EQ(listed[0].undo_steps, 1u);
+    EXPECT_EQ(scene_->compare(0, 1)->fields.at(0).field, "direction");
+  }
+
+  std::shared_ptr<Scene> scene_, other_;
+};
+
+TEST_F(NobodyWaits, WhileACommandIsEvaluated) {
+  Result<CommandAnswer> answer = failure(Code::internal, "not run");
+  Held command([&](const std::function<void()>& middle) {
+    answer = scene_->execute({comb_at(*scene_, 50)}, {.cancel = that_waits(middle)});
+  });
+  expect_all_read();
+  execute(*other_, {comb_at(*other_, 5)});
+  command.end();
+  ASSERT_TRUE(answer.ok()) << answer.status().message;
+  EXPECT_EQ(scene_->revision(), 2u);
+}
+
+TEST_F(NobodyWaits, WhileAnAmendmentIsReplayed) {
+  Held amendment([&](const std::function<void()>& middle) {
+    EXPECT_TRUE(scene_->amend({1, {comb_at(*scene_, 50)}}, {.cancel = that_waits(middle)}).ok());
+  });
+  expect_all_read();
+}
+
+TEST_F(NobodyWaits, WhileASceneIsExported) {
+  const std::string file = (folder_ / "saved").string();
+  Held copy([&](const std::function<void()>& middle) {
+    const Result<Revision> saved = store_->save(*scene_, file, that_waits(middle, 0));
+    EXPECT_TRUE(saved.ok());
+    EXPECT_EQ(*saved, 1u);  // as it was at the beginning
+  });
+  expect_all_read();
+  execute(*other_, {comb_at(*other_, 5)});
+  auto change = std::async(std::launch::async, [&] { return execute(*scene_, {comb_at(*scene_, 50)}).revision; });
+  ASSERT_EQ(change.wait_for(guard), std::future_status::ready) << "a command waits for the copy";
+  EXPECT_EQ(change.get(), 2u);
+  copy.end();
+  const auto opened = store_->open_saved(file, "copy");
+  ASSERT_TRUE(opened.ok()) << opened.status().message;
+  EXPECT_EQ((*opened)->revision(), 1u);
+}
+
+TEST_F(NobodyWaits, WhileADrawingGoesOn) {
+  Held drawing([&](const std::function<void()>& middle) {
+    scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
+      const FieldsHash before = view.fields.hash();
+      middle();
+      EXPECT_EQ(view.fields.hash(), before) << "what is drawn changes under it";
+      EXPECT_EQ(view.revision, 1u);
+    });
+  });
+  expect_all_read();
+  auto change = std::async(std::launch::async, [&] { return execute(*scene_, {comb_at(*scene_, 50)}).revision; });
+  ASSERT_EQ(change.wait_for(guard), std::future_status::ready) << "a command waits for the drawing";
+  EXPECT_EQ(change.get(), 2u);
+}
+
+/// A journal whose lock a slow sync holds: another scene is copied into it, and the copy goes no further.
+TEST(NobodyWaitsForASync, OfTheirSceneOrAnother) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "pelage_slow_sync";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto open = [&](const char* name) { return std::move(Journal::open((folder / name).string())).value(); };
+  const std::unique_ptr<Journal> journal = open("journal"), elsewhere = open("elsewhere");
+  const RawModel raw = make_builtin({Builtin::torus, 1000});
+  const StoredModel how{.name = "torus", .raw = encode_raw_model(raw)};
+  const auto model = *build_model(raw, how, 1);
+  const auto add = [&](const char* id, Journal& to) {
+    auto scene = std::make_unique<Scene>(id, "fox", model, FirstGroom{}, to);
+    FieldDelta groom;
+    scene->read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
+    EXPECT_TRUE(to.add_scene({id, "fox", how, 0, groom}).ok());
+    return scene;
+  };
+  const auto scene = add("a", *journal), other = add("b", *journal), copied = add("c", *elsewhere);
+  const auto change = [](Scene& of, double ambient) {
+    SetLook look;
+    look.look.ambient = ambient;
+    return of.execute({look});
+  };
+  ASSERT_TRUE(change(*copied, 0.1).ok());
+  std::future<Result<CommandAnswer>> answer;
+  {
+    Held sync([&](const std::function<void()>& middle) {
+      EXPECT_TRUE(elsewhere->copy_scene("c", *journal, "d", "copy", middle).ok());
+    });
+    answer = std::async(std::launch::async, [&] { return change(*scene, 0.2); });
+    EXPECT_EQ(answer.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout) << "it is not on disk yet";
+    expect_read(*scene, 0), expect_read(*other, 0);
+  }
+  EXPECT_TRUE(answer.get().ok());
+  EXPECT_EQ(scene->revision(), 1u);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace pelage::nobody_waits_test
