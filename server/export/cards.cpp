@@ -130,7 +130,7 @@ void set_scenes(GlbWriter& file, const std::string& body, const std::vector<std:
 
 }  // namespace
 
-CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
+Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
   const Slices slices = bake_slices(scene.settings.coat);
   const FurFrame frame = make_frame(scene, FrameRequest{});
   const double cell = cell_of(strands, request.cards);
@@ -154,7 +154,9 @@ CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, cons
   result.triangles += scene.model.surface.mesh().triangles.size();
   set_materials(file, used, scene.settings.coat, overlap * cell);
   set_scenes(file, body, levels, scene.model.surface.mesh().centre);
-  result.glb = file.finish();
+  Result<std::string> glb = file.finish();
+  if (!glb) return glb.status();
+  result.glb = std::move(*glb);
   return result;
 }
 

@@ -22,6 +22,6 @@ struct CardFile {
 /// A card follows the mean of the strands of a clump, flat on the fur but for a turn of its own. Its texture is cut at
 /// an opacity of .4; COLOR_0 is the colour of the `strands`, darker where fur shades it, NORMAL that of the skin.
 /// Whiskers are left out.
-CardFile bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
+Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 
 }  // namespace pelage

@@ -43,21 +43,24 @@ ExportFile glb_file(std::string glb, std::uint64_t triangles, ExportFile file) {
   return file;
 }
 
-ExportFile file_of(const SceneView& scene, ExportedStrands gathered, const ExportRequest& request) {
+Result<ExportFile> file_of(const SceneView& scene, ExportedStrands gathered, const ExportRequest& request) {
   ExportFile file;
   file.about.revision = scene.revision, file.about.format = request.format;
   if (request.format == ExportFormat::shells) {
-    BakedShells baked = bake_shells(scene, gathered, request);
-    return glb_file(std::move(baked.glb), baked.triangles, std::move(file));
+    Result<BakedShells> baked = bake_shells(scene, gathered, request);
+    if (!baked) return baked.status();
+    return glb_file(std::move(baked->glb), baked->triangles, std::move(file));
   }
   if (request.format == ExportFormat::cards) {
-    CardFile cards = bake_cards(scene, gathered, request);
-    file.about.cards = cards.cards;
-    return glb_file(std::move(cards.glb), cards.triangles, std::move(file));
+    Result<CardFile> cards = bake_cards(scene, gathered, request);
+    if (!cards) return cards.status();
+    file.about.cards = cards->cards;
+    return glb_file(std::move(cards->glb), cards->triangles, std::move(file));
   }
   if (request.format == ExportFormat::fields) {
-    MeshFile mesh = export_mesh(scene, gathered);
-    return glb_file(std::move(mesh.glb), mesh.triangles, std::move(file));
+    Result<MeshFile> mesh = export_mesh(scene, gathered);
+    if (!mesh) return mesh.status();
+    return glb_file(std::move(mesh->glb), mesh->triangles, std::move(file));
   }
   return strand_file(std::make_shared<const ExportedStrands>(std::move(gathered)), request, std::move(file));
 }
@@ -67,9 +70,10 @@ ExportFile file_of(const SceneView& scene, ExportedStrands gathered, const Expor
 Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel) try {
   Result<ExportedStrands> strands = gather_strands(scene.view(), request, cancel);
   if (!strands) return strands.status();
-  ExportFile file = file_of(scene.view(), std::move(*strands), request);
-  file.about.bytes = size_of([&](const Sink& sink) {
-    return file.write([&](std::string_view piece) { return cancel.check(), sink(piece); });
+  Result<ExportFile> file = file_of(scene.view(), std::move(*strands), request);
+  if (!file) return file;
+  file->about.bytes = size_of([&](const Sink& sink) {
+    return file->write([&](std::string_view piece) { return cancel.check(), sink(piece); });
   });
   return file;
 } catch (const Cancelled&) {

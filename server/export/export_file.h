@@ -1,10 +1,12 @@
 // A scene's fur as a file of another program: what it holds is known before its bytes are made, piece by piece.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 
+#include "protocol/base/limits.h"
 #include "protocol/base/status.h"
 #include "protocol/commands/export.h"
 #include "server/scene/scene.h"
@@ -23,16 +25,24 @@ struct ExportFile {
 };
 
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
-/// (too_large, "/every") where more than limits::export_strands are expected; unavailable once nobody waits, which is
-/// asked on several threads.
+/// (too_large): "/every" where more than limits::export_strands are expected, and a GLB that cannot be so large;
+/// unavailable once nobody waits, which is asked on several threads.
 Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel = {});
 
+/// What open_saved takes.
+struct SavedLimits {
+  std::uint64_t bytes = limits::model_bytes;     // of the file
+  std::uint64_t unpacked = limits::saved_bytes;  // once it is no gzip any more
+};
+
 /// The scene itself: what SceneStore::save writes, as gzip. The file lies in a temporary folder as long as this does.
-/// Unavailable once nobody waits.
-Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel = {});
+/// Refused (too_large) where no server would open it; unavailable once nobody waits.
+Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel = {},
+                                const SavedLimits& max = {});
 
 /// Makes a scene of the bytes of such a file, as SceneStore::open_saved.
-Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name);
+Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name,
+                                          const Cancel& cancel = {});
 
 /// The bytes that `write` makes.
 std::uint64_t size_of(const std::function<bool(const Sink&)>& write);

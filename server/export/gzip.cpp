@@ -36,24 +36,4 @@ Status compress_file(const std::string& from, const std::string& to, const std::
   return gzclose(output.release()) == Z_OK ? Status{} : cannot_be_written();
 }
 
-Status decompress_file(const std::string& from, const std::string& to, std::uint64_t max_bytes) {
-  const GzipFile input(gzopen(from.c_str(), "rb"));
-  std::ofstream output(to, std::ios::binary);
-  std::string piece(piece_bytes, '\0');
-  if (!input || !output) return cannot_be_written();
-  std::uint64_t bytes = 0;
-  int size = 0;
-  while ((size = gzread(input.get(), piece.data(), static_cast<unsigned>(piece.size()))) > 0) {
-    if (gzdirect(input.get()) == 1) return failure(Code::invalid, "it is none");
-    bytes += static_cast<std::uint64_t>(size);
-    if (bytes > max_bytes) return failure(Code::invalid, "it is too large");
-    output.write(piece.data(), size);
-  }
-  int error = Z_OK;
-  gzerror(input.get(), &error);
-  if (size < 0 || error != Z_OK || bytes == 0) return failure(Code::invalid, "it is damaged or cut off");
-  output.close();
-  return output ? Status{} : cannot_be_written();
-}
-
 }  // namespace pelage

@@ -73,7 +73,7 @@ std::string add_fields(const SceneView& scene, const CornerMesh& shells, GlbWrit
 
 }  // namespace
 
-MeshFile export_mesh(const SceneView& scene, const ExportedStrands& strands) {
+Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& strands) {
   const Mesh& mesh = scene.model.surface.mesh();
   const CornerMesh shells = make_corner_mesh(scene, true);
   const VertexColours colours(scene.model.surface, strands);
@@ -108,7 +108,9 @@ MeshFile export_mesh(const SceneView& scene, const ExportedStrands& strands) {
       "materials",
       R"([{"name":"skin","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9},"occlusionTexture":{"index":0,"strength":0}}])");
   file.set("textures", fmt::format(R"([{{"source":{}}}])", atlas));
-  return {file.finish(), shells.triangles.size()};
+  Result<std::string> glb = file.finish();
+  if (!glb) return glb.status();
+  return MeshFile{std::move(*glb), shells.triangles.size()};
 }
 
 }  // namespace pelage

@@ -19,6 +19,6 @@ struct MeshFile {
 /// fur leans to, as long as its tip is inclined, and _WEIGHT the share of a piece where patches overlap. The material's
 /// occlusion texture (of strength 0) is an atlas of 4 x 4 layers of the tile from the roots up; `extras` of the mesh
 /// say so.
-MeshFile export_mesh(const SceneView& scene, const ExportedStrands& strands);
+Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& strands);
 
 }  // namespace pelage

@@ -1,7 +1,7 @@
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
-#include "protocol/base/limits.h"
 #include "server/export/export_file.h"
 #include "server/export/gzip.h"
 #include "server/export/temporary_folder.h"
@@ -19,9 +19,19 @@ bool copy_file(const std::string& path, const Sink& sink) {
   return true;
 }
 
+Status check_size(const std::string& path, std::uint64_t max, const char* what) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error) return failure(Code::internal, "a temporary file cannot be read: " + error.message());
+  if (bytes <= max) return {};
+  return failure(Code::too_large, "The scene is too large for a file that opens again: its log takes the most.", "",
+                 "at most " + std::to_string(max) + " bytes " + what);
+}
+
 }  // namespace
 
-Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel) try {
+Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel,
+                                const SavedLimits& max) try {
   Result<TemporaryFolder> made = TemporaryFolder::make();
   if (!made) return made.status();
   const auto folder = std::make_shared<const TemporaryFolder>(std::move(*made));
@@ -30,7 +40,9 @@ Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, con
   const Result<Revision> saved = store.save(scene, plain, cancel);
   if (!saved) return saved.status();
   file.about.format = ExportFormat::pelage, file.about.revision = *saved;
+  if (Status large = check_size(plain, max.unpacked, "unpacked"); !large.ok()) return large;
   if (Status compressed = compress_file(plain, path, [&] { cancel.check(); }); !compressed.ok()) return compressed;
+  if (Status large = check_size(path, max.bytes, "packed"); !large.ok()) return large;
   file.content_type = "application/gzip", file.ending = ".pelage";
   file.write = [folder, path](const Sink& sink) { return copy_file(path, sink); };
   file.about.bytes = size_of(file.write);
@@ -39,16 +51,11 @@ Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, con
   return nobody_waits();
 }
 
-Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name) {
+Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name,
+                                          const Cancel& cancel) {
   const Result<TemporaryFolder> folder = TemporaryFolder::make();
   if (!folder) return folder.status();
-  const std::string path = folder->file("scene.pelage"), plain = folder->file("scene");
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) return failure(Code::internal, "the file cannot be kept for reading; see that TMPDIR has room");
-  if (Status read = decompress_file(path, plain, limits::saved_bytes); !read.ok()) return SceneStore::not_saved(read);
-  return store.open_saved(plain, name);
+  return store.open_saved(std::as_bytes(std::span(bytes)), folder->file("rows"), name, cancel);
 }
 
 }  // namespace pelage

@@ -70,7 +70,7 @@ class ShellFile {
             place, normals_, uvs_, colour, triangles_, layer + 1));
   }
 
-  std::string finish() {
+  Result<std::string> finish() {
     file_.set("scene", "0");
     file_.set("scenes", R"([{"nodes":[0]}])");
     file_.set("nodes", fmt::format(R"([{{"name":"fur","mesh":0,"translation":{}}}])",
@@ -101,7 +101,7 @@ class ShellFile {
 
 }  // namespace
 
-BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
+Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
   const CornerMesh shells = make_corner_mesh(scene);
   const VertexColours colours(scene.model.surface, strands);
   const Slices slices = bake_slices(scene.settings.coat);
@@ -110,8 +110,10 @@ BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, 
   const int layers = shells.triangles.empty() ? 0 : request.shells;
   for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers);
   file.add_eyes(make_frame(scene, FrameRequest{}).eyes, layers + 1);
-  return {file.finish(),
-          scene.model.surface.mesh().triangles.size() + static_cast<std::uint64_t>(layers) * shells.triangles.size()};
+  Result<std::string> glb = file.finish();
+  if (!glb) return glb.status();
+  return BakedShells{std::move(*glb), scene.model.surface.mesh().triangles.size() +
+                                          static_cast<std::uint64_t>(layers) * shells.triangles.size()};
 }
 
 }  // namespace pelage

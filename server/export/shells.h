@@ -19,6 +19,6 @@ struct BakedShells {
 /// tile: how opaque its strands are, and how light; COLOR_0 is their colour, of the `strands`, darkened by those above,
 /// and in alpha the density and the share of the patch. Positions are in the model's unit, on a node at the model's
 /// centre.
-BakedShells bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
+Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 
 }  // namespace pelage

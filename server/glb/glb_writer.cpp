@@ -43,6 +43,8 @@ std::string json_of(glm::vec3 v) { return fmt::format("[{},{},{}]", v.x, v.y, v.
 std::string json_of(glm::dvec3 v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
 
 int GlbWriter::add_view(const void* bytes, std::size_t size, int target) {
+  is_full_ = is_full_ || binary_.size() + size + 3 > max_bytes_;
+  if (is_full_) return view_count_;  // finish() says so
   binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
   std::string view = fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{})", binary_.size(), size);
   if (target != no_target) view += fmt::format(R"(,"target":{})", target);
@@ -94,18 +96,26 @@ void GlbWriter::set(std::string_view name, std::string_view json) {
   members_ += fmt::format(R"(,"{}":{})", name, json);
 }
 
-std::string GlbWriter::finish() const {
+Status GlbWriter::too_large() const {
+  return failure(Code::too_large, "The file would be larger than a GLB can be.", "",
+                 fmt::format("at most {} bytes", max_bytes_));
+}
+
+Result<std::string> GlbWriter::finish() const {
+  if (is_full_) return too_large();
   std::string json = R"({"asset":{"version":"2.0","generator":"Pelage"})" + members_;
   if (image_count_ > 0) json += fmt::format(R"(,"images":[{}])", images_);
   json += fmt::format(R"(,"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})", accessors_, views_,
                       binary_.size());
   json = padded(json, ' ');
   const std::string binary = padded(binary_, '\0');
+  const std::uint64_t size = 28 + json.size() + binary.size();
+  if (size > max_bytes_) return too_large();
   std::string bytes;
-  bytes.reserve(28 + json.size() + binary.size());
+  bytes.reserve(size);
   append(bytes, magic);
   append(bytes, version);
-  append(bytes, static_cast<std::uint32_t>(28 + json.size() + binary.size()));
+  append(bytes, static_cast<std::uint32_t>(size));
   append_chunk(bytes, json_chunk, json);
   append_chunk(bytes, binary_chunk, binary);
   return bytes;

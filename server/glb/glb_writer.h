@@ -3,15 +3,21 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "protocol/base/status.h"
+
 namespace pelage {
 
 class GlbWriter {
  public:
+  /// The sizes in a GLB have 32 bits. Of what makes the file larger than `max_bytes` nothing is kept.
+  explicit GlbWriter(std::uint64_t max_bytes = std::numeric_limits<std::uint32_t>::max()) : max_bytes_(max_bytes) {}
+
   /// Accessors of floats; each gives its number. Those of positions need their bounds (glTF 2.0, 3.7.2.1).
   int add(std::span<const float> values);
   int add(std::span<const glm::vec2> values);
@@ -26,14 +32,19 @@ class GlbWriter {
   /// A member of the file's object, as JSON text: "nodes", "meshes", "materials" and so on.
   void set(std::string_view name, std::string_view json);
 
-  /// The whole file. Buffers, views, accessors, images and asset are what was added.
-  std::string finish() const;
+  /// The whole file. Buffers, views, accessors, images and asset are what was added. Refused (too_large) where it would
+  /// be larger than it may be.
+  Result<std::string> finish() const;
 
  private:
   template <class Value>
   int add_vertices(std::span<const Value> values, const char* type, std::string_view bounds = {});
   int add_view(const void* bytes, std::size_t size, int target);
 
+  Status too_large() const;
+
+  std::uint64_t max_bytes_;
+  bool is_full_ = false;
   std::string binary_, views_, accessors_, images_, members_;
   int view_count_ = 0, accessor_count_ = 0, image_count_ = 0;
 };

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "protocol/commands/coat.h"
+#include "protocol/commands/creature.h"
 #include "protocol/commands/tools.h"
-#include "server/guides/guide_curves.h"
 #include "server/surface/surface.h"
 
 namespace pelage {

@@ -2,6 +2,7 @@
 
 #include "server/history/checksum.h"
 #include "server/history/codec.h"
+#include "server/history/plain_rows.h"
 #include "server/history/rows.h"
 #include "server/history/schema.h"
 #include "server/history/sqlite.h"
@@ -74,6 +75,21 @@ Status Journal::change(const std::string& scene, const std::function<Status(LogT
   Status done = database_->transaction([&] { return work(tail); });
   if (done.ok()) tails_[scene] = tail;
   return done;
+}
+
+Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
+                                                  const std::function<Status(const TakeRows&)>& feed) {
+  Result<std::unique_ptr<Journal>> journal = open(path);
+  if (!journal) return journal;
+  Database& database = *(*journal)->database_;
+  Status filled = database.transaction([&] {
+    Result<RowLoader> loader = RowLoader::into(database);
+    if (!loader) return loader.status();
+    Status fed = feed([&](std::string_view bytes) { return loader->take(bytes); });
+    return fed.ok() ? loader->finish() : fed;
+  });
+  if (filled.ok()) filled = (*journal)->read_tails();
+  return filled.ok() ? std::move(journal) : Result<std::unique_ptr<Journal>>(filled);
 }
 
 Status Journal::add_scene(const StoredScene& scene) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/base/status.h"
@@ -60,6 +61,11 @@ class Journal {
  public:
   /// Fails when the file is no journal, comes from a newer version or is in use (internal, unavailable).
   static Result<std::unique_ptr<Journal>> open(const std::string& path);
+  /// A new journal of the rows (plain_rows.h) that `feed` hands over, all of them or none. Refused (invalid) where they
+  /// are none; fails as `feed` does.
+  using TakeRows = std::function<Status(std::string_view bytes)>;
+  static Result<std::unique_ptr<Journal>> of_rows(const std::string& path,
+                                                  const std::function<Status(const TakeRows&)>& feed);
   ~Journal();
 
   Status add_scene(const StoredScene& scene);

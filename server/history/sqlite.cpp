@@ -2,6 +2,9 @@
 
 #include <sqlite3.h>
 
+#include <cstring>
+#include <utility>
+
 #include "server/history/checksum.h"
 
 namespace pelage {
@@ -88,20 +91,81 @@ std::string_view Statement::bytes_at(int column) const {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-bool Statement::null_at(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
+int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
+
+CellKind Statement::kind_at(int column) const {
+  switch (sqlite3_column_type(statement_.get(), column)) {
+    case SQLITE_INTEGER: return CellKind::integer;
+    case SQLITE_FLOAT: return CellKind::real;
+    case SQLITE_TEXT: return CellKind::text;
+    case SQLITE_BLOB: return CellKind::blob;
+    default: return CellKind::null;
+  }
+}
+
+bool Statement::null_at(int column) const { return kind_at(column) == CellKind::null; }
+
+namespace {
+
+/// Nothing that is written in a file's schema is run: files may come from others.
+void distrust_schema(sqlite3* database) {
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+}
+
+/// Far above what a journal's own statements take.
+void limit_statements(sqlite3* database) {
+  constexpr std::pair<int, int> max[] = {{SQLITE_LIMIT_SQL_LENGTH, 100'000}, {SQLITE_LIMIT_COLUMN, 64},
+                                         {SQLITE_LIMIT_EXPR_DEPTH, 100},     {SQLITE_LIMIT_COMPOUND_SELECT, 10},
+                                         {SQLITE_LIMIT_VDBE_OP, 25'000},     {SQLITE_LIMIT_FUNCTION_ARG, 16},
+                                         {SQLITE_LIMIT_ATTACHED, 0},         {SQLITE_LIMIT_VARIABLE_NUMBER, 64},
+                                         {SQLITE_LIMIT_TRIGGER_DEPTH, 0},    {SQLITE_LIMIT_WORKER_THREADS, 0}};
+  for (const auto& [limit, value] : max) sqlite3_limit(database, limit, value);
+}
+
+/// A file says that it had a WAL in the two numbers of its format; in memory there is none.
+void forget_wal(std::string& bytes) {
+  constexpr std::size_t write_format = 18, read_format = 19;
+  constexpr char with_wal = 2, without = 1;
+  for (const std::size_t at : {write_format, read_format})
+    if (bytes.size() > at && bytes[at] == with_wal) bytes[at] = without;
+}
+
+}  // namespace
 
 Result<Database> Database::open(const std::string& path) {
   sqlite3* raw = nullptr;
   const int code = sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   Database database(raw);
   if (code != SQLITE_OK) return status_of(raw, code);
-  // Files may come from others: nothing that is written in their schema is run.
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  distrust_schema(raw);
   add_checksum(raw);
   return Result<Database>(std::move(database));
+}
+
+Result<Database> Database::in_memory() { return open(":memory:"); }
+
+Result<Database> Database::of_bytes(std::string bytes) {
+  constexpr std::int64_t room_to_upgrade = std::int64_t{1} << 30;
+  Result<Database> database = in_memory();
+  if (!database) return database;
+  sqlite3* raw = database->database_.get();
+  limit_statements(raw);
+  forget_wal(bytes);
+  const auto size = static_cast<sqlite3_int64>(bytes.size());
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+  if (copy == nullptr) return failure(Code::too_large, "there is not enough memory for it");
+  std::memcpy(copy, bytes.data(), bytes.size());
+  std::string().swap(bytes);
+  constexpr unsigned flags = SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE;
+  if (sqlite3_deserialize(raw, "main", copy, size, size, flags) != SQLITE_OK)
+    return failure(Code::invalid, "it is no database");
+  sqlite3_int64 max = size + room_to_upgrade;
+  sqlite3_file_control(raw, "main", SQLITE_FCNTL_SIZE_LIMIT, &max);
+  Status kept = database->execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA journal_mode = OFF");
+  return kept.ok() ? std::move(database) : Result<Database>(kept);
 }
 
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }

@@ -16,6 +16,9 @@ struct sqlite3_stmt;
 
 namespace pelage {
 
+/// What a cell of a row holds.
+enum class CellKind : std::uint8_t { null, integer, real, text, blob };
+
 /// One prepared statement. Errors in binding are kept and come out of step.
 class Statement {
  public:
@@ -32,6 +35,8 @@ class Statement {
   Status run();
 
   // Columns of the row, from 0; texts and bytes last until the next step.
+  int columns() const;
+  CellKind kind_at(int column) const;
   std::uint64_t number_at(int column) const;
   std::string text_at(int column) const;
   std::span<const std::byte> blob_at(int column) const;
@@ -54,6 +59,11 @@ class Database {
  public:
   /// Opens or makes the file.
   static Result<Database> open(const std::string& path);
+  /// An empty one in memory.
+  static Result<Database> in_memory();
+  /// The bytes of a file that anybody may have written, in memory; changes stay there. What a statement may take is
+  /// bounded, and views, triggers and other databases are out of reach. Fails (invalid) where they are no database.
+  static Result<Database> of_bytes(std::string bytes);
 
   Statement prepare(const char* sql) { return {database_.get(), sql}; }
   /// Several statements without parameters.

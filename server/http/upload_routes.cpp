@@ -9,7 +9,6 @@
 #include "server/export/export_file.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
-#include "server/scene/load_guides.h"
 #include "server/scene/model.h"
 
 namespace pelage {
@@ -98,14 +97,13 @@ void load_map(Service& service, Scene& scene, const Request& request, Response& 
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void follow_guides(Service&, Scene& scene, const Request& request, Response& response, const Upload& file) {
+void load_guides(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   const auto how = decode_guide_query(query_of(request));
   if (!how) return reply_problem(response, how.status());
   auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
   options->cancel = file.cancel;
-  const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-  const auto answer = load_guides(scene, *how, text, *options);
+  const auto answer = service.scenes.load_guides(scene, *how, file.bytes, *options);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer), answer->revision);
 }
@@ -180,7 +178,8 @@ void open_scene(Service& service, const Request& request, Response& response, co
   const Result<std::string> name = name_of(request);
   with_body(service, limits::model_bytes, request, response, read, [&](const std::string& bytes) {
     if (!name) return reply_problem(response, name.status());
-    reply_created(response, open_saved(service.scenes, bytes, *name));
+    const ClientSocket client(request);
+    reply_created(response, open_saved(service.scenes, bytes, *name, cancel_of(client)));
   });
 }
 
@@ -201,7 +200,7 @@ void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "environment", {limits::picture_bytes, load_environment});
   put(server, service, "skin_texture", {limits::picture_bytes, load_skin_texture});
   put(server, service, "maps/([^/]+)", {limits::picture_bytes, load_map});
-  put(server, service, "guides", {limits::guide_bytes, follow_guides});
+  put(server, service, "guides", {limits::guide_bytes, load_guides});
   put(server, service, "pictures", {limits::picture_bytes, keep_picture});
 }
 

@@ -102,11 +102,14 @@ int milliseconds_until(Clock::time_point deadline) {
 /// One conversation with a running child, over its stream (in and out) and its standard error.
 class Conversation {
  public:
-  Conversation(Descriptor stream, Descriptor error, std::span<const std::byte> input, const ChildLimits& limits)
+  Conversation(Descriptor stream, Descriptor error, std::span<const std::byte> input, const ChildLimits& limits,
+               const TakeAnswer& take)
       : stream_(std::move(stream)),
         error_(std::move(error)),
         input_(input),
-        limits_(limits),
+        take_(take),
+        cancelled_(limits.cancelled),
+        answer_bytes_(limits.answer_bytes),
         deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::chrono::duration<double>(std::clamp(limits.seconds, 0.0, 1e6)))) {}
 
@@ -117,7 +120,7 @@ class Conversation {
       if (!all_sent_) waits[0].events |= POLLOUT;
       const int ready = poll(waits.data(), waits.size(), milliseconds_until(deadline_));
       if (ready < 0 && errno == EINTR) continue;
-      result.cancelled = limits_.cancelled && limits_.cancelled();
+      result.cancelled = cancelled_ && cancelled_();
       if (result.cancelled) return;
       if (ready == 0 && Clock::now() < deadline_) continue;
       if (ready <= 0) {
@@ -125,11 +128,15 @@ class Conversation {
         return;
       }
       if (waits[0].revents & POLLOUT) send_some();
-      if (waits[0].revents & (POLLIN | POLLHUP | POLLERR)) receive(stream_, result.answer, limits_.answer_bytes + 1);
-      if (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) receive(error_, result.complaint, max_complaint);
-      if (result.answer.size() > limits_.answer_bytes) {
-        result.too_long = true;
-        return;
+      if (waits[0].revents & (POLLIN | POLLHUP | POLLERR)) {
+        const std::string_view answer = receive(stream_);
+        result.too_long = answer.size() > answer_bytes_;
+        if (result.too_long || (!answer.empty() && !take_(answer))) return;
+        answer_bytes_ -= answer.size();
+      }
+      if (waits[1].revents & (POLLIN | POLLHUP | POLLERR)) {
+        const std::string_view complaint = receive(error_);
+        result.complaint += complaint.substr(0, max_complaint - result.complaint.size());
       }
     }
   }
@@ -148,18 +155,20 @@ class Conversation {
     shutdown(stream_.get(), SHUT_WR);
   }
 
-  /// Appends what is there, up to `most` bytes in all; the rest is read and forgotten. Closes at the end.
-  static void receive(Descriptor& from, std::string& to, std::size_t max) {
-    std::array<char, 65536> buffer;
-    const ssize_t count = recv(from.get(), buffer.data(), buffer.size(), MSG_DONTWAIT);
-    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
-    if (count <= 0) return from.close();
-    to.append(buffer.data(), std::min(static_cast<std::size_t>(count), max - to.size()));
+  /// What is there, until the next call. Closes at the end.
+  std::string_view receive(Descriptor& from) {
+    const ssize_t count = recv(from.get(), buffer_.data(), buffer_.size(), MSG_DONTWAIT);
+    if (count < 0 && (errno == EAGAIN || errno == EINTR)) return {};
+    if (count <= 0) from.close();
+    return {buffer_.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
   }
 
   Descriptor stream_, error_;
   std::span<const std::byte> input_;
-  ChildLimits limits_;
+  const TakeAnswer& take_;
+  const std::function<bool()>& cancelled_;
+  std::array<char, 65536> buffer_;
+  std::size_t answer_bytes_;  // that may still come
   Clock::time_point deadline_;
   bool all_sent_ = false;
 };
@@ -178,7 +187,7 @@ void reap(pid_t child, ChildResult& result) {
 }  // namespace
 
 Result<ChildResult> run_child(const std::vector<std::string>& arguments, std::span<const std::byte> input,
-                              const ChildLimits& limits) {
+                              const ChildLimits& limits, const TakeAnswer& take) {
   Channel stream, error;
   if (!open_channel(stream) || !open_channel(error)) {
     return failure(Code::unavailable, std::string("No sockets are left: ") + std::strerror(errno));
@@ -192,7 +201,7 @@ Result<ChildResult> run_child(const std::vector<std::string>& arguments, std::sp
   error.theirs.close();
   ChildResult result;
   {
-    Conversation conversation(std::move(stream.ours), std::move(error.ours), input, limits);
+    Conversation conversation(std::move(stream.ours), std::move(error.ours), input, limits, take);
     conversation.hold(result);
   }
   reap(child, result);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocol/base/status.h"
@@ -18,7 +19,6 @@ struct ChildLimits {
 
 /// How a child ended and what it said.
 struct ChildResult {
-  std::string answer;      // its standard output
   std::string complaint;   // the first 4 KiB of its standard error
   bool timed_out = false;  // killed at the deadline
   bool too_long = false;   // killed because its answer grew over the limit
@@ -27,9 +27,12 @@ struct ChildResult {
   int signal = 0;          // 0 when it exited
 };
 
+/// Takes the next bytes of a child's standard output; false ends it.
+using TakeAnswer = std::function<bool(std::string_view)>;
+
 /// Runs arguments[0] with nothing of this process but the three standard streams: no other descriptor, an empty
 /// environment, default signals. Refused (internal) when it cannot be started.
 Result<ChildResult> run_child(const std::vector<std::string>& arguments, std::span<const std::byte> input,
-                              const ChildLimits& limits);
+                              const ChildLimits& limits, const TakeAnswer& take);
 
 }  // namespace pelage

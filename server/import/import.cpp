@@ -54,16 +54,25 @@ Status outcome(const std::string& subject, const ChildResult& result, const Impo
                                      last_line(result.complaint));
 }
 
-/// The worker's answer.
-Result<std::string> run_worker(const std::string& worker, const std::string& job, const std::string& subject,
-                               std::span<const std::byte> bytes, const ImportLimits& limits,
-                               const std::string& pose = {}) {
+/// Hands the worker's answer over as it comes.
+Status run_worker(const std::string& worker, const std::string& job, const std::string& subject,
+                  std::span<const std::byte> bytes, const ImportLimits& limits, const TakeAnswer& take,
+                  const std::string& pose = {}) {
   const std::vector<std::string> arguments = {worker, job, std::to_string(limits.seconds),
                                               std::to_string(limits.memory_bytes), pose};
-  Result<ChildResult> result = run_child(arguments, bytes, {limits.seconds, limits.answer_bytes, limits.cancelled});
+  const ChildLimits child{limits.seconds, limits.answer_bytes, limits.cancelled};
+  const Result<ChildResult> result = run_child(arguments, bytes, child, take);
   if (!result.ok()) return result.status();
-  if (Status status = outcome(subject, *result, limits); !status.ok()) return status;
-  return std::move(result->answer);
+  return outcome(subject, *result, limits);
+}
+
+Result<std::string> whole_answer(const std::string& worker, const std::string& job, const std::string& subject,
+                                 std::span<const std::byte> bytes, const ImportLimits& limits,
+                                 const std::string& pose = {}) {
+  std::string answer;
+  const auto keep = [&](std::string_view more) { return answer += more, true; };
+  const Status run = run_worker(worker, job, subject, bytes, limits, keep, pose);
+  return run.ok() ? Result<std::string>(std::move(answer)) : run;
 }
 
 Result<RawModel> read_model(const std::string& worker, const std::string& job, std::span<const std::byte> bytes,
@@ -71,7 +80,7 @@ Result<RawModel> read_model(const std::string& worker, const std::string& job, s
   if (bytes.size() > limits::model_bytes) {
     return failure(Code::too_large, "The model is too large.", "", std::to_string(limits::model_bytes) + " bytes");
   }
-  const Result<std::string> answer = run_worker(worker, job, "model", bytes, limits, pose);
+  const Result<std::string> answer = whole_answer(worker, job, "model", bytes, limits, pose);
   if (!answer.ok()) return answer.status();
   return decode_raw_model(std::as_bytes(std::span(*answer)));
 }
@@ -103,7 +112,7 @@ Result<RawModel> import_shape(const std::string& worker, ModelFormat format, std
 Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> bytes,
                                               const ImportLimits& limits) {
   if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_environment, "environment", bytes, limits);
+  const Result<std::string> answer = whole_answer(worker, worker_environment, "environment", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_harmonics(std::as_bytes(std::span(*answer)));
 }
@@ -111,16 +120,35 @@ Result<SphericalHarmonics> import_environment(const std::string& worker, std::sp
 Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits) {
   if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_picture, "picture", bytes, limits);
+  const Result<std::string> answer = whole_answer(worker, worker_picture, "picture", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_raw_image(std::as_bytes(std::span(*answer)));
 }
 
 Result<MapPicture> import_map(const std::string& worker, std::span<const std::byte> bytes, const ImportLimits& limits) {
   if (Status status = check_picture_bytes(bytes); !status.ok()) return status;
-  const Result<std::string> answer = run_worker(worker, worker_map, "picture", bytes, limits);
+  const Result<std::string> answer = whole_answer(worker, worker_map, "picture", bytes, limits);
   if (!answer.ok()) return answer.status();
   return decode_map_picture(std::as_bytes(std::span(*answer)));
+}
+
+Result<std::vector<GuideCurve>> import_guides(const std::string& worker, GuideFormat format,
+                                              std::span<const std::byte> bytes, const ImportLimits& limits) {
+  const char* job = worker_guide_names[static_cast<std::size_t>(format)];
+  const Result<std::string> answer = whole_answer(worker, job, "file", bytes, limits);
+  if (!answer.ok()) return answer.status();
+  return decode_guides(std::as_bytes(std::span(*answer)));
+}
+
+Status import_saved(const std::string& worker, std::span<const std::byte> bytes, const TakeRows& take,
+                    ImportLimits limits) {
+  if (bytes.size() > limits::model_bytes)
+    return failure(Code::too_large, "The file is too large.", "", std::to_string(limits::model_bytes) + " bytes");
+  limits.answer_bytes = limits::saved_bytes / 4 * 5;  // rows take a little more than pages
+  Status taken;
+  const auto take_bytes = [&](std::string_view more) { return (taken = take(more)).ok(); };
+  const Status run = run_worker(worker, worker_saved, "file", bytes, limits, take_bytes);
+  return taken.ok() ? run : taken;
 }
 
 }  // namespace pelage

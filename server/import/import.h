@@ -1,14 +1,18 @@
 // What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES [POSE]`, bytes in. The job is a model's
 // format, alone or with "-shape" for a model without its pictures (encode_raw_model out), "environment"
-// (encode_harmonics out), "picture" (encode_raw_image out) or "map" (encode_map_picture out).
+// (encode_harmonics out), "picture" (encode_raw_image out), "map" (encode_map_picture out), a format of guide
+// curves (encode_guides out) or "saved" (the rows of an exported scene out, server/history/plain_rows.h).
 #pragma once
 
 #include <array>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/creature.h"
+#include "protocol/commands/guides.h"
 #include "protocol/commands/look.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/mesh.h"
@@ -19,10 +23,14 @@ namespace pelage {
 inline constexpr std::array<const char*, 8> worker_format_names = {"obj",  "ply", "stl", "off",
                                                                    "gltf", "glb", "3ds", "zip"};
 
+/// By GuideFormat.
+inline constexpr std::array<const char*, 3> worker_guide_names = {"guides-usda", "guides-hair", "guides-json"};
+
 inline constexpr const char* worker_shape = "-shape";
 inline constexpr const char* worker_environment = "environment";
 inline constexpr const char* worker_picture = "picture";
 inline constexpr const char* worker_map = "map";
+inline constexpr const char* worker_saved = "saved";
 
 /// How the worker ends. The reason for bad_input is the last line on its standard error.
 namespace worker_exit {
@@ -64,14 +72,25 @@ Result<SphericalHarmonics> import_environment(const std::string& worker, std::sp
 Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits = {});
 
+/// The same for a file of guide curves: each of at least two points, root first, in the file's coordinates.
+Result<std::vector<GuideCurve>> import_guides(const std::string& worker, GuideFormat format,
+                                              std::span<const std::byte> bytes, const ImportLimits& limits = {});
+
+/// The same for an exported scene (.pelage): its rows as they come. Also ends where `take` refuses them, as that does.
+using TakeRows = std::function<Status(std::string_view bytes)>;
+Status import_saved(const std::string& worker, std::span<const std::byte> bytes, const TakeRows& take,
+                    ImportLimits limits = {});
+
 /// The worker's wire format, also what the journal stores. decode checks every count and index. Native byte order.
 std::string encode_raw_model(const RawModel& model);
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes);
 
-/// The worker's answers for pictures; decoding refuses (invalid) numbers beyond limits::harmonic, sizes beyond
-/// limits::picture_pixels and bytes that do not fit them.
+/// The worker's other answers; decoding refuses (invalid) numbers beyond limits::harmonic, sizes beyond
+/// limits::picture_pixels, curves of one point or with numbers that are not finite, and bytes that do not fit them.
 std::string encode_harmonics(const SphericalHarmonics& harmonics);
 Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> bytes);
+std::string encode_guides(const std::vector<GuideCurve>& curves);
+Result<std::vector<GuideCurve>> decode_guides(std::span<const std::byte> bytes);
 std::string encode_raw_image(const RawImage& image);
 Result<RawImage> decode_raw_image(std::span<const std::byte> bytes);
 

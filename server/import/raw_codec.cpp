@@ -1,4 +1,5 @@
 // encode_raw_model and decode_raw_model: a header of counts, then the arrays one after the other.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -222,6 +223,27 @@ Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   if (!indices_are_in_range(model)) return failure(Code::invalid, "An index of the raw model is out of range.");
   if (!values_are_good(model)) return failure(Code::invalid, "A value of the raw model is out of range.");
   return model;
+}
+
+// Guide curves: their number, then of each the number of its points and these. Native byte order.
+
+std::string encode_guides(const std::vector<GuideCurve>& curves) {
+  Writer out;
+  out.value(static_cast<std::uint64_t>(curves.size()));
+  for (const GuideCurve& curve : curves) out.array(curve);
+  return out.take();
+}
+
+Result<std::vector<GuideCurve>> decode_guides(std::span<const std::byte> bytes) {
+  const Status misfit = failure(Code::invalid, "The bytes are no guide curves.");
+  Reader in(bytes);
+  std::vector<GuideCurve> curves;
+  const auto count = in.value<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
+    const GuideCurve& curve = curves.emplace_back(in.array<glm::dvec3>());
+    if (curve.size() < 2 || !std::all_of(curve.begin(), curve.end(), is_finite)) return misfit;
+  }
+  return in.at_end() ? Result<std::vector<GuideCurve>>(std::move(curves)) : misfit;
 }
 
 // The worker's answers for pictures: nine vectors of doubles, or width, height and bytes. Native byte order.

@@ -3,9 +3,11 @@
 #include <array>
 #include <utility>
 
+#include "server/guide_files/read_guides.h"
 #include "server/import/import.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
+#include "server/import_worker/read_saved_scene.h"
 
 namespace pelage {
 
@@ -36,6 +38,15 @@ Result<std::string> read_backplate(std::string&& bytes, const std::string&) {
   return encode_raw_image(*image);
 }
 
+template <GuideFormat format>
+Result<std::string> read_curves(std::string&& bytes, const std::string&) {
+  const Result<std::vector<GuideCurve>> curves = read_guides(format, bytes);
+  if (!curves.ok()) return curves.status();
+  return encode_guides(*curves);
+}
+
+Result<std::string> read_saved(std::string&& bytes, const std::string&) { return read_saved_scene(std::move(bytes)); }
+
 /// By ModelFormat. Those that are one file of their own have no pictures.
 template <bool pictures>
 constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj, pictures>, false},
@@ -47,6 +58,10 @@ constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<Mod
                                                                  {read_model<ModelFormat::tds, pictures>, false},
                                                                  {read_model<ModelFormat::zip, pictures>, pictures}}};
 
+/// By GuideFormat.
+constexpr std::array<Job, worker_guide_names.size()> guides = {
+    {{read_curves<GuideFormat::usda>}, {read_curves<GuideFormat::hair>}, {read_curves<GuideFormat::json>}}};
+
 }  // namespace
 
 std::optional<Job> job_of(std::string_view name) {
@@ -54,9 +69,12 @@ std::optional<Job> job_of(std::string_view name) {
     if (name == worker_format_names[i]) return models<true>[i];
     if (name == std::string(worker_format_names[i]) + worker_shape) return models<false>[i];
   }
+  for (std::size_t i = 0; i < guides.size(); ++i)
+    if (name == worker_guide_names[i]) return guides[i];
   if (name == worker_environment) return Job{read_light, true};
   if (name == worker_map) return Job{read_data, true};
   if (name == worker_picture) return Job{read_backplate, true};
+  if (name == worker_saved) return Job{read_saved, false};
   return {};
 }
 

@@ -14,7 +14,7 @@ std::string glb_of(const ProxyMesh& mesh) {
   file.set("nodes", fmt::format(R"([{{"mesh":0,"translation":{}}}])", json_of(mesh.centre)));
   file.set("meshes", fmt::format(R"([{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{}}}]}}])",
                                  positions, normals, triangles));
-  return file.finish();
+  return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
 }
 
 }  // namespace pelage

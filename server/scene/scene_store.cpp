@@ -13,6 +13,8 @@
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
+#include "server/scene/follow_guides.h"
+#include "server/scene/foreign_scene.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 
@@ -71,6 +73,7 @@ struct SceneStore::Impl {
 
   explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return restored(id); }) {}
 
+  Result<std::shared_ptr<const SceneModel>> model_of(const StoredScene& stored);
   Result<std::shared_ptr<Scene>> restored(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
   /// Throws Cancelled.
@@ -79,12 +82,16 @@ struct SceneStore::Impl {
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
+Result<std::shared_ptr<const SceneModel>> SceneStore::Impl::model_of(const StoredScene& stored) {
+  const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored.model.raw)));
+  if (!raw) return raw.status();
+  return build_model(*raw, stored.model, ++last_model);
+}
+
 Result<std::shared_ptr<Scene>> SceneStore::Impl::restored(const std::string& id) {
   const Result<StoredScene> stored = journal->scene(id);
   if (!stored) return stored.status();
-  const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored->model.raw)));
-  if (!raw) return raw.status();
-  auto model = build_model(*raw, stored->model, ++last_model);
+  auto model = model_of(*stored);
   if (!model) return model.status();
   auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
   Status restored = scene->restore(stored->first_groom, stored->first_revision, stored->first_settings);
@@ -162,12 +169,19 @@ Result<Revision> SceneStore::save(const Scene& scene, const std::string& path, c
   return nobody_waits();
 }
 
-Status SceneStore::not_saved(const Status& status) {
-  return failure(Code::invalid, "The file cannot be opened: " + status.message, "",
-                 "a file that was exported as pelage");
+namespace {
+
+constexpr const char* exported = "a file that was exported as pelage";
+
+/// The refusal of a file whose rows are no scene, for the reason of `status`.
+Status not_saved(const Status& status) {
+  return failure(Code::invalid, "The file cannot be opened: " + status.message, "", exported);
 }
 
-namespace {
+Status with_limit(Status status, const char* limit) {
+  status.limit = limit;
+  return status;
+}
 
 /// The one scene of a file.
 Result<StoredScene> only_scene(const Journal& file) {
@@ -180,19 +194,25 @@ Result<StoredScene> only_scene(const Journal& file) {
 
 }  // namespace
 
-Result<std::shared_ptr<Scene>> SceneStore::open_saved(const std::string& path, const std::string& name) {
+Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte> bytes, const std::string& scratch,
+                                                      const std::string& name) {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
-  const auto file = Journal::open(path);
-  if (!file) return not_saved(file.status());
+  const auto file = Journal::of_rows(scratch, [&](const Journal::TakeRows& take) {
+    return import_saved(impl_->worker, bytes, take, ended_by(cancel));
+  });
+  if (!file) return file.status().code == Code::invalid ? with_limit(file.status(), exported) : file.status();
   const Result<StoredScene> stored = only_scene(**file);
   if (!stored) return not_saved(stored.status());
-  const std::string id = random_id();
   const auto named = decode_branch(encode(BranchRequest{.name = name.empty() ? stored->name : name}));
-  if (!named) return not_saved(named.status());  // a file may come from anybody
+  if (!named) return not_saved(named.status());
+  const auto model = impl_->model_of(*stored);
+  if (!model) return not_saved(model.status());
+  if (Status bad = check_foreign(**file, *stored, **model); !bad.ok()) return not_saved(bad);
+  const std::string id = random_id();
   const Result<Revision> copied = (*file)->copy_scene(stored->id, *impl_->journal, id, named->name);
-  if (!copied) return not_saved(copied.status());
+  if (!copied) return copied.status();
   Result<std::shared_ptr<Scene>> scene = impl_->restored(id);
-  const Status added = scene ? impl_->scenes.add(*scene) : not_saved(scene.status());
+  const Status added = scene ? impl_->scenes.add(*scene) : scene.status();
   if (added.ok()) return scene;
   static_cast<void>(impl_->journal->remove_scene(id));  // the failure before is the one to tell
   return added;
@@ -297,6 +317,14 @@ Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<cons
   const Result<RawImage> picture = import_picture(impl_->worker, bytes, ended_by(execute.cancel));
   if (!picture) return picture.status();
   return lay_skin_texture(scene, *picture, execute);
+}
+
+Result<CommandAnswer> SceneStore::load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
+                                              const ExecuteOptions& execute) {
+  const Result<std::vector<GuideCurve>> curves =
+      import_guides(impl_->worker, upload.format, bytes, ended_by(execute.cancel));
+  if (!curves) return curves.status();
+  return follow_guides(scene, upload, *curves, execute);
 }
 
 Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage& picture,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/guides.h"
 #include "protocol/commands/scene.h"
 #include "server/history/journal.h"
 #include "server/scene/moving_model.h"
@@ -79,6 +80,9 @@ class SceneStore {
   /// Reads a PNG or JPEG through the worker and lays it on the scene's model. Counts as an import.
   Result<CommandAnswer> load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                           const ExecuteOptions& execute = {});
+  /// Reads guide curves through the worker and has the fur follow them, as follow_guides.
+  Result<CommandAnswer> load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
+                                    const ExecuteOptions& execute = {});
   /// Keeps the picture and names it in a set_skin_texture. Refused as that command is.
   Result<CommandAnswer> lay_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
   /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
@@ -90,11 +94,12 @@ class SceneStore {
   /// Writes the scene with its model, log and pictures as a file of its own: a journal of one scene. Others change and
   /// read scenes meanwhile. The revision that the file has; unavailable once nobody waits.
   Result<Revision> save(const Scene& scene, const std::string& path, const Cancel& cancel = {}) const;
-  /// Makes a scene of such a file; `name` "" for its own. Refused (invalid) when it is none, damaged or of a newer
-  /// version; the file may be brought to this version.
-  Result<std::shared_ptr<Scene>> open_saved(const std::string& path, const std::string& name);
-  /// The refusal of a file that is none, for the reason of `status`.
-  static Status not_saved(const Status& status);
+  /// Makes a scene of such a file as gzip, which anybody may have written; `name` "" for its own. The worker reads it,
+  /// its rows are checked in a journal of their own at `scratch`, which is not there yet, and come into the store all
+  /// at once. Refused (invalid) when it is none, damaged, or no scene that commands could have made; unavailable once
+  /// nobody waits.
+  Result<std::shared_ptr<Scene>> open_saved(std::span<const std::byte> bytes, const std::string& scratch,
+                                            const std::string& name, const Cancel& cancel = {});
 
  private:
   struct Impl;

@@ -50,7 +50,7 @@ TEST(BakedShells, HaveASkinAndTheLayersThatWereAsked) {
   const FurredModel model = furred_ball();
   ExportRequest request;
   request.shells = 5;
-  const BakedShells baked = bake_shells(model.view(), strands_of(model), request);
+  const BakedShells baked = bake_shells(model.view(), strands_of(model), request).value();
   const GlbFile file(baked.glb);
   const auto& primitives = file.json["meshes"][0]["primitives"];
   ASSERT_EQ(primitives.size(), 6u);
@@ -80,7 +80,7 @@ TEST(BakedShells, LieFurtherOutFromRootToTip) {
 TEST(BakedShells, WithoutFurOnlyTheSkinIsLeft) {
   FurredModel model = furred_ball();
   for (std::uint32_t v = 0; v < model.fields.size(); ++v) model.fields.set(Field::length, v, glm::vec4(0));
-  const BakedShells baked = bake_shells(model.view(), strands_of(model), {});
+  const BakedShells baked = bake_shells(model.view(), strands_of(model), {}).value();
   EXPECT_EQ(GlbFile(baked.glb).json["meshes"][0]["primitives"].size(), 1u);
   EXPECT_EQ(baked.triangles, model.model.surface.mesh().triangles.size());
 }
@@ -103,7 +103,7 @@ TEST(VertexColours, AreThoseOfTheStrandsAround) {
 
 TEST(MeshOfFields, HasAnAttributeForEachField) {
   const FurredModel model = furred_ball();
-  const MeshFile mesh = export_mesh(model.view(), strands_of(model));
+  const MeshFile mesh = export_mesh(model.view(), strands_of(model)).value();
   const GlbFile file(mesh.glb);
   const auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
   for (const char* name :

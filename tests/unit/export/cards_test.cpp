@@ -29,7 +29,7 @@ struct Cards {
   GlbFile glb;
 
   Cards(const FurredModel& model, int cards)
-      : file(bake_cards(model.view(), gather_strands(model.view(), asked(cards)).value(), asked(cards))),
+      : file(bake_cards(model.view(), gather_strands(model.view(), asked(cards)).value(), asked(cards)).value()),
         glb(file.glb) {}
 
   /// The first primitive of the mesh with this name.

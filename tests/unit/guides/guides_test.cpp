@@ -7,7 +7,7 @@
 
 #include "protocol/base/lean_curve.h"
 #include "server/builtin/builtin.h"
-#include "server/guides/guide_curves.h"
+#include "server/guide_files/read_guides.h"
 #include "server/guides/guide_keys.h"
 #include "server/surface/prepare.h"
 

@@ -2,7 +2,7 @@
 #include <cstring>
 #include <string>
 
-#include "server/guides/guide_curves.h"
+#include "server/guide_files/read_guides.h"
 
 namespace pelage {
 

@@ -1,7 +1,7 @@
 #include <string>
 
 #include "protocol/json/parse.h"
-#include "server/guides/guide_curves.h"
+#include "server/guide_files/read_guides.h"
 
 namespace pelage {
 

@@ -1,4 +1,4 @@
-#include "server/guides/usda_tokens.h"
+#include "server/guide_files/usda_tokens.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "server/guides/guide_curves.h"
+#include "server/guide_files/read_guides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "server/scene/load_guides.h"
+#include "server/scene/follow_guides.h"
 
 #include <fmt/format.h>
 
@@ -31,15 +31,13 @@ void warn(CommandAnswer& answer, std::size_t curves, std::size_t far, std::size_
 
 }  // namespace
 
-Result<CommandAnswer> load_guides(Scene& scene, const GuideUpload& upload, std::string_view bytes,
-                                  const ExecuteOptions& options) {
-  const Result<std::vector<GuideCurve>> curves = read_guides(upload.format, bytes);
-  if (!curves) return curves.status();
+Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, const std::vector<GuideCurve>& curves,
+                                    const ExecuteOptions& options) {
   Interpolate command;
   command.strength = upload.strength;
   std::size_t far = 0;
   scene.read([&](const SceneView& view) {
-    GuideKeys found = keys_of(*curves, view.model.surface, view.settings.coat);
+    GuideKeys found = keys_of(curves, view.model.surface, view.settings.coat);
     far = found.far, command.keys = std::move(found.keys);
     thin(command, static_cast<std::size_t>(upload.keys), view.settings.symmetry, view.model.surface);
     command.sigma = upload.sigma.value_or(sigma_between(command.keys.size(), view.model.surface.mesh()));
@@ -50,7 +48,7 @@ Result<CommandAnswer> load_guides(Scene& scene, const GuideUpload& upload, std::
   }
   const std::size_t used = command.keys.size();
   Result<CommandAnswer> answer = scene.execute({std::move(command)}, options);
-  if (answer) warn(*answer, curves->size(), far, used);
+  if (answer) warn(*answer, curves.size(), far, used);
   return answer;
 }
 

@@ -1,21 +1,19 @@
-// Guide curves that other programs made: the files that bring them.
+// Files of guide curves that other programs made. Anybody may have written them: read in the confined worker only.
 #pragma once
 
-#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "protocol/base/status.h"
+#include "protocol/commands/creature.h"
 #include "protocol/commands/guides.h"
 
 namespace pelage {
 
-/// At least two points, root first.
-using GuideCurve = std::vector<glm::dvec3>;
-
-/// The curves of a file, in its coordinates. Refused (invalid), saying where: what is cut off or is no such file, a
-/// number that is not finite, a curve of one point, and a file without curves.
+/// The curves of a file, in its coordinates, each of at least two points, root first. Refused (invalid), saying where:
+/// what is cut off or is no such file, a number that is not finite, a curve of one point, and a file without curves.
 /// `usda`: all BasisCurves of USD as text, where their Xforms put them; control points of cubic ones count as points.
 /// `hair`: HAIR (cyHair). `json`: {"curves": [[[x, y, z], ...], ...]}.
 Result<std::vector<GuideCurve>> read_guides(GuideFormat format, std::string_view bytes);
@@ -24,9 +22,7 @@ Result<std::vector<GuideCurve>> read_usda_curves(std::string_view text);
 Result<std::vector<GuideCurve>> read_hair_curves(std::string_view bytes);
 Result<std::vector<GuideCurve>> read_json_curves(std::string_view text);
 
-/// A refusal of a file.
-inline Status broken_guides(const std::string& why) {
-  return failure(Code::invalid, "The file cannot be read: " + why);
-}
+/// A refusal of a file: the reason alone.
+inline Status broken_guides(std::string why) { return failure(Code::invalid, std::move(why)); }
 
 }  // namespace pelage

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "server/guides/guide_curves.h"
-#include "server/guides/usda_tokens.h"
+#include "server/guide_files/read_guides.h"
+#include "server/guide_files/usda_tokens.h"
 
 namespace pelage {
 

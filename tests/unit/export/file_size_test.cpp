@@ -1,0 +1,42 @@
+// Files that nobody could read are refused when they are made.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "server/export/export_file.h"
+#include "server/glb/glb_writer.h"
+
+namespace pelage::file_size_test {
+namespace {
+
+TEST(FileSize, AGlbBeyondItsLimitIsRefused) {
+  const std::vector<glm::vec3> hundred(100, glm::vec3(1));  // 1200 bytes
+  GlbWriter fits(2000), large(2000), text(1300);
+  fits.add(hundred);
+  const Result<std::string> whole = fits.finish();
+  ASSERT_TRUE(whole.ok()) << whole.status().message;
+  EXPECT_LE(whole->size(), 2000u);
+  large.add(hundred), large.add(hundred);
+  EXPECT_EQ(large.finish().status().code, Code::too_large);
+  EXPECT_EQ(large.finish().status().limit, "at most 2000 bytes");
+  text.add(hundred);  // the numbers fit, with their description they do not
+  EXPECT_EQ(text.finish().status().code, Code::too_large);
+}
+
+TEST(FileSize, ASavedSceneThatWouldNotOpenIsRefused) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "pelage_file_size";
+  std::filesystem::remove_all(folder);
+  const auto store = SceneStore::open(folder.string(), "pelage-import");
+  ASSERT_TRUE(store.ok());
+  const auto scene = (*store)->create({"test", {Builtin::torus, 500}, {}});
+  ASSERT_TRUE(scene.ok());
+  const Result<ExportFile> file = export_saved(**store, **scene);
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  EXPECT_TRUE(export_saved(**store, **scene, {.bytes = file->about.bytes}).ok());
+  EXPECT_EQ(export_saved(**store, **scene, {.bytes = file->about.bytes - 1}).status().code, Code::too_large);
+  EXPECT_EQ(export_saved(**store, **scene, {.unpacked = 4096}).status().code, Code::too_large);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace pelage::file_size_test
