@@ -175,6 +175,8 @@ int serve(const Options& options, const HttpOptions& http) {
   TraceQueue::Limits trace_limits;
   trace_limits.aside_bytes = trace_memory / aside_share;
   const ServerLog log(options.log_format, options.log_level, STDERR_FILENO);
+  for (const std::string& damage : (*scenes)->damages())
+    log.write(LogLevel::error, "damage", {{"why", std::string_view(damage)}});
   TraceQueue traces(std::make_unique<SceneTracer>(**frames, options.threads, trace_memory), gate, trace_limits);
   const auto server = HttpServer::listen(http, {**scenes, **frames, traces, gate, log});
   if (!server) return fail(usage, server.status());

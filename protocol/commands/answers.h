@@ -121,6 +121,7 @@ struct SceneSummary {
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
   std::vector<EditLayer> edit_layers = {};  // from the lowest
+  std::string damage = {};                  // of its journal; "" for none
   bool operator==(const SceneSummary&) const = default;
 };
 

@@ -197,6 +197,10 @@ void members(V& v, Visited<V, SceneSummary>& c) {
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
   v.objects("edit_layers", c.edit_layers, {0, limits::edit_layers}, "Edit layers, from the lowest.");
+  v.text("damage", c.damage,
+         "What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses "
+         "changes (409); it can be looked at, exported and branched, unless its model is what is damaged.",
+         any_length);
 }
 
 template <class V>

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "protocol/base/random.h"
+#include "server/history/rows.h"
 
 namespace pelage {
 
@@ -57,8 +58,19 @@ void add_checksum(sqlite3* database) {
   sqlite3_create_function(database, "chained", -1, how, nullptr, chained, nullptr, nullptr);
 }
 
+std::uint64_t checksum_of(std::string_view bytes) { return with_bytes(0, bytes.data(), bytes.size()); }
+
 std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum) {
   return mix_bits(mix_bits(before) ^ entry_checksum);
+}
+
+Status check_seal(Database& database, std::string_view id) {
+  const std::string question =
+      std::string("SELECT checksum = checksum(") + scene_columns + ") FROM scenes WHERE id = ?";
+  Statement row = database.prepare(question.c_str());
+  const Result<bool> found = row.text(id).step();
+  if (!found) return found.status();
+  return *found && row.number_at(0) == 0 ? damaged("the model of a scene") : Status{};
 }
 
 Status seal_scene(Database& database, std::string_view id) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "protocol/base/status.h"
 #include "server/history/sqlite.h"
@@ -21,9 +22,13 @@ constexpr const char* entry_columns =
 /// chained(before, value, ...), which is next_chain of that.
 void add_checksum(sqlite3* database);
 
+std::uint64_t checksum_of(std::string_view bytes);
+
 /// The chain of the entry after one of chain `before`. The first entry follows the chain first_revision.
 std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum);
 
+/// Fails (internal) unless the checksum of a scene's row fits: before a part of it is sealed anew.
+Status check_seal(Database& database, std::string_view id);
 /// Brings the checksum of a scene's row up to its other columns.
 Status seal_scene(Database& database, std::string_view id);
 

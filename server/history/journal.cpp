@@ -11,13 +11,15 @@ namespace pelage {
 
 namespace {
 
-// Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out.
+// Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out; it
+// comes first, because without it the first read makes a file of shared memory, for which a full disk has no room.
 constexpr const char* pragmas = R"(
-  PRAGMA auto_vacuum = INCREMENTAL;
   PRAGMA locking_mode = EXCLUSIVE;
+  PRAGMA auto_vacuum = INCREMENTAL;
   PRAGMA journal_mode = WAL;
   PRAGMA synchronous = FULL;
   PRAGMA foreign_keys = ON;
+  PRAGMA journal_size_limit = 16777216;
   BEGIN IMMEDIATE; COMMIT;
 )";
 
@@ -40,7 +42,8 @@ Status run_with_model(Database& database, Statement statement, const StoredScene
       .blob(subdivisions)
       .text(encode_creases_and_flips(scene.model.prepare));
   Status written = bind_settings(statement, scene.first_settings).text(scene.id).run();
-  return written.ok() ? seal_scene(database, scene.id) : written;
+  if (written.ok()) written = seal_scene(database, scene.id);
+  return written.ok() ? write_request(database, scene.request, scene.id, scene.first_revision) : written;
 }
 
 }  // namespace
@@ -53,27 +56,34 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   if (!database) return database.status();
   if (Status kept = database->execute(pragmas); !kept.ok()) return kept;
   if (Status good = prepare_schema(*database); !good.ok()) return good;
-  if (Status dropped = database->execute(drop_unused_pictures); !dropped.ok()) return dropped;
+  static_cast<void>(database->execute(drop_unused_pictures));  // a full disk or a damaged picture stops no start
   std::unique_ptr<Journal> journal(new Journal(std::make_unique<Database>(std::move(*database))));
   if (Status read = journal->read_tails(); !read.ok()) return read;
   return journal;
 }
 
+/// Of a scene whose rows cannot be read it stays empty: loading it says more.
 Status Journal::read_tails() {
-  Statement rows = database_->prepare(
-      "SELECT s.id, coalesce(e.revision, s.first_revision), coalesce(e.chain, s.first_revision) FROM scenes s"
-      " LEFT JOIN entries e ON e.scene = s.id"
-      " AND e.revision = (SELECT max(revision) FROM entries WHERE scene = s.id)");
-  Result<bool> row = rows.step();
-  for (; row && *row; row = rows.step()) tails_[rows.text_at(0)] = {rows.number_at(1), rows.number_at(2)};
-  return row ? Status{} : row.status();
+  const Result<std::vector<std::string>> ids = scene_ids();
+  if (!ids) return ids.status();
+  for (const std::string& id : *ids) {
+    Statement row = database_->prepare(
+        "SELECT coalesce(e.revision, s.first_revision), coalesce(e.chain, s.first_revision) FROM scenes s"
+        " LEFT JOIN entries e ON e.scene = s.id AND e.revision = (SELECT max(revision) FROM entries WHERE scene = s.id)"
+        " WHERE s.id = ?");
+    LogTail& tail = tails_[id];
+    if (const Result<bool> found = row.text(id).step(); found && *found) tail = {row.number_at(0), row.number_at(1)};
+  }
+  return {};
 }
 
 Status Journal::change(const std::string& scene, const std::function<Status(LogTail&)>& work) {
   const auto known = tails_.find(scene);
   LogTail tail = known == tails_.end() ? LogTail{} : known->second;
-  Status done = database_->transaction([&] { return work(tail); });
-  if (done.ok()) tails_[scene] = tail;
+  Status done = take([&] { return work(tail); });
+  if (!done.ok()) return done;
+  tails_[scene] = tail;
+  if (guard_) guard_->acknowledge(tails_);
   return done;
 }
 
@@ -90,6 +100,54 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
   });
   if (filled.ok()) filled = (*journal)->read_tails();
   return filled.ok() ? std::move(journal) : Result<std::unique_ptr<Journal>>(filled);
+}
+
+/// A transaction that is made only while the journal's files are where the next start looks for them.
+Status Journal::take(const std::function<Status()>& work) {
+  Status done = database_->transaction([&] {
+    Status worked = work();
+    return worked.ok() && guard_ ? guard_->files_are_there() : worked;
+  });
+  if (done.code != Code::unavailable || !guard_) return done;
+  Status room = check_room();
+  return room.ok() ? done : room;
+}
+
+Status Journal::check_room() const {
+  const std::uint64_t room = guard_->room() >> 20, needed = min_room >> 20;
+  if (room >= needed) return {};
+  return failure(Code::unavailable, "The disk of the data folder has " + std::to_string(room) + " MiB left.", "",
+                 "at least " + std::to_string(needed) + " MiB");
+}
+
+Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) {
+  auto journal = open(path);
+  if (!journal) return journal;
+  (*journal)->guard_ = std::make_unique<JournalGuard>(path);
+  (*journal)->find_lost();
+  return journal;
+}
+
+void Journal::find_lost() {
+  for (const auto& [scene, told] : guard_->acknowledged().value_or(LogTails{})) {
+    const auto present = tails_.find(scene);
+    if (present == tails_.end()) {
+      lost_.push_back({scene, told.revision, {}});
+    } else if (present->second.revision < told.revision) {
+      lost_.push_back({scene, told.revision, present->second.revision});
+    }
+  }
+  guard_->acknowledge(tails_);
+}
+
+// Waits for nobody: who holds the lock makes transactions, which look for themselves.
+Status Journal::health() const {
+  if (!guard_) return {};
+  if (Status there = guard_->files_are_there(); !there.ok()) return there;
+  if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) {
+    if (Status clean = database_->take_back_failed_commit(); !clean.ok()) return clean;
+  }
+  return check_room();
 }
 
 Status Journal::add_scene(const StoredScene& scene) {
@@ -129,30 +187,59 @@ Status Journal::subdivide_model(const StoredScene& scene) {
   const std::lock_guard lock(mutex_);
   return change(scene.id, [&](LogTail& tail) {
     tail = {scene.first_revision, scene.first_revision};
+    if (Status whole = check_seal(*database_, scene.id); !whole.ok()) return whole;
     Status changed = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
     Statement update = database_->prepare(
         "UPDATE scenes SET first_revision = ?, first_groom = ?, subdivisions = ?, settings = ? WHERE id = ?");
     update.number(scene.first_revision).blob(first_groom).blob(subdivisions);
     changed = bind_settings(update, scene.first_settings).text(scene.id).run();
-    return changed.ok() ? seal_scene(*database_, scene.id) : changed;
+    if (changed.ok()) changed = seal_scene(*database_, scene.id);
+    return changed.ok() ? write_request(*database_, scene.request, scene.id, scene.first_revision) : changed;
   });
 }
 
 Status Journal::remove_scene(const std::string& id) {
   const std::lock_guard lock(mutex_);
-  Status removed = database_->transaction([&] {
-    if (Status unused = leave_pictures(*database_, id); !unused.ok()) return unused;
-    return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
-  });
-  if (removed.ok()) tails_.erase(id);
+  const auto remove = [&] {
+    return take([&] {
+      if (Status unused = leave_pictures(*database_, id); !unused.ok()) return unused;
+      return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
+    });
+  };
+  LogTails left = tails_;
+  left.erase(id);
+  if (guard_) guard_->acknowledge(left);  // before: a kill in between is not to look like a loss
+  Status removed = remove();
+  if (removed.code == Code::unavailable && guard_ && guard_->free_reserve()) removed = remove();
+  if (removed.ok()) tails_ = std::move(left);
+  if (guard_) guard_->acknowledge(tails_);
+  if (removed.ok()) give_room_back();
+  if (guard_) guard_->take_reserve();
   return removed;
 }
 
+/// To the disk. What fails here is tried again with the next scene that is removed. In steps, because each writes what
+/// it moves to the WAL first.
+void Journal::give_room_back() {
+  const auto unused_pages = [&] {
+    const Result<std::uint64_t> count = database_->number("PRAGMA freelist_count");
+    return count ? *count : 0;
+  };
+  bool shrinks = guard_ != nullptr;
+  while (shrinks) {
+    const std::uint64_t before = unused_pages();
+    shrinks = database_->execute("PRAGMA incremental_vacuum(1000); PRAGMA wal_checkpoint(TRUNCATE)").ok() &&
+              unused_pages() < before;
+  }
+}
+
 // The branch keeps all pictures of the scene, also those that only later entries name.
-Status Journal::branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last) {
+Status Journal::branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last,
+                       const std::optional<KeyedRequest>& request) {
   const std::lock_guard lock(mutex_);
   return change(branch, [&](LogTail& tail) {
+    if (Status whole = check_seal(*database_, scene); !whole.ok()) return whole;
     Statement row = database_->prepare(
         "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
         " first_revision, first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, checksum)"
@@ -170,7 +257,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
     const Result<std::uint64_t> chain = chain_at(branch, last);
     if (!chain) return chain.status();
     tail = {last, *chain};
-    return Status{};
+    return write_request(*database_, request, branch, last);
   });
 }
 
@@ -191,13 +278,13 @@ Status Journal::copy_into(const StoredScene& stored, const std::string& scene, R
     if (between) between();
     return to.insert_entry(stored.id, entry, encode_delta(entry.delta), tail);
   };
-  Status copied = for_each_entry(scene, stored.first_revision, copy, last);
+  Status copied = for_each_entry(scene, stored.first_revision, last, copy);
   return copied.ok() && tail.revision != last ? damaged("an entry is missing") : copied;
 }
 
-Result<Revision> Journal::copy_scene(const std::string& scene, Journal& to, const std::string& copy,
+Result<Revision> Journal::copy_scene(const std::string& scene, Revision at_most, Journal& to, const std::string& copy,
                                      const std::string& name, const std::function<void()>& between) const {
-  const Revision last = last_revision(scene);
+  const Revision last = std::min(at_most, last_revision(scene));
   Result<StoredScene> stored = this->scene(scene);
   if (!stored) return stored.status();
   stored->id = copy, stored->name = name;
@@ -219,6 +306,13 @@ Result<std::vector<std::string>> Journal::scene_ids() const {
   const std::lock_guard lock(mutex_);
   Statement rows = database_->prepare("SELECT id FROM scenes ORDER BY number");
   return texts_of(rows);
+}
+
+Result<std::string> Journal::name_of(const std::string& scene) const {
+  const std::lock_guard lock(mutex_);
+  Statement row = database_->prepare("SELECT name FROM scenes WHERE id = ?");
+  const Result<bool> found = row.text(scene).step();
+  return found ? Result<std::string>(row.text_at(0)) : found.status();
 }
 
 Result<StoredScene> Journal::scene(const std::string& id) const {

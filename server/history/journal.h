@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
+#include "server/history/journal_guard.h"
 #include "server/patches/subdivide.h"
 #include "server/surface/prepare.h"
 
@@ -38,6 +38,7 @@ struct StoredScene {
   Revision first_revision = 0;                                    // at which the model came
   FieldDelta first_groom;                                         // from fur upright and of length 0
   std::shared_ptr<const SceneSettings> first_settings = nullptr;  // null: those that a scene of this model begins with
+  std::optional<KeyedRequest> request = {};                       // that made it so; not read back
 };
 
 /// What a request with a key made of a scene.
@@ -48,11 +49,15 @@ struct RequestedChange {
   FieldsHash fields_hash;
 };
 
-/// The end of a scene's log.
-struct LogTail {
-  Revision revision = 0;
-  std::uint64_t chain = 0;  // of its last entry; first_revision where there is none
+/// What a journal has lost since clients were told of it: entries, or where there is no `present` a whole scene.
+struct LostEntries {
+  std::string scene;
+  Revision told = 0;
+  std::optional<Revision> present;
 };
+
+/// After every revision.
+constexpr Revision newest_revision = std::numeric_limits<std::int64_t>::max();
 
 class Database;
 
@@ -66,7 +71,15 @@ class Journal {
   using TakeRows = std::function<Status(std::string_view bytes)>;
   static Result<std::unique_ptr<Journal>> of_rows(const std::string& path,
                                                   const std::function<Status(const TakeRows&)>& feed);
+  /// The same for a server's journal, under a JournalGuard.
+  static Result<std::unique_ptr<Journal>> open_guarded(const std::string& path);
   ~Journal();
+
+  /// Fails (unavailable) while it cannot take changes: its files are gone, its disk has no room or no commit comes to
+  /// it. A journal without a guard looks at nothing.
+  Status health() const;
+  /// What it had lost when it was opened.
+  const std::vector<LostEntries>& lost() const { return lost_; }
 
   Status add_scene(const StoredScene& scene);
   /// Puts a new model in place of the old one and its log.
@@ -81,15 +94,16 @@ class Journal {
   /// All of them or none.
   Status append(const std::string& scene, std::span<const Entry> entries);
   /// Adds a scene with another one's model and entries up to `last`. `scene` has to be there.
-  Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last);
+  Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last,
+                const std::optional<KeyedRequest>& request = {});
 
   /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name: all
-  /// of it up to the revision that it answers, or nothing, in one transaction. Some entries are read at a time, so that
-  /// it takes little memory, and what is damaged is refused (internal); conflict where the scene goes or gets another
-  /// model meanwhile. Others use this journal meanwhile, and wait for `to`. `between` is called between entries, and
-  /// ends the copy by throwing.
-  Result<Revision> copy_scene(const std::string& scene, Journal& to, const std::string& copy, const std::string& name,
-                              const std::function<void()>& between = {}) const;
+  /// of it up to the revision that it answers, `at_most` at most, or nothing, in one transaction. Some entries are read
+  /// at a time, so that it takes little memory, and what is damaged is refused (internal); conflict where the scene
+  /// goes or gets another model meanwhile. Others use this journal meanwhile, and wait for `to`. `between` is called
+  /// between entries, and ends the copy by throwing.
+  Result<Revision> copy_scene(const std::string& scene, Revision at_most, Journal& to, const std::string& copy,
+                              const std::string& name, const std::function<void()>& between = {}) const;
 
   /// Keeps a picture (encode_raw_image, encode_map_picture) under its name, for as long as a scene's log names it. One
   /// that is known stays.
@@ -102,11 +116,18 @@ class Journal {
   Result<std::vector<std::string>> pictures_of(const std::string& scene) const;
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
+  /// Also of a scene that is damaged otherwise.
+  Result<std::string> name_of(const std::string& scene) const;
   Result<StoredScene> scene(const std::string& id) const;
-  /// Calls `use` with each entry with a revision in (after, last], oldest first, until it fails. Fails (internal) at
-  /// the first entry that is damaged or that does not follow the one before it. Others use the journal meanwhile.
-  Status for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use,
-                        Revision last = std::numeric_limits<std::int64_t>::max()) const;  // as far as SQLite counts
+  /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails. Fails (internal) at the
+  /// first entry that is damaged or that does not follow the one before it. Others use the journal meanwhile.
+  Status for_each_entry(const std::string& scene, Revision after,
+                        const std::function<Status(const Entry&)>& use) const {
+    return for_each_entry(scene, after, newest_revision, use);
+  }
+  /// The same for those with a revision in (after, last].
+  Status for_each_entry(const std::string& scene, Revision after, Revision last,
+                        const std::function<Status(const Entry&)>& use) const;
   /// What a request made that came to this path with this Idempotency-Key; none where it changed nothing, or where the
   /// scene is gone.
   Result<std::optional<RequestedChange>> change_of_request(const std::string& path, const std::string& key) const;
@@ -132,6 +153,10 @@ class Journal {
 
   // All of these need the lock.
   /// All of `work`, which moves the tail of the scene's log, or nothing of it.
+  Status take(const std::function<Status()>& work);
+  Status check_room() const;
+  void find_lost();
+  void give_room_back();
   Status change(const std::string& scene, const std::function<Status(LogTail&)>& work);
   Status read_tails();
   Result<std::uint64_t> chain_at(const std::string& scene, Revision revision) const;
@@ -142,7 +167,9 @@ class Journal {
 
   mutable std::mutex mutex_;
   std::unique_ptr<Database> database_;
-  std::map<std::string, LogTail> tails_;  // of all scenes
+  std::unique_ptr<JournalGuard> guard_;
+  LogTails tails_;  // of all scenes
+  std::vector<LostEntries> lost_;
 };
 
 /// The failure (internal) where an entry does not fit those before it.

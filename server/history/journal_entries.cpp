@@ -7,20 +7,7 @@
 
 namespace pelage {
 
-namespace {
-
-/// The last of several changes of a request is what it is answered with.
-Status write_request(Database& database, const KeyedRequest& request, const RequestedChange& change) {
-  return database.prepare("INSERT OR REPLACE INTO requests VALUES(?,?,?,?,?,?,?)")
-      .text(request.path)
-      .text(request.key)
-      .text(request.fingerprint)
-      .text(change.scene)
-      .number(change.revision)
-      .number(change.fields_hash.low)
-      .number(change.fields_hash.high)
-      .run();
-}
+namespace {}
 
 Result<Entry> read_entry(const Statement& row) {
   Entry entry;
@@ -39,6 +26,10 @@ Result<Entry> read_entry(const Statement& row) {
   entry.delta = std::move(*delta);
   entry.author = row.text_at(8);
   return entry;
+}
+
+Status damaged_entry(const Statement& row) {
+  return damaged("the entry of revision " + std::to_string(row.number_at(0)));
 }
 
 constexpr std::size_t rows_at_a_time = 64, bytes_at_a_time = std::size_t{4} << 20;
@@ -62,8 +53,7 @@ Status Journal::insert_entry(const std::string& scene, const Entry& entry, const
   const Result<bool> written = insert.number(tail.chain).step();
   if (!written) return written.status();
   tail = {entry.revision, insert.number_at(0)};
-  if (!entry.request) return {};
-  return write_request(database, *entry.request, {{}, scene, entry.revision, entry.fields_hash});
+  return write_request(database, entry.request, scene, entry.revision, entry.fields_hash);
 }
 
 Status Journal::append(const std::string& scene, std::span<const Entry> entries) {
@@ -99,8 +89,8 @@ Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTa
     const Result<bool> row = rows.step();
     if (row && !*row) break;
     const std::uint64_t chain = row ? next_chain(tail.chain, rows.number_at(10)) : 0;
-    Result<Entry> entry = !row ? row.status() : chain == rows.number_at(9) ? read_entry(rows) : damaged_journal();
-    if (entry && entry->revision <= tail.revision) entry = damaged_journal();
+    Result<Entry> entry = !row ? row.status() : chain == rows.number_at(9) ? read_entry(rows) : damaged_entry(rows);
+    if (entry && entry->revision <= tail.revision) entry = damaged_entry(rows);
     if (!entry && !entries.empty()) break;  // those before it are whole; it comes next
     if (!entry) return entry.status();
     bytes += rows.blob_at(7).size();
@@ -110,8 +100,8 @@ Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTa
   return entries;
 }
 
-Status Journal::for_each_entry(const std::string& scene, Revision after, const std::function<Status(const Entry&)>& use,
-                               Revision last) const {
+Status Journal::for_each_entry(const std::string& scene, Revision after, Revision last,
+                               const std::function<Status(const Entry&)>& use) const {
   std::unique_lock lock(mutex_);
   const Result<std::uint64_t> chain = chain_at(scene, after);
   lock.unlock();

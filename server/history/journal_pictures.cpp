@@ -6,10 +6,23 @@
 
 namespace pelage {
 
+namespace {
+
+// Uploads that no log names yet: a client that only uploads does not fill the disk.
+constexpr const char* drop_oldest_unused =
+    "DELETE FROM pictures WHERE rowid IN (SELECT rowid FROM pictures WHERE name NOT IN (SELECT picture FROM "
+    "picture_uses)"
+    " ORDER BY rowid DESC LIMIT -1 OFFSET 64)";
+
+}  // namespace
+
 Status Journal::add_picture(const std::string& name, const std::string& bytes) {
   if (has_picture(name)) return {};
   const std::lock_guard lock(mutex_);
-  return insert_picture(name, bytes);
+  return take([&] {
+    Status added = insert_picture(name, bytes);
+    return added.ok() ? database_->execute(drop_oldest_unused) : added;
+  });
 }
 
 Status Journal::insert_picture(const std::string& name, const std::string& bytes) {

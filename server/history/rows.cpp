@@ -2,7 +2,6 @@
 
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
-#include "server/history/history.h"
 
 namespace pelage {
 
@@ -27,6 +26,20 @@ Result<std::vector<std::string>> texts_of(Statement& rows) {
   for (; row && *row; row = rows.step()) texts.push_back(rows.text_at(0));
   if (!row) return row.status();
   return texts;
+}
+
+Status write_request(Database& database, const std::optional<KeyedRequest>& request, const std::string& scene,
+                     Revision revision, const FieldsHash& fields_hash) {
+  if (!request) return {};
+  return database.prepare("INSERT OR REPLACE INTO requests VALUES(?,?,?,?,?,?,?)")
+      .text(request->path)
+      .text(request->key)
+      .text(request->fingerprint)
+      .text(scene)
+      .number(revision)
+      .number(fields_hash.low)
+      .number(fields_hash.high)
+      .run();
 }
 
 /// The scene's log names the picture from now on.

@@ -9,13 +9,6 @@ namespace pelage {
 
 namespace {
 
-Result<std::uint64_t> number_of(Database& database, const char* question) {
-  Statement statement = database.prepare(question);
-  const Result<bool> row = statement.step();
-  if (!row) return row.status();
-  return statement.number_at(0);
-}
-
 Status refuse_version(std::uint64_t version, std::uint64_t tables) {
   if (version > schema_version)
     return failure(Code::internal, "the journal comes from a newer version of this program");
@@ -29,9 +22,9 @@ Status refuse_version(std::uint64_t version, std::uint64_t tables) {
 }  // namespace
 
 Status prepare_schema(Database& database) {
-  const Result<std::uint64_t> version = number_of(database, "PRAGMA user_version");
+  const Result<std::uint64_t> version = database.number("PRAGMA user_version");
   if (!version) return version.status();
-  const Result<std::uint64_t> tables = number_of(database, "SELECT count(*) FROM sqlite_master");
+  const Result<std::uint64_t> tables = database.number("SELECT count(*) FROM sqlite_master");
   if (!tables) return tables.status();
   if (Status refused = refuse_version(*version, *tables); !refused.ok()) return refused;
   if (*version == schema_version) return {};

@@ -170,11 +170,39 @@ Result<Database> Database::of_bytes(std::string bytes) {
 
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
+Result<std::uint64_t> Database::number(const char* question) {
+  Statement statement = prepare(question);
+  const Result<bool> row = statement.step();
+  if (!row) return row.status();
+  return statement.number_at(0);
+}
+
 Status Database::execute(const char* sql) {
   return status_of(database_.get(), sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr));
 }
 
+// A commit whose sync failed may lie whole in the WAL, where the next start would find it. The next commit is written
+// in its place, so one that changes nothing takes it back.
+Status Database::take_back_failed_commit() {
+  if (!failed_commit_) return {};
+  const Result<std::uint64_t> version = number("PRAGMA user_version");
+  if (!version) return version.status();
+  const std::string same = "PRAGMA user_version = " + std::to_string(*version) + "; COMMIT";
+  Status taken_back = execute("BEGIN IMMEDIATE");
+  if (taken_back.ok()) taken_back = execute(same.c_str());
+  if (!taken_back.ok()) static_cast<void>(execute("ROLLBACK"));
+  failed_commit_ = !taken_back.ok();
+  return taken_back;
+}
+
 Status Database::transaction(const std::function<Status()>& work) {
+  if (Status clean = take_back_failed_commit(); !clean.ok()) return clean;
+  Status done = try_transaction(work);
+  static_cast<void>(take_back_failed_commit());  // at once, for a kill may come; the next transaction tries again
+  return done;
+}
+
+Status Database::try_transaction(const std::function<Status()>& work) {
   if (Status begun = execute("BEGIN IMMEDIATE"); !begun.ok()) return begun;
   struct RollBack {  // also where `work` throws: an open transaction would refuse every later one
     Database* database;
@@ -183,8 +211,10 @@ Status Database::transaction(const std::function<Status()>& work) {
     }
   } roll_back{this};
   Status done = work();
-  if (done.ok()) done = execute("COMMIT");
+  if (!done.ok()) return done;
+  done = execute("COMMIT");
   if (done.ok()) roll_back.database = nullptr;
+  failed_commit_ = !done.ok();
   return done;
 }
 

@@ -66,10 +66,15 @@ class Database {
   static Result<Database> of_bytes(std::string bytes);
 
   Statement prepare(const char* sql) { return {database_.get(), sql}; }
+  /// The first column of the first row.
+  Result<std::uint64_t> number(const char* question);
   /// Several statements without parameters.
   Status execute(const char* sql);
-  /// All of `work` or nothing of it.
+  /// All of `work` or nothing of it, after a restart too: where the disk fails to sync a commit, the commit is taken
+  /// back before any other one is made.
   Status transaction(const std::function<Status()>& work);
+  /// Fails while a commit could not be taken back.
+  Status take_back_failed_commit();
 
  private:
   struct Close {
@@ -77,7 +82,10 @@ class Database {
   };
   explicit Database(sqlite3* database) : database_(database) {}
 
+  Status try_transaction(const std::function<Status()>& work);
+
   std::unique_ptr<sqlite3, Close> database_;
+  bool failed_commit_ = false;
 };
 
 }  // namespace pelage

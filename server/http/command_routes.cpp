@@ -45,7 +45,8 @@ void subdivide(Service& service, Scene& scene, const Request& request, Response&
   if (!how) return reply_problem(response, how.status());
   const std::uint64_t old_model = model_id_of(scene);
   const ClientSocket client(request);
-  const ExecuteOptions options{.if_match = *if_match, .cancel = cancel_of(client)};
+  const ExecuteOptions options{
+      .if_match = *if_match, .request = keyed_request_of(request), .cancel = cancel_of(client)};
   const auto summary = service.scenes.subdivide(scene, *how, options);
   if (!summary) return reply_problem(response, summary.status());
   if (model_id_of(scene) != old_model) service.frames.forget(old_model);
@@ -112,32 +113,30 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   reply_uncompressed(response, "application/jsonl", std::move(lines));
 }
 
-/// Whether the request changed the scene before, maybe before a restart; then that is the answer.
-bool answered_before(Service& service, const Request& request, Response& response) {
-  const auto keyed = keyed_request_of(request);
-  if (!keyed) return false;
-  const auto before = service.scenes.change_of_request(*keyed);
-  if (before && !*before) return false;
-  if (!before)
-    reply_problem(response, before.status());
-  else if ((*before)->fingerprint != keyed->fingerprint)
-    reply_problem(response, other_request());
-  else
-    reply_answer(response, CommandAnswer{(*before)->revision, (*before)->fields_hash, {}});
-  return true;
+using SceneHandler = std::function<void(Scene&, const Request&, Response&)>;
+using Again = std::function<void(Scene&, const RequestedChange&, Response&)>;
+
+void answer_change(Scene&, const RequestedChange& change, Response& response) {
+  reply_answer(response, CommandAnswer{change.revision, change.fields_hash, {}});
 }
 
-using SceneHandler = std::function<void(Scene&, const Request&, Response&)>;
+void answer_scene(Scene& scene, const RequestedChange&, Response& response) {
+  const SceneSummary summary = scene.summary();
+  reply_json(response, 200, encode(summary), summary.revision);
+}
 
-void post(httplib::Server& server, Service& service, const char* name, const SceneHandler& handle) {
+void post(httplib::Server& server, Service& service, const char* name, const SceneHandler& handle,
+          const Again& again = answer_change) {
   const std::string pattern = std::string("/v1/scenes/([^/]+)/") + name;
-  add_post(server, pattern, [&service, handle](const Request& request, Response& response) {
+  add_post(server, pattern, [&service, handle, again](const Request& request, Response& response) {
     const YieldGate::Turn turn = service.gate.go_first();
-    service.idempotency.answer(request, response, [&] {
-      with_scene(service, request, response, [&](const auto& scene) {
-        if (!answered_before(service, request, response)) handle(*scene, request, response);
-      });
-    });
+    const auto use_scene = [&](const auto& use) {
+      with_scene(service, request, response, [&](const auto& scene) { use(*scene); });
+    };
+    run_once(
+        service, request, response,
+        [&](const RequestedChange& change) { use_scene([&](Scene& scene) { again(scene, change, response); }); },
+        [&] { use_scene([&](Scene& scene) { handle(scene, request, response); }); });
   });
 }
 
@@ -147,8 +146,10 @@ void add_command_routes(httplib::Server& server, Service& service) {
   post(server, service, "commands", [&](Scene& scene, const Request& request, Response& response) {
     run_commands(service, scene, request, response);
   });
-  post(server, service, "subdivide",
-       [&](Scene& scene, const Request& request, Response& response) { subdivide(service, scene, request, response); });
+  post(
+      server, service, "subdivide",
+      [&](Scene& scene, const Request& request, Response& response) { subdivide(service, scene, request, response); },
+      answer_scene);
   post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
     move(scene, undo_of(request.body), request, response);
   });

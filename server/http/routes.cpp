@@ -23,6 +23,19 @@ Cancel cancel_of(const ClientSocket& client) {
   return Cancel([&client] { return client.gone(); });
 }
 
+void run_once(Service& service, const httplib::Request& request, httplib::Response& response,
+              const std::function<void(const RequestedChange&)>& again, const std::function<void()>& run) {
+  service.idempotency.answer(request, response, [&] {
+    const std::optional<KeyedRequest> keyed = keyed_request_of(request);
+    if (!keyed) return run();
+    const auto before = service.scenes.change_of_request(*keyed);
+    if (!before) return reply_problem(response, before.status());
+    if (!*before) return run();
+    if ((*before)->fingerprint != keyed->fingerprint) return reply_problem(response, other_request());
+    again(**before);
+  });
+}
+
 std::uint64_t model_id_of(const Scene& scene) {
   std::uint64_t id = 0;
   scene.read([&](const SceneView& view) { id = view.copy_id; });

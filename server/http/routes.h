@@ -42,7 +42,8 @@ struct Service {
 
   explicit Service(const ServedParts& parts)
       : scenes(parts.scenes), frames(parts.frames), traces(parts.traces), gate(parts.gate) {}
-  bool ready() const { return !draining && frames.healthy(); }
+  /// Why the server takes no work.
+  Status readiness() const;
 };
 
 void add_scene_routes(httplib::Server& server, Service& service);
@@ -68,6 +69,11 @@ Cancel cancel_of(const ClientSocket& client);
 
 /// What the renderer keeps the scene's model by.
 std::uint64_t model_id_of(const Scene& scene);
+
+/// Runs a request once: one with an Idempotency-Key that changed something, before a restart too, is answered by
+/// `again` from what it made.
+void run_once(Service& service, const httplib::Request& request, httplib::Response& response,
+              const std::function<void(const RequestedChange&)>& again, const std::function<void()>& run);
 
 /// A POST; bodies over the limit of commands are refused (413).
 void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler);

@@ -19,13 +19,13 @@ using httplib::Response;
 void create_scene(Service& service, const Request& request, Response& response) {
   const auto wanted = decode_new_scene(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
-  reply_created(response, service.scenes.create(*wanted));
+  reply_created(response, service.scenes.create(*wanted, keyed_request_of(request)));
 }
 
 void branch_scene(Service& service, const Scene& scene, const Request& request, Response& response) {
   const auto wanted = decode_branch(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
-  reply_created(response, service.scenes.branch(scene, *wanted));
+  reply_created(response, service.scenes.branch(scene, *wanted, keyed_request_of(request)));
 }
 
 void describe_scene(const Scene& scene, const Request& request, Response& response) {
@@ -69,11 +69,16 @@ void add_scene_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes", [&](const Request&, Response& response) {
     reply_json(response, 200, encode(SceneList{service.scenes.list()}));
   });
-  add_post(server, "/v1/scenes", [&](const Request& request, Response& response) {
-    service.idempotency.answer(request, response, [&] { create_scene(service, request, response); });
+  const auto create_once = [&service](const Request& request, Response& response, const std::function<void()>& create) {
+    run_once(
+        service, request, response,
+        [&](const RequestedChange& made) { reply_created(response, service.scenes.find(made.scene)); }, create);
+  };
+  add_post(server, "/v1/scenes", [&service, create_once](const Request& request, Response& response) {
+    create_once(request, response, [&] { create_scene(service, request, response); });
   });
-  add_post(server, "/v1/scenes/([^/]+)/branch", [&](const Request& request, Response& response) {
-    service.idempotency.answer(request, response, [&] {
+  add_post(server, "/v1/scenes/([^/]+)/branch", [&service, create_once](const Request& request, Response& response) {
+    create_once(request, response, [&] {
       with_scene(service, request, response,
                  [&](const auto& scene) { branch_scene(service, *scene, request, response); });
     });

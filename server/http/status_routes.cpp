@@ -103,13 +103,21 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
+/// What is damaged is said, and keeps nobody from working with the rest.
 void ready(const Service& service, Response& response) {
-  if (service.ready()) return response.set_content("ready\n", "text/plain");
-  reply_problem(response,
-                failure(Code::unavailable, service.draining ? "The server is stopping." : "Drawing does not work."));
+  if (Status ready = service.readiness(); !ready.ok()) return reply_problem(response, ready);
+  std::string text = "ready\n";
+  for (const std::string& damage : service.scenes.damages()) text += damage + "\n";
+  response.set_content(text, "text/plain");
 }
 
 }  // namespace
+
+Status Service::readiness() const {
+  if (draining) return failure(Code::unavailable, "The server is stopping.");
+  if (!frames.healthy()) return failure(Code::unavailable, "Drawing does not work.");
+  return scenes.health();
+}
 
 void add_status_routes(httplib::Server& server, Service& service) {
   server.Get("/livez", [](const Request&, Response& response) { response.set_content("alive\n", "text/plain"); });
@@ -117,7 +125,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
   server.Get("/metrics", [&](const Request&, Response& response) {
     const Gauges gauges{.scenes = service.scenes.count(),
                         .memory = service.scenes.memory(),
-                        .ready = service.ready(),
+                        .ready = service.readiness().ok(),
                         .streams = service.streams.held(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .seconds_drawing = service.frames.seconds_drawing(),

@@ -113,11 +113,11 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
 // A scene's past beside its present: branches, the fields of an earlier revision, and what has changed since.
 
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
-                                             std::uint64_t copy_id) const {
+                                             std::uint64_t copy_id, const std::optional<KeyedRequest>& request) const {
   const Snapshot now = snapshot();
   const Revision last = at.value_or(now.revision);
   if (Status bad = has_revision(last); !bad.ok()) return bad;
-  if (Status written = journal_.branch(id_, id, name, last); !written.ok()) return written;
+  if (Status written = journal_.branch(id_, id, name, last, request); !written.ok()) return written;
   const Result<StoredScene> stored = journal_.scene(id);
   auto scene = std::make_shared<Scene>(id, name, now.model, FirstGroom{}, journal_, undo_bytes_);
   scene->copy_id_ = copy_id;
@@ -171,7 +171,7 @@ Result<PastFields> Scene::past_fields(Revision revision, const std::string& poin
   if (then) return PastFields{now->model, std::move(*then)};
   // Entries stay for as long as their model does. Where that went meanwhile, its entries were missing.
   const std::lock_guard lock(mutex_);
-  if (Status gone = admit({}); !gone.ok()) return gone;
+  if (Status removed = gone(); !removed.ok()) return removed;
   if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
   return then.status();
 }

@@ -103,6 +103,11 @@ Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<
   return {};
 }
 
+void OpenScenes::add_damaged(const SceneSummary& summary) {
+  const std::lock_guard lock(mutex_);
+  slots_.push_back({summary.id, nullptr, summary});
+}
+
 Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
   std::shared_ptr<Scene> scene;
   Dropped dropped;
@@ -126,12 +131,13 @@ Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
 
 /// Its slot says `opening`, so that nobody else changes it.
 Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
-  const auto finish = [&](const std::shared_ptr<Scene>& scene) {
+  const auto finish = [&](const std::shared_ptr<Scene>& scene, const std::string& damage = {}) {
     const std::lock_guard lock(mutex_);
     Slot& slot = *slot_of(id);
     slot.scene = scene;
     slot.opening = false;
     opened_.notify_all();
+    slot.summary.damage = damage;
     if (!scene) return Dropped();
     slot.last_use = ++uses_;
     ++reopened_;
@@ -144,7 +150,7 @@ Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
     finish(nullptr);
     throw;
   }
-  close(finish(scene ? *scene : nullptr));
+  close(scene ? finish(*scene) : finish(nullptr, scene.status().message));
   return scene;
 }
 

@@ -44,6 +44,8 @@ class OpenScenes {
   Status has_room() const;
   /// Adds an open scene. `write` puts the scene into the journal, and runs if there is room.
   Status add(const std::shared_ptr<Scene>& scene, const std::function<Status()>& write = {});
+  /// Adds one that cannot be opened, as its summary says.
+  void add_damaged(const SceneSummary& summary);
   /// Opens an evicted scene, once for all who ask for it. Refused (not_found); fails as `open` does.
   Result<std::shared_ptr<Scene>> find(const std::string& id);
   /// `remove_evicted` takes a scene out of the journal that is not open.

@@ -36,6 +36,11 @@ Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sourc
   return Step{std::move(command), source->fields, {source->model, &source->model->surface}};
 }
 
+Status quarantined(const std::string& damage) {
+  return with_next(failure(Code::conflict, "the scene cannot be changed: " + damage),
+                   "branch it, or export it as .pelage and open that: both have all that is whole");
+}
+
 }  // namespace
 
 Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur,
@@ -78,6 +83,12 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
   Beginning restored = beginning(model_, std::move(fields), std::move(history), std::move(*picture));
   begin_anew(restored);
   return {};
+}
+
+void Scene::quarantine(const std::string& why) {
+  const std::scoped_lock lock(changing_, mutex_);
+  damage_ = why;
+  announce();
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
@@ -149,9 +160,12 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
   return answer(std::move(results));
 }
 
+Status Scene::gone() const { return removed_ ? failure(Code::not_found, "the scene has been removed") : Status{}; }
+
 Status Scene::admit(const ExecuteOptions& options) const {
   if (options.cancel.asked()) return nobody_waits();
-  if (removed_) return failure(Code::not_found, "the scene has been removed");
+  if (Status removed = gone(); !removed.ok()) return removed;
+  if (!damage_.empty()) return quarantined(damage_);
   if (!options.if_match || *options.if_match == history_.revision()) return {};
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
@@ -305,7 +319,8 @@ SceneSummary Scene::summary() const {
           fields_->hash(),
           history_.undo_steps(),
           history_.redo_steps(),
-          history_.settings().layers};
+          history_.settings().layers,
+          damage_};
 }
 
 std::vector<LogEntry> Scene::log() const {

@@ -132,10 +132,14 @@ class Scene {
         std::size_t undo_bytes = limits::undo_bytes);
 
   /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
-  /// (internal) when they do not fit together; the scene is then not to be used.
+  /// (internal) when they do not fit together; the scene then stands before the first one that does not.
   /// Settings begin as `settings` say, or as a scene of this model begins.
   Status restore(const FieldDelta& first_groom, Revision first,
                  const std::shared_ptr<const SceneSettings>& settings = nullptr);
+
+  /// A scene that could be restored in part stays as it was before the damage: it can be looked at, exported, branched
+  /// and removed, and refuses changes (conflict). `why` is what its summary says from now on.
+  void quarantine(const std::string& why);
 
   /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
   /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field
@@ -152,7 +156,7 @@ class Scene {
   /// A scene of its own, in the journal too, that begins as this one is or was `at` a revision (refused, "/revision",
   /// where this model has none of that number). `copy_id` is its own for the renderer.
   Result<std::shared_ptr<Scene>> branch(const std::string& id, const std::string& name, std::optional<Revision> at,
-                                        std::uint64_t copy_id) const;
+                                        std::uint64_t copy_id, const std::optional<KeyedRequest>& request = {}) const;
 
   /// Refused (invalid, "/revision") when this model has no such revision.
   Status has_revision(Revision revision) const;
@@ -294,6 +298,7 @@ class Scene {
   CommandAnswer answer(std::vector<CommandResult> results) const;
 
   // These need `changing_` or `mutex_`.
+  Status gone() const;
   Status admit(const ExecuteOptions& options) const;
   Snapshot present() const;
   Status check_revision(Revision revision, std::string pointer = "/revision") const;
@@ -318,6 +323,7 @@ class Scene {
   std::vector<VertexRange> dirty_;   // since the last frame; readers take it
   std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
   std::atomic<bool> removed_{false};
+  std::string damage_;  // of its journal; "" for none
 };
 
 // A scene at a revision, for as long as anybody wants it.

@@ -65,7 +65,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   const FieldDelta groom = difference(FieldSet(subdivided->fields.size()), subdivided->fields);
   Beginning finer =
       beginning(subdivided->model, std::move(subdivided->fields), new_history(revision, *settings), picture_);
-  Status written = journal_.subdivide_model({id_, name_, std::move(model), revision, groom, settings});
+  Status written = journal_.subdivide_model({id_, name_, std::move(model), revision, groom, settings, options.request});
   if (!written.ok()) return written;
   begin_anew(finer);
   return summary();

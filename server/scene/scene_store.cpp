@@ -71,10 +71,13 @@ struct SceneStore::Impl {
   std::atomic<std::uint64_t> last_model{0};
   OpenScenes scenes;
 
-  explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return restored(id); }) {}
+  explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return opened(id); }) {}
 
   Result<std::shared_ptr<const SceneModel>> model_of(const StoredScene& stored);
-  Result<std::shared_ptr<Scene>> restored(const std::string& id);
+  /// A scene, and why not all of its log is in it.
+  using Restored = std::pair<std::shared_ptr<Scene>, Status>;
+  Result<Restored> restored(const std::string& id);
+  Result<std::shared_ptr<Scene>> opened(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
   /// Throws Cancelled.
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
@@ -88,14 +91,21 @@ Result<std::shared_ptr<const SceneModel>> SceneStore::Impl::model_of(const Store
   return build_model(*raw, stored.model, ++last_model);
 }
 
-Result<std::shared_ptr<Scene>> SceneStore::Impl::restored(const std::string& id) {
+Result<SceneStore::Impl::Restored> SceneStore::Impl::restored(const std::string& id) {
   const Result<StoredScene> stored = journal->scene(id);
   if (!stored) return stored.status();
   auto model = model_of(*stored);
   if (!model) return model.status();
   auto scene = std::make_shared<Scene>(id, stored->name, *model, FirstGroom{}, *journal, undo_bytes);
-  Status restored = scene->restore(stored->first_groom, stored->first_revision, stored->first_settings);
-  if (!restored.ok()) return restored;
+  return std::pair(scene, scene->restore(stored->first_groom, stored->first_revision, stored->first_settings));
+}
+
+/// One bad scene is one bad scene: what is whole of it is served, and nothing changes it.
+Result<std::shared_ptr<Scene>> SceneStore::Impl::opened(const std::string& id) {
+  const Result<Restored> restored = this->restored(id);
+  if (!restored) return failure(Code::conflict, "the scene cannot be opened: " + restored.status().message);
+  const auto& [scene, damage] = *restored;
+  if (!damage.ok()) scene->quarantine(damage.message);
   return scene;
 }
 
@@ -123,7 +133,7 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
   std::error_code error;
   std::filesystem::create_directories(data_folder, error);
   if (error) return failure(Code::internal, "the data folder cannot be made: " + error.message());
-  auto journal = Journal::open((std::filesystem::path(data_folder) / "pelage.sqlite").string());
+  auto journal = Journal::open_guarded((std::filesystem::path(data_folder) / "pelage.sqlite").string());
   if (!journal) return journal.status();
   auto impl = std::make_unique<Impl>(memory);
   impl->journal = std::move(*journal);
@@ -132,14 +142,20 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
   const Result<std::vector<std::string>> ids = impl->journal->scene_ids();
   if (!ids) return ids.status();
   for (const std::string& id : *ids) {
-    const Result<std::shared_ptr<Scene>> scene = impl->restored(id);
-    const Status added = scene ? impl->scenes.add(*scene) : scene.status();
-    if (!added.ok()) return failure(Code::internal, "scene " + id + " cannot be restored: " + added.message);
+    const Result<std::shared_ptr<Scene>> scene = impl->opened(id);
+    if (!scene) {
+      const Result<std::string> name = impl->journal->name_of(id);
+      SceneSummary summary;
+      summary.id = id, summary.name = name ? *name : "", summary.damage = scene.status().message;
+      impl->scenes.add_damaged(summary);
+    } else if (Status added = impl->scenes.add(*scene); !added.ok()) {
+      return failure(Code::internal, "scene " + id + " cannot be restored: " + added.message);
+    }
   }
   return std::unique_ptr<SceneStore>(new SceneStore(std::move(impl)));
 }
 
-Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
+Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const std::optional<KeyedRequest>& keyed) {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
   const RawModel raw = make_builtin(request.model);
   StoredModel how{.name = json_names::word_of(json_names::builtins, request.model.shape),
@@ -147,12 +163,14 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request) {
                   .fur_patches = request.fur_patches};
   auto model = build_model(raw, how, ++impl_->last_model);
   if (!model) return model.status();
-  return impl_->add({random_id(), request.name, std::move(how), 0, {}}, *model, request.fur);
+  return impl_->add({random_id(), request.name, std::move(how), 0, {}, nullptr, keyed}, *model, request.fur);
 }
 
-Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request) {
+Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request,
+                                                  const std::optional<KeyedRequest>& keyed) {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
-  Result<std::shared_ptr<Scene>> scene = from.branch(random_id(), request.name, request.revision, ++impl_->last_model);
+  Result<std::shared_ptr<Scene>> scene =
+      from.branch(random_id(), request.name, request.revision, ++impl_->last_model, keyed);
   if (!scene) return scene;
   Status added = impl_->scenes.add(*scene);
   if (added.ok()) return scene;
@@ -163,8 +181,9 @@ Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const Branc
 Result<Revision> SceneStore::save(const Scene& scene, const std::string& path, const Cancel& cancel) const try {
   const auto file = Journal::open(path);
   if (!file) return file.status();
-  const std::string name = scene.summary().name;
-  return impl_->journal->copy_scene(scene.id(), **file, scene.id(), name, [&] { cancel.check(); });
+  const SceneSummary summary = scene.summary();
+  return impl_->journal->copy_scene(scene.id(), summary.revision, **file, scene.id(), summary.name,
+                                    [&] { cancel.check(); });
 } catch (const Cancelled&) {
   return nobody_waits();
 }
@@ -195,7 +214,7 @@ Result<StoredScene> only_scene(const Journal& file) {
 }  // namespace
 
 Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte> bytes, const std::string& scratch,
-                                                      const std::string& name) {
+                                                      const std::string& name, const Cancel& cancel) try {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
   const auto file = Journal::of_rows(scratch, [&](const Journal::TakeRows& take) {
     return import_saved(impl_->worker, bytes, take, ended_by(cancel));
@@ -209,19 +228,38 @@ Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte>
   if (!model) return not_saved(model.status());
   if (Status bad = check_foreign(**file, *stored, **model); !bad.ok()) return not_saved(bad);
   const std::string id = random_id();
-  const Result<Revision> copied = (*file)->copy_scene(stored->id, *impl_->journal, id, named->name);
+  const Result<Revision> copied =
+      (*file)->copy_scene(stored->id, newest_revision, *impl_->journal, id, named->name, [&] { cancel.check(); });
   if (!copied) return copied.status();
-  Result<std::shared_ptr<Scene>> scene = impl_->restored(id);
-  const Status added = scene ? impl_->scenes.add(*scene) : scene.status();
-  if (added.ok()) return scene;
+  const Result<Impl::Restored> restored = impl_->restored(id);
+  const Status whole = restored ? restored->second : restored.status();
+  const Status added = whole.ok() ? impl_->scenes.add(restored->first) : whole;
+  if (added.ok()) return restored->first;
   static_cast<void>(impl_->journal->remove_scene(id));  // the failure before is the one to tell
   return added;
+} catch (const Cancelled&) {
+  return nobody_waits();
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::find(const std::string& id) const { return impl_->scenes.find(id); }
 
 Status SceneStore::remove(const std::string& id) {
   return impl_->scenes.remove(id, [&](const std::string& evicted) { return impl_->journal->remove_scene(evicted); });
+}
+
+Status SceneStore::health() const { return impl_->journal->health(); }
+
+std::vector<std::string> SceneStore::damages() const {
+  std::vector<std::string> damages;
+  for (const LostEntries& lost : impl_->journal->lost()) {
+    damages.push_back("scene " + lost.scene + " was at revision " + std::to_string(lost.told) + " and is " +
+                      (lost.present ? "at revision " + std::to_string(*lost.present) : "gone") +
+                      ": the end of the journal is lost");
+  }
+  for (const SceneSummary& scene : list()) {
+    if (!scene.damage.empty()) damages.push_back("scene " + scene.id + ": " + scene.damage);
+  }
+  return damages;
 }
 
 Result<std::optional<RequestedChange>> SceneStore::change_of_request(const KeyedRequest& request) const {

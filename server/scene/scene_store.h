@@ -21,9 +21,10 @@ namespace pelage {
 class SceneStore {
  public:
   /// Opens or makes `data_folder`/pelage.sqlite and restores every scene in it, with its log and revision, by the
-  /// stored deltas. `worker` is the path of pelage-import; of each scene's undo steps at most `undo_bytes` stay in
-  /// memory. While open scenes take more than `memory` bytes, the least recently used ones that nobody holds are
-  /// evicted; `find` opens them again. Fails (internal) with the reason when the journal cannot be used.
+  /// stored deltas. A scene that is damaged is restored as far as it is whole (Scene::quarantine). `worker` is the path
+  /// of pelage-import; of each scene's undo steps at most `undo_bytes` stay in memory. While open scenes take more than
+  /// `memory` bytes, the least recently used ones that nobody holds are evicted; `find` opens them again. Fails
+  /// (internal) with the reason when the journal cannot be used.
   static Result<std::unique_ptr<SceneStore>> open(const std::string& data_folder, const std::string& worker,
                                                   std::size_t undo_bytes = limits::undo_bytes,
                                                   std::size_t memory = std::numeric_limits<std::size_t>::max());
@@ -35,15 +36,20 @@ class SceneStore {
   std::uint64_t new_model_id() const;
 
   /// Refused (busy) at the limit of scenes.
-  Result<std::shared_ptr<Scene>> create(const NewScene& request);
+  Result<std::shared_ptr<Scene>> create(const NewScene& request, const std::optional<KeyedRequest>& keyed = {});
   /// A scene of its own that begins as `from` is or was at a revision. Refused: busy at the limit of scenes; as
   /// Scene::branch does.
-  Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request);
+  Result<std::shared_ptr<Scene>> branch(const Scene& from, const BranchRequest& request,
+                                        const std::optional<KeyedRequest>& keyed = {});
   /// Opens the scene where it was evicted, by the journal as at the start.
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
   /// What a request with this path and key made, before a restart too. Its fingerprint may be another.
   Result<std::optional<RequestedChange>> change_of_request(const KeyedRequest& request) const;
+  /// As Journal::health.
+  Status health() const;
+  /// A line for each scene that is damaged now, and for each that had lost entries when the store was opened.
+  std::vector<std::string> damages() const;
   /// Waits for no scene: each is as it was after its last change.
   std::vector<SceneSummary> list() const;
   std::size_t count() const;

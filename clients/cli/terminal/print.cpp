@@ -54,6 +54,7 @@ void print(const SceneSummary& summary) {
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,
              to_hex(summary.fields_hash));
+  if (!summary.damage.empty()) fmt::print("damage      {}\n", summary.damage);
 }
 
 void print(const std::vector<SceneSummary>& summaries) {
@@ -62,6 +63,9 @@ void print(const std::vector<SceneSummary>& summaries) {
     rows.push_back(
         {scene.id, scene.name, std::to_string(scene.revision), scene.model, std::to_string(scene.report.triangles)});
   fmt::print("{}", table_of(rows));
+  for (const SceneSummary& scene : summaries) {
+    if (!scene.damage.empty()) fmt::print("{} cannot be changed: {}\n", scene.name, scene.damage);
+  }
 }
 
 void print(const CommandResult& result) {

@@ -2340,6 +2340,8 @@ class SceneInfo(TypedDict):
     undo_steps: Steps that can be undone. At least 0.
     redo_steps: Steps that can be redone. At least 0.
     edit_layers: Edit layers, from the lowest. 0 to 14 items.
+    damage: What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses
+        changes (409); it can be looked at, exported and branched, unless its model is what is damaged.
     """
 
     id: str
@@ -2366,6 +2368,7 @@ class SceneInfo(TypedDict):
     undo_steps: int
     redo_steps: int
     edit_layers: Sequence[EditLayer]
+    damage: str
 
 
 class SceneList(TypedDict):

@@ -45,7 +45,7 @@ class JournalCopyTest : public ::testing::Test {
   }
   /// A copy that calls `once` when it is in the middle of its entries.
   Result<Revision> copy(const std::function<void()>& once) const {
-    return from_->copy_scene("a", *to_, "b", "cat", [&, count = 0]() mutable {
+    return from_->copy_scene("a", newest_revision, *to_, "b", "cat", [&, count = 0]() mutable {
       if (++count == static_cast<int>(entries) / 2) once();
     });
   }

@@ -176,7 +176,7 @@ TEST(NobodyWaitsForASync, OfTheirSceneOrAnother) {
   std::future<Result<CommandAnswer>> answer;
   {
     Held sync([&](const std::function<void()>& middle) {
-      EXPECT_TRUE(elsewhere->copy_scene("c", *journal, "d", "copy", middle).ok());
+      EXPECT_TRUE(elsewhere->copy_scene("c", newest_revision, *journal, "d", "copy", middle).ok());
     });
     answer = std::async(std::launch::async, [&] { return change(*scene, 0.2); });
     EXPECT_EQ(answer.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout) << "it is not on disk yet";

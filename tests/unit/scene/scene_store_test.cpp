@@ -225,22 +225,63 @@ TEST_F(SceneStoreTest, ARestartHasTheNewModel) {
   EXPECT_EQ(after.fields_hash, before.fields_hash);
 }
 
-TEST_F(SceneStoreTest, ADamagedJournalIsReported) {
+TEST_F(SceneStoreTest, ADamagedSceneStandsBeforeTheDamageAndTheOthersAreWhole) {
+  std::string bad, good;
+  FieldsHash first;
   {
-    const auto scene = make();
-    execute(*scene, {comb_at(*scene, 5)});
+    const auto scene = make(), other = make();
+    bad = scene->id(), good = other->id();
+    for (const std::size_t vertex : {5, 50, 80}) {
+      execute(*scene, {comb_at(*scene, vertex)});
+      execute(*other, {comb_at(*other, vertex)});
+      if (vertex == 5) first = hash(*scene);
+    }
   }
   store_.reset();
   {
     auto database = Database::open((folder_ / "pelage.sqlite").string());
-    ASSERT_TRUE(database->execute("UPDATE entries SET hash_low = hash_low + 1").ok());
+    ASSERT_TRUE(
+        database
+            ->execute(
+                ("UPDATE entries SET hash_low = hash_low + 1 WHERE revision = 2 AND scene = '" + bad + "'").c_str())
+            .ok());
   }
-  const auto refused = SceneStore::open(folder_.string(), "pelage-import");
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.status().code, Code::internal);
-  EXPECT_NE(refused.status().message.find("damaged"), std::string::npos);
-  std::filesystem::remove_all(folder_);
   open();
+  ASSERT_EQ(store_->damages().size(), 1u);
+  EXPECT_NE(store_->damages()[0].find(bad), std::string::npos);
+  const auto scene = *store_->find(bad), other = *store_->find(good);
+  EXPECT_EQ(scene->revision(), 1u);
+  EXPECT_EQ(hash(*scene), first);
+  EXPECT_NE(scene->summary().damage.find("revision 2"), std::string::npos);
+  EXPECT_EQ(scene->execute({comb_at(*scene, 5)}).status().code, Code::conflict);
+  EXPECT_EQ(scene->move(Undo{}).status().code, Code::conflict);
+  EXPECT_EQ(store_->subdivide(*scene, {}).status().code, Code::conflict);
+  const auto branch = store_->branch(*scene, {.name = "whole"});
+  ASSERT_TRUE(branch.ok()) << branch.status().message;
+  EXPECT_EQ(hash(**branch), first);
+  execute(**branch, {comb_at(**branch, 9)});
+  EXPECT_EQ(other->revision(), 3u);
+  execute(*other, {comb_at(*other, 9)});
+  ASSERT_TRUE(store_->remove(bad).ok());
+  EXPECT_TRUE(store_->damages().empty());
+}
+
+TEST_F(SceneStoreTest, ASceneWhoseModelIsDamagedIsListedAndCanBeRemoved) {
+  const std::string bad = make()->id(), good = make()->id();
+  store_.reset();
+  {
+    auto database = Database::open((folder_ / "pelage.sqlite").string());
+    ASSERT_TRUE(database->execute(("UPDATE scenes SET raw = raw || x'00' WHERE id = '" + bad + "'").c_str()).ok());
+  }
+  open();
+  ASSERT_EQ(store_->list().size(), 2u);
+  EXPECT_EQ(store_->list()[0].name, "test");
+  EXPECT_NE(store_->list()[0].damage, "");
+  EXPECT_EQ(store_->list()[1].damage, "");
+  EXPECT_EQ(store_->find(bad).status().code, Code::conflict);
+  EXPECT_TRUE(store_->find(good).ok());
+  EXPECT_TRUE(store_->remove(bad).ok());
+  EXPECT_EQ(store_->list().size(), 1u);
 }
 
 TEST_F(SceneStoreTest, AModelThatCannotBeReadLeavesTheSceneAsItWas) {

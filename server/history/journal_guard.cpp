@@ -1,0 +1,113 @@
+#include "server/history/journal_guard.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "server/history/checksum.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr off_t max_text_bytes = 1 << 14;
+
+std::string reserve_of(const std::string& path) { return path + "-reserve"; }
+
+/// A line for each log, then one with a checksum of them; what an earlier, longer text left behind that is not read.
+std::string text_of(const LogTails& tails) {
+  std::string text;
+  for (const auto& [id, tail] : tails) text += fmt::format("{} {} {:x}\n", id, tail.revision, tail.chain);
+  return text + fmt::format("end {:x}\n", checksum_of(text));
+}
+
+std::optional<LogTails> tails_in(const std::string& path) {
+  std::ifstream file(path);
+  LogTails tails;
+  std::string line, read;
+  while (std::getline(file, line)) {
+    std::istringstream words(line);
+    std::string id;
+    LogTail tail;
+    words >> id;
+    if (id == "end") {
+      std::uint64_t sum = 0;
+      words >> std::hex >> sum;
+      return sum == checksum_of(read) ? std::optional(std::move(tails)) : std::nullopt;
+    }
+    words >> tail.revision >> std::hex >> tail.chain;
+    tails[id] = tail;
+    read += line + "\n";
+  }
+  return {};
+}
+
+}  // namespace
+
+JournalGuard::JournalGuard(std::string path)
+    : path_(std::move(path)),
+      journal_(file_at(path_)),
+      wal_(file_at(path_ + "-wal")),
+      acknowledged_(tails_in(path_ + "-acknowledged")),
+      tails_file_(open((path_ + "-acknowledged").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  // All blocks that the text can need, so that a full disk does not cut it.
+  static_cast<void>(posix_fallocate(tails_file_, 0, max_text_bytes));
+  take_reserve();
+}
+
+JournalGuard::~JournalGuard() {
+  if (tails_file_ >= 0) close(tails_file_);
+}
+
+std::optional<JournalGuard::File> JournalGuard::file_at(const std::string& path) {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0) return {};
+  return File{found.st_dev, found.st_ino};
+}
+
+Status JournalGuard::files_are_there() const {
+  for (const auto& [path, file] : {std::pair(path_, journal_), std::pair(path_ + "-wal", wal_)}) {
+    if (file_at(path) == file) continue;
+    return failure(Code::unavailable,
+                   fmt::format("the journal's file {} has been removed or replaced while the server runs: nothing more "
+                               "is changed; export what is needed, then start the server anew",
+                               std::filesystem::path(path).filename().string()));
+  }
+  return {};
+}
+
+std::uint64_t JournalGuard::room() const {
+  struct statvfs disk {};
+  if (statvfs(std::filesystem::path(path_).parent_path().c_str(), &disk) != 0) return 0;
+  return std::uint64_t{disk.f_bavail} * disk.f_frsize;
+}
+
+// One write to blocks that the file has: it needs no room on the disk, and a kill leaves the old text or the new one. A
+// write that fails leaves the old text, which only says less.
+void JournalGuard::acknowledge(const LogTails& tails) {
+  const std::string text = text_of(tails);
+  static_cast<void>(!pwrite(tails_file_, text.data(), text.size(), 0));
+}
+
+bool JournalGuard::free_reserve() { return unlink(reserve_of(path_).c_str()) == 0; }
+
+void JournalGuard::take_reserve() {
+  const std::string path = reserve_of(path_);
+  struct stat found {};
+  if (stat(path.c_str(), &found) == 0 && static_cast<std::uint64_t>(found.st_size) >= min_room) return;
+  if (room() < 2 * min_room) return;
+  const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) return;
+  const int failed = posix_fallocate(file, 0, static_cast<off_t>(min_room));
+  close(file);
+  if (failed != 0) free_reserve();
+}
+
+}  // namespace pelage

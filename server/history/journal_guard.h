@@ -1,0 +1,67 @@
+// What stands beside the file of a server's journal, so that the server knows when the file system has failed it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "protocol/base/status.h"
+#include "protocol/commands/answers.h"
+
+namespace pelage {
+
+/// The end of a scene's log.
+struct LogTail {
+  Revision revision = 0;
+  std::uint64_t chain = 0;  // of its last entry; first_revision where there is none
+  bool operator==(const LogTail&) const = default;
+};
+using LogTails = std::map<std::string, LogTail>;  // by the id of the scene
+
+/// Bytes that the disk has to have for a server to be ready, and that the reserve holds.
+constexpr std::uint64_t min_room = std::uint64_t{16} << 20;
+
+/// Watches the journal at a path, which is open, with its WAL. Not thread-safe. It writes two files beside them:
+/// PATH-acknowledged has the ends of all logs as clients were told of them, which is never more than the journal has
+/// unless the journal has lost something, and PATH-reserve has min_room bytes to work with when the disk is full.
+class JournalGuard {
+ public:
+  explicit JournalGuard(std::string path);
+  ~JournalGuard();
+  JournalGuard(const JournalGuard&) = delete;
+  JournalGuard& operator=(const JournalGuard&) = delete;
+
+  /// Fails (unavailable) once the journal or its WAL is no longer the file at its path: what is written then is lost.
+  Status files_are_there() const;
+  /// Bytes that the disk has for the journal, without the reserve.
+  std::uint64_t room() const;
+
+  /// The ends of logs that clients were told of, as the last server on this folder left them; none where the file is
+  /// missing or broken.
+  const std::optional<LogTails>& acknowledged() const { return acknowledged_; }
+  /// Without a sync: a machine that loses power may keep an older state, which only says less.
+  void acknowledge(const LogTails& tails);
+
+  /// False where there was no reserve.
+  bool free_reserve();
+  /// Where the disk has room for it.
+  void take_reserve();
+
+ private:
+  struct File {
+    dev_t device = 0;
+    ino_t number = 0;
+    bool operator==(const File&) const = default;
+  };
+  static std::optional<File> file_at(const std::string& path);
+
+  const std::string path_;
+  std::optional<File> journal_, wal_;
+  std::optional<LogTails> acknowledged_;
+  int tails_file_ = -1;
+};
+
+}  // namespace pelage
