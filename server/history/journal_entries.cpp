@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-namespace {}
+namespace {
 
 Result<Entry> read_entry(const Statement& row) {
   Entry entry;

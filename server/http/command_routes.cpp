@@ -46,7 +46,7 @@ void subdivide(Service& service, Scene& scene, const Request& request, Response&
   const std::uint64_t old_model = model_id_of(scene);
   const ClientSocket client(request);
   const ExecuteOptions options{
-      .if_match = *if_match, .request = keyed_request_of(request), .cancel = cancel_of(client)};
+      .if_match = *if_match, .cancel = cancel_of(client), .request = keyed_request_of(request)};
   const auto summary = service.scenes.subdivide(scene, *how, options);
   if (!summary) return reply_problem(response, summary.status());
   if (model_id_of(scene) != old_model) service.frames.forget(old_model);

@@ -32,9 +32,9 @@ TEST(FileSize, ASavedSceneThatWouldNotOpenIsRefused) {
   ASSERT_TRUE(scene.ok());
   const Result<ExportFile> file = export_saved(**store, **scene);
   ASSERT_TRUE(file.ok()) << file.status().message;
-  EXPECT_TRUE(export_saved(**store, **scene, {.bytes = file->about.bytes}).ok());
-  EXPECT_EQ(export_saved(**store, **scene, {.bytes = file->about.bytes - 1}).status().code, Code::too_large);
-  EXPECT_EQ(export_saved(**store, **scene, {.unpacked = 4096}).status().code, Code::too_large);
+  EXPECT_TRUE(export_saved(**store, **scene, {}, {.bytes = file->about.bytes}).ok());
+  EXPECT_EQ(export_saved(**store, **scene, {}, {.bytes = file->about.bytes - 1}).status().code, Code::too_large);
+  EXPECT_EQ(export_saved(**store, **scene, {}, {.unpacked = 4096}).status().code, Code::too_large);
   std::filesystem::remove_all(folder);
 }
 

@@ -1,4 +1,6 @@
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "server/groom/evaluation_cost.h"
 #include "tests/unit/scene/store_fixture.h"
@@ -16,7 +18,8 @@ class CheckCostTest : public StoreTest {
   }
   /// What is not refused before it begins ends at its first question, so that a missing check does not take minutes.
   static Result<CommandAnswer> begin(Scene& scene, const std::vector<Command>& commands) {
-    return scene.execute(commands, {.cancel = Cancel([] { return true; })});
+    const auto admitted = std::make_shared<std::atomic<bool>>(false);
+    return scene.execute(commands, {.cancel = Cancel([admitted] { return admitted->exchange(true); })});
   }
   /// 5,000 samples, there and back, with distance along the surface.
   static Comb heavy(const Scene& scene) {

@@ -129,9 +129,11 @@ TEST_F(NobodyWaits, WhileASceneIsExported) {
   ASSERT_EQ(change.wait_for(guard), std::future_status::ready) << "a command waits for the copy";
   EXPECT_EQ(change.get(), 2u);
   copy.end();
-  const auto opened = store_->open_saved(file, "copy");
-  ASSERT_TRUE(opened.ok()) << opened.status().message;
-  EXPECT_EQ((*opened)->revision(), 1u);
+  const auto saved = Journal::open(file);
+  ASSERT_TRUE(saved.ok()) << saved.status().message;
+  const auto entries = (*saved)->entries(scene_->id(), 0);
+  ASSERT_TRUE(entries.ok()) << entries.status().message;
+  EXPECT_EQ(entries->back().revision, 1u);
 }
 
 TEST_F(NobodyWaits, WhileADrawingGoesOn) {
