@@ -78,12 +78,26 @@ Status Journal::read_tails() {
 }
 
 Status Journal::change(const std::string& scene, const std::function<Status(LogTail&)>& work) {
-  const auto known = tails_.find(scene);
-  LogTail tail = known == tails_.end() ? LogTail{} : known->second;
-  Status done = take([&] { return work(tail); });
-  if (!done.ok()) return done;
-  tails_[scene] = tail;
-  if (guard_) guard_->acknowledge(tails_);
+  const auto [place, fresh] = tails_.try_emplace(scene);
+  const LogTail before = place->second;
+  const auto take_back = [&, at = place, made = fresh] {
+    at->second = before;
+    if (made) tails_.erase(at);
+  };
+  std::string told;  // before the commit, after which nothing may fail
+  Status done;
+  try {
+    done = take([&, at = place] {
+      Status worked = work(at->second);
+      if (worked.ok() && guard_) told = JournalGuard::text_of(tails_);
+      return worked;
+    });
+  } catch (...) {
+    take_back();
+    throw;
+  }
+  if (!done.ok()) take_back();
+  if (done.ok() && guard_) guard_->acknowledge(told);
   return done;
 }
 
@@ -122,6 +136,7 @@ Status Journal::check_room() const {
 
 Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) {
   auto journal = open(path);
+  if (!journal && JournalGuard::free_reserve(path)) journal = open(path);  // the disk may be full
   if (!journal) return journal;
   (*journal)->guard_ = std::make_unique<JournalGuard>(path);
   (*journal)->find_lost();
@@ -137,7 +152,7 @@ void Journal::find_lost() {
       lost_.push_back({scene, told.revision, present->second.revision});
     }
   }
-  guard_->acknowledge(tails_);
+  guard_->acknowledge(JournalGuard::text_of(tails_));
 }
 
 // Waits for nobody: who holds the lock makes transactions, which look for themselves.
@@ -209,11 +224,11 @@ Status Journal::remove_scene(const std::string& id) {
   };
   LogTails left = tails_;
   left.erase(id);
-  if (guard_) guard_->acknowledge(left);  // before: a kill in between is not to look like a loss
+  if (guard_) guard_->acknowledge(JournalGuard::text_of(left));  // before: a kill in between is not to look like a loss
   Status removed = remove();
   if (removed.code == Code::unavailable && guard_ && guard_->free_reserve()) removed = remove();
   if (removed.ok()) tails_ = std::move(left);
-  if (guard_) guard_->acknowledge(tails_);
+  if (!removed.ok() && guard_) guard_->acknowledge(JournalGuard::text_of(tails_));
   if (removed.ok()) give_room_back();
   if (guard_) guard_->take_reserve();
   return removed;

@@ -21,13 +21,6 @@ constexpr off_t max_text_bytes = 1 << 14;
 
 std::string reserve_of(const std::string& path) { return path + "-reserve"; }
 
-/// A line for each log, then one with a checksum of them; what an earlier, longer text left behind that is not read.
-std::string text_of(const LogTails& tails) {
-  std::string text;
-  for (const auto& [id, tail] : tails) text += fmt::format("{} {} {:x}\n", id, tail.revision, tail.chain);
-  return text + fmt::format("end {:x}\n", checksum_of(text));
-}
-
 std::optional<LogTails> tails_in(const std::string& path) {
   std::ifstream file(path);
   LogTails tails;
@@ -89,14 +82,20 @@ std::uint64_t JournalGuard::room() const {
   return std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 
+/// A line for each log, then one with a checksum of them; what an earlier, longer text left behind that is not read.
+std::string JournalGuard::text_of(const LogTails& tails) {
+  std::string text;
+  for (const auto& [id, tail] : tails) text += fmt::format("{} {} {:x}\n", id, tail.revision, tail.chain);
+  return text + fmt::format("end {:x}\n", checksum_of(text));
+}
+
 // One write to blocks that the file has: it needs no room on the disk, and a kill leaves the old text or the new one. A
 // write that fails leaves the old text, which only says less.
-void JournalGuard::acknowledge(const LogTails& tails) {
-  const std::string text = text_of(tails);
+void JournalGuard::acknowledge(const std::string& text) noexcept {
   static_cast<void>(!pwrite(tails_file_, text.data(), text.size(), 0));
 }
 
-bool JournalGuard::free_reserve() { return unlink(reserve_of(path_).c_str()) == 0; }
+bool JournalGuard::free_reserve(const std::string& path) { return unlink(reserve_of(path).c_str()) == 0; }
 
 void JournalGuard::take_reserve() {
   const std::string path = reserve_of(path_);

@@ -43,10 +43,12 @@ class JournalGuard {
   /// missing or broken.
   const std::optional<LogTails>& acknowledged() const { return acknowledged_; }
   /// Without a sync: a machine that loses power may keep an older state, which only says less.
-  void acknowledge(const LogTails& tails);
+  void acknowledge(const std::string& text_of_tails) noexcept;
+  static std::string text_of(const LogTails& tails);
 
-  /// False where there was no reserve.
-  bool free_reserve();
+  /// Gives the disk the reserve of the journal at a path; false where there was none.
+  static bool free_reserve(const std::string& path);
+  bool free_reserve() { return free_reserve(path_); }
   /// Where the disk has room for it.
   void take_reserve();
 

@@ -137,7 +137,7 @@ Status Scene::check_revision(Revision revision, std::string pointer) const {
 
 Status Scene::has_revision(Revision revision) const {
   const std::lock_guard lock(mutex_);
-  if (Status gone = admit({}); !gone.ok()) return gone;
+  if (Status removed = gone(); !removed.ok()) return removed;
   return check_revision(revision);
 }
 

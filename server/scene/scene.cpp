@@ -73,16 +73,16 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
   Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
     if (!history.accepts(entry) || !fields.accepts(entry.delta)) return damaged_journal();
     fields.apply(entry.delta);
-    if (fields.hash() != entry.fields_hash) return damaged_journal();
+    if (fields.hash() != entry.fields_hash) return fields.apply(entry.delta), damaged_journal();  // taken back
     history.record(entry);
     return Status{};
   });
-  if (!taken.ok()) return taken;
   Result<LaidPicture> picture = picture_of(history.settings(), {});
-  if (!picture) return picture.status();
-  Beginning restored = beginning(model_, std::move(fields), std::move(history), std::move(*picture));
-  begin_anew(restored);
-  return {};
+  if (taken.ok() && !picture) taken = picture.status();
+  LaidPicture laid = picture ? std::move(*picture) : LaidPicture{};
+  Beginning restored = beginning(model_, std::move(fields), std::move(history), std::move(laid));
+  begin_anew(restored);  // what is whole of a damaged scene too
+  return taken;
 }
 
 void Scene::quarantine(const std::string& why) {
