@@ -17,7 +17,7 @@ std::size_t bytes_of(const SceneModel& model) {
 
 SceneMemory Scene::memory() const noexcept {
   const std::lock_guard lock(mutex_);
-  std::size_t own = sizeof(Scene) + fields_->bytes() + history_.bytes() + dirty_.capacity() * sizeof(VertexRange);
+  std::size_t own = sizeof(Scene) + fields_->bytes() + history_.bytes();  // what is dirty is a few numbers
   if (picture_.image) own += picture_.image->rgba.capacity();
   return {own, model_->id, bytes_of(*model_), copy_id_, live_.goes_on()};
 }

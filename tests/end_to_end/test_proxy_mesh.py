@@ -34,7 +34,7 @@ class ProxyMesh(ServedTest):
         return answer
 
     def obj(self, scene, text):
-        answer = self.server.call("PUT", f"{scene.path}/model?format=obj", text.encode())
+        answer = self.server.call("PUT", f"{scene.path}/model?format=obj&discard=1", text.encode())
         self.assertEqual(answer.status, 200, answer)
 
     def test_a_sphere(self):
