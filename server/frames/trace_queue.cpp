@@ -220,13 +220,18 @@ TraceQueue::Clock::time_point TraceQueue::next_event() const {
 // The tracing thread.
 
 void TraceQueue::run() {
-  while (const JobPtr job = next()) {
-    const Stopwatch passed;
-    std::optional<Status> status;
-    const Status thrown = caught([&] { return status = trace_job(job), Status{}; });
-    if (!thrown.ok()) status = thrown;
-    end(job, std::move(status), passed.seconds());
-  }
+  for (Result<bool> go_on = true; !go_on || *go_on;) go_on = caught([&] { return Result<bool>(trace_next()); });
+}
+
+bool TraceQueue::trace_next() {
+  const JobPtr job = next();
+  if (!job) return false;
+  const Stopwatch passed;
+  std::optional<Status> status;
+  const Status thrown = caught([&] { return status = trace_job(job), Status{}; });
+  if (!thrown.ok()) status = thrown;
+  end(job, std::move(status), passed.seconds());
+  return true;
 }
 
 TraceQueue::JobPtr TraceQueue::next() {

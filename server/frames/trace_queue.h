@@ -87,6 +87,8 @@ class TraceQueue {
 
   // On the tracing thread.
   void run();
+  /// Waits for a job and traces it for its turn; false at the end.
+  bool trace_next();
   JobPtr next();
   /// Begins a picture or goes on with it.
   Status start(const JobPtr& job, const std::function<bool()>& go_on);
