@@ -40,7 +40,7 @@ FurredSkin furred_skin(const SceneView& scene);
 /// Whose job it is: viewers of one scene share its turns.
 struct Subject {
   std::uint64_t scene = 0, view = 0;
-  auto operator<=>(const Subject&) const = default;
+  bool operator<(const Subject& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
 };
 
 /// How often each of those who wait was served. Who comes anew has had as many turns as the one with the fewest.
