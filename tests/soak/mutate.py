@@ -25,7 +25,7 @@ def odd_value(chance, old):
     kind = chance.random()
     if isinstance(old, (int, float)) and kind < 0.3:
         return old * chance.choice([-1, 0.1, 10, 1e6, 1e30])
-    return chance.choice(NUMBERS if kind < 0.65 else TEXTS if kind < 0.8 else OTHERS)
+    return copy.deepcopy(chance.choice(NUMBERS if kind < 0.65 else TEXTS if kind < 0.8 else OTHERS))
 
 
 def mutated(chance, document):
@@ -34,7 +34,7 @@ def mutated(chance, document):
     for _ in range(chance.randint(1, 3)):
         paths = [path for path in nodes(document) if path]
         if not paths:
-            return chance.choice(OTHERS)
+            return copy.deepcopy(chance.choice(OTHERS))
         path = chance.choice(paths)
         inside, kind = parent_of(document, path), chance.random()
         if kind < 0.7:
@@ -42,7 +42,7 @@ def mutated(chance, document):
         elif kind < 0.8:
             del inside[path[-1]]
         elif isinstance(inside, dict):
-            inside["unknown_member"] = chance.choice(OTHERS)
+            inside["unknown_member"] = copy.deepcopy(chance.choice(OTHERS))
         else:
             inside *= chance.choice([2, 20])
     return document

@@ -109,7 +109,7 @@ class Fuzzer:
             parameter = resolved(parameter)
             made = self.parameter(chance, parameter)
             if parameter["in"] == "path" and parameter["name"] != "id":
-                values[parameter["name"]] = made[1] if made else "x"
+                values[parameter["name"]] = (made and made[1]) or "x"  # an empty one is another address
             elif made and parameter["in"] == "query":
                 query.append(made)
             elif made and parameter["in"] == "header":
