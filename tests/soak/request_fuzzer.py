@@ -3,7 +3,8 @@
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/request_fuzzer.py [SECONDS] [PER_OPERATION] [SEED]
 
 Goes on until both SECONDS have gone by and each operation has had PER_OPERATION requests (or four times the seconds). Ends with 1 where a request was
-answered with 5xx other than 503 and 507 (busy, no room), with a status or a problem that the contract does not describe, or after more than ten seconds.
+answered with 5xx other than 503 and 507 (busy, no room), with a status or a problem that the contract does not describe, or after more than ten seconds, and one
+more for each 20 MB.
 """
 import collections
 import json
@@ -22,7 +23,8 @@ import mutate
 from support.server import BIN, Server
 
 CLIENTS = 3
-MAX_SECONDS = 10
+MAX_SECONDS = 10  # beside the bytes of a large answer: every strand of a coat is some hundred megabytes
+BYTES_A_SECOND = 2e7
 ROUND = 150  # requests of a client between new scenes
 CAPS = {"width": 64, "height": 64, "triangles": 800, "passes": 2, "size": 64, "wait": 0.2, "levels": 1, "shells": 16, "count": 2000, "keys": 50,
         "strands": 2000, "seconds": 1, "budget_ms": 200, "scale": 2, "steps": 3, "duration": 5, "dilate": 16}
@@ -136,7 +138,7 @@ class Fuzzer:
         self.server.raw(f"GET {address} HTTP/1.1\r\nHost: localhost\r\n{lines}Connection: close\r\n\r\n".encode("utf-8", "surrogatepass"), timeout=0.2)
 
     def judge(self, method, path, address, body, operation, answer, seconds):
-        said = None
+        said, seconds = None, seconds - len(answer.body) / BYTES_A_SECOND
         if answer.status >= 500 and answer.status not in BUSY:
             said = f"{answer!r}"
         elif seconds > MAX_SECONDS:
