@@ -136,7 +136,8 @@ Status Journal::check_room() const {
 
 Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) {
   auto journal = open(path);
-  if (!journal && JournalGuard::free_reserve(path)) journal = open(path);  // the disk may be full
+  const bool full = JournalGuard::room_at(path) < min_room;  // else the reserve may be that of a server which runs
+  if (!journal && full && JournalGuard::free_reserve(path)) journal = open(path);
   if (!journal) return journal;
   (*journal)->guard_ = std::make_unique<JournalGuard>(path);
   (*journal)->find_lost();

@@ -76,9 +76,9 @@ Status JournalGuard::files_are_there() const {
   return {};
 }
 
-std::uint64_t JournalGuard::room() const {
+std::uint64_t JournalGuard::room_at(const std::string& path) {
   struct statvfs disk {};
-  if (statvfs(std::filesystem::path(path_).parent_path().c_str(), &disk) != 0) return 0;
+  if (statvfs(std::filesystem::path(path).parent_path().c_str(), &disk) != 0) return 0;
   return std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 

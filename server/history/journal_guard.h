@@ -36,8 +36,9 @@ class JournalGuard {
 
   /// Fails (unavailable) once the journal or its WAL is no longer the file at its path: what is written then is lost.
   Status files_are_there() const;
-  /// Bytes that the disk has for the journal, without the reserve.
-  std::uint64_t room() const;
+  /// Bytes that the disk has for the journal at a path, without the reserve.
+  static std::uint64_t room_at(const std::string& path);
+  std::uint64_t room() const { return room_at(path_); }
 
   /// The ends of logs that clients were told of, as the last server on this folder left them; none where the file is
   /// missing or broken.

@@ -159,6 +159,12 @@ TEST_F(JournalDamageTest, AFullDiskRefusesChangesAndNothingElse) {
   EXPECT_EQ(fs::file_size(file() + "-reserve"), min_room) << "taken again";
 }
 
+TEST_F(JournalDamageTest, ASecondServerLeavesTheReserveOfTheFirst) {
+  const auto journal = open(file());
+  EXPECT_FALSE(Journal::open_guarded(file()).ok());
+  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_room);
+}
+
 TEST_F(JournalDamageTest, ARemovedSceneGivesItsRoomBack) {
   const auto journal = open(file());
   StoredScene large = scene("a");
