@@ -50,7 +50,8 @@ class LocalTasks:
             return {chunk: "running" if chunk in self._running else "waiting" for chunk in self._left}
 
     def follow(self, every: float, report: Callable[[], None]) -> None:
-        """Calls report every so many seconds, until all chunks were tried."""
+        """Calls report at once, then every so many seconds, and when all chunks were tried."""
+        report()
         while self.live():
             self._ended.wait(every)  # no join: Python takes a thread whose join Ctrl-C interrupts for ended
             report()
