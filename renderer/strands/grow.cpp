@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "renderer/curves/curve_strips.h"
 #include "renderer/pattern/pattern.h"
+#include "renderer/strands/even_order.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/sampling.h"
 #include "renderer/strands/strand_look.h"
@@ -83,6 +85,18 @@ std::vector<FurVertex> closing_vertices(const std::vector<FurVertex>& vertices, 
 }  // namespace
 
 struct Grower::Impl {
+  /// A piece as it is, and as it is when the shutter closes where anything moves.
+  struct Piece {
+    FurPiece opening;
+    std::optional<FurPiece> closing;
+  };
+  /// Strands of a chunk, and where they stand.
+  struct Found {
+    std::vector<Piece> pieces;
+    std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // by piece
+    std::vector<glm::vec3> roots;
+  };
+
   Impl(const FurModel& surface, const FurFields& fields, const GrowRecipe& how)
       : model(surface),
         recipe(how),
@@ -101,7 +115,8 @@ struct Grower::Impl {
 
   bool bald(std::uint32_t piece) const;
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
-  void grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t max, StrandSet& set) const;
+  /// Adds the strands that grow on a piece.
+  void find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const;
   /// `moved` is the piece when the shutter closes, null where nothing moves.
   void append(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
   void append_guard_hair(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
@@ -183,21 +198,19 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const FurPiece* move
   set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
 }
 
-void Grower::Impl::grow_piece(std::uint32_t index, std::vector<TileCopy>& copies, std::size_t max,
-                              StrandSet& set) const {
-  if (bald(index) || set.bytes() > max) return;
+void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const {
+  if (bald(index)) return;
   cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const PatternBlock* block = pattern ? &*pattern : nullptr;
-  const FurPiece piece(model, vertices, index, leans, block);
-  std::optional<FurPiece> moved;
-  if (!closing.empty()) moved.emplace(model, closing, index, leans, block);
-  const FurPiece* then = moved ? &*moved : nullptr;
+  const auto number = static_cast<std::uint32_t>(found.pieces.size());
+  found.pieces.push_back({FurPiece(model, vertices, index, leans, block), {}});
+  Piece& piece = found.pieces.back();
+  if (!closing.empty()) piece.closing.emplace(model, closing, index, leans, block);
   for (const TileCopy& copy : copies) {
-    if (!keeps(piece, copy)) continue;
-    const bool guard_hair = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
-    guard_hair ? append_guard_hair(piece, then, copy, set) : append(piece, then, copy, set);
-    if (set.bytes() > max) return;
+    if (!keeps(piece.opening, copy)) continue;
+    found.strands.emplace_back(number, copy);
+    found.roots.push_back(piece.opening.place(glm::vec3(copy.share)));
   }
 }
 
@@ -213,10 +226,24 @@ double expected_strands(const FurModel& model, const Coat& coat) {
 }
 
 StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
-  StrandSet set;
-  set.segments = impl_->tile.segments();
+  const Impl& grower = *impl_;
+  Impl::Found found;
   std::vector<TileCopy> copies;
-  for (const std::uint32_t piece : chunk) impl_->grow_piece(piece, copies, max, set);
+  for (const std::uint32_t piece : chunk) grower.find_strands(piece, copies, found);
+  EvenOrder even = even_order(found.roots);
+  StrandSet set;
+  set.segments = grower.tile.segments();
+  for (const std::uint32_t strand : even.order) {
+    const auto& [number, copy] = found.strands[strand];
+    const Impl::Piece& piece = found.pieces[number];
+    const FurPiece* then = piece.closing ? &*piece.closing : nullptr;
+    const bool guard_hair = number_of(copy, 3) < static_cast<float>(grower.recipe.guard_share);
+    guard_hair ? grower.append_guard_hair(piece.opening, then, copy, set)
+               : grower.append(piece.opening, then, copy, set);
+    if (set.bytes() > max) break;
+  }
+  even.neighbour.resize(set.count());
+  set.neighbour = std::move(even.neighbour);
   set.points.shrink_to_fit(), set.closing.shrink_to_fit();
   set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;

@@ -107,12 +107,16 @@ void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans
   }
 }
 
+glm::vec3 FurPiece::place(glm::vec3 share) const {
+  return share.x * corners_[0].place + share.y * corners_[1].place + share.z * corners_[2].place;
+}
+
 RootFields FurPiece::fields(glm::vec3 share) const {
   const auto mixed = [&](auto value) {
     return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
   };
   RootFields root;
-  root.place = mixed([](const Corner& c) { return c.place; });
+  root.place = place(share);
   root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
   root.rest = {mixed([](const Corner& c) { return c.rest_place; }),
                unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), turn_};

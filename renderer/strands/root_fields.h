@@ -77,6 +77,7 @@ class FurPiece {
   float grown(glm::vec3 share) const { return glm::dot(share, grown_); }
   float density(glm::vec3 share) const { return glm::dot(share, density_); }
 
+  glm::vec3 place(glm::vec3 share) const;
   RootFields fields(glm::vec3 share) const;
   /// From the root to the height s in [0, 1] of the fur there, sizes.
   glm::vec3 leaned(glm::vec3 share, float s) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/strands/even_order.h"
 #include "renderer/strands/grow.h"
 #include "renderer/strands/strand_part.h"
 
@@ -25,27 +26,10 @@ glm::vec3 unpack_colour(std::uint32_t packed) {
 
 std::size_t StrandSet::bytes() const {
   return (points.size() + closing.size()) * sizeof(StrandPoint) + colours.size() * sizeof(std::uint32_t) +
-         roots.size() * sizeof(StrandRoot);
+         neighbour.size() * sizeof(std::uint32_t) + roots.size() * sizeof(StrandRoot);
 }
 
 namespace {
-
-/// Every third bit of the result is one of the 21 bits of x.
-std::uint64_t spread_bits(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
-
-/// Place along a Z curve (Morton 1966) through [-1, 1]^3, in which a model of diagonal 1 about the origin lies.
-std::uint64_t morton(glm::dvec3 place) {
-  const glm::dvec3 cell = glm::clamp((place + 1.0) * 0x1p20, 0.0, 0x1p21 - 1);
-  return spread_bits(static_cast<std::uint64_t>(cell.x)) | spread_bits(static_cast<std::uint64_t>(cell.y)) << 1 |
-         spread_bits(static_cast<std::uint64_t>(cell.z)) << 2;
-}
 
 struct Placed {
   std::uint64_t code;
@@ -62,7 +46,7 @@ std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, do
     const glm::uvec3 t = model.triangles[i];
     const glm::dvec3 sum =
         glm::dvec3(model.positions[t.x]) + glm::dvec3(model.positions[t.y]) + glm::dvec3(model.positions[t.z]);
-    order.push_back({morton(sum / 3.0), i});
+    order.push_back({place_on_curve(sum / 3.0), i});
   }
   std::sort(order.begin(), order.end());
   std::vector<StrandChunk> chunks;

@@ -27,12 +27,14 @@ struct StrandRoot {
 std::uint32_t pack_colour(glm::vec3 colour);
 glm::vec3 unpack_colour(std::uint32_t packed);
 
-/// Strands with `segments` segments each: strand i has the points from i (segments + 1) on, root first.
+/// Strands with `segments` segments each: strand i has the points from i (segments + 1) on, root first. Any first part
+/// of them lies evenly over the skin (EvenOrder).
 struct StrandSet {
   int segments = 1;
   std::vector<StrandPoint> points;
   std::vector<std::uint32_t> colours;     // of each point; pack_colour
   std::vector<StrandRoot> roots;          // of each strand
+  std::vector<std::uint32_t> neighbour;   // of each strand an earlier one that lies near; of the first itself
   std::vector<StrandPoint> closing = {};  // where the points are when the shutter closes; empty: they stay
 
   std::size_t count() const { return roots.size(); }

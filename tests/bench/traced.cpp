@@ -16,19 +16,23 @@ void check(const Status& status) {
 
 bool always() { return true; }
 
-}  // namespace
-
-FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request,
-                     float distance) {
+void begin(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FurFrame& frame) {
   const SceneView view = model.view();
   sync_scene(renderer, view, {});
-  FurFrame frame = make_frame(view, request);
-  frame.camera.position *= distance;
   Result<Backplate> base = renderer.draw_backplate(frame);
   if (!base) check(base.status());
   const ModelArrays arrays = make_arrays(view);
   check(tracer.begin(make_model(view, arrays), make_fields(view, frame.skin, {}), frame, std::move(*base),
                      std::array{Aov::beauty}, always));
+}
+
+}  // namespace
+
+FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request,
+                     float distance) {
+  FurFrame frame = make_frame(model.view(), request);
+  frame.camera.position *= distance;
+  begin(renderer, tracer, model, frame);
   return frame;
 }
 
@@ -37,6 +41,13 @@ void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>&
     check(tracer.add_pass(always));
     if (after_pass) after_pass(tracer.report());
   }
+}
+
+FloatImage traced_light(Renderer& renderer, const testing::FurredModel& model, const FurFrame& frame) {
+  Tracer tracer(2, memory, false);
+  begin(renderer, tracer, model, frame);
+  trace_to_end(tracer);
+  return tracer.aov(Aov::beauty);
 }
 
 FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request,

@@ -9,6 +9,7 @@ import unittest
 
 from support.server import BIN, Server, ServedTest
 from test_contract import named
+from test_log import lines_of
 
 
 def header(answer, name):
@@ -120,7 +121,8 @@ class Dial(ServedTest):
                                 ({"max_error": 0.000001}, "max_error"),
                                 ({"quality": {"method": "strands", "trace": trace}}, "seconds")):
             self.assertEqual(self.scene.frame(**request).headers.get("pelage-missed"), missed)
-            self.assertRegex(self.server.printed(), f"path=/v1/scenes/{self.scene.id}/frames status=200 .*missed {missed}")
+            line = lines_of(self.server, having=f"missed {missed}")[-1]
+            self.assertIn(f"path=/v1/scenes/{self.scene.id}/frames status=200 ", line)
         for request in ({"budget_ms": 600000}, {"max_error": 1}, {}):
             self.assertNotIn("pelage-missed", self.scene.frame(**request).headers)
         said = json.loads(self.pelage("--json", "frame", self.scene.id, "-o", self.server.folder / "missed.png",

@@ -1,0 +1,111 @@
+#include "renderer/raster/bins.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace pelage {
+
+namespace {
+
+constexpr int buckets = 1024;
+
+int tile_of(float pixel, int first, int tiles) {
+  const float at = (pixel - static_cast<float>(first)) * (1.0f / tile_side);
+  return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(tiles - 1)));
+}
+
+/// Of a segment what lies nearest to the middle of a tile.
+float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
+  const float across = b.x - a.x, down = b.y - a.y;
+  const float along = ((x - a.x) * across + (y - a.y) * down) / std::max(across * across + down * down, 1e-6f);
+  return a.inverse + (b.inverse - a.inverse) * std::clamp(along, 0.0f, 1.0f);
+}
+
+/// Whether a segment passes a tile by, though its box does not.
+bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float wide) {
+  constexpr float corner = 0.71f * tile_side;  // from the middle
+  const float across = b.x - a.x, down = b.y - a.y;
+  const float off = (x - a.x) * down - (y - a.y) * across;
+  return std::abs(off) > (corner + wide) * std::sqrt(across * across + down * down);
+}
+
+/// Calls found(tile, knot, inverse) for each tile that each segment may touch in front of what lies behind.
+template <class Found>
+void each_entry(const RasterBox& box, const TileRows& tiles, const PlacedStrands& strands,
+                std::span<const float> furthest, const Found& found) {
+  const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
+  const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
+  for (std::size_t i = 0; i + 1 < strands.first.size(); ++i) {
+    for (std::uint32_t k = strands.first[i]; k + 1 < strands.first[i + 1]; ++k) {
+      const PlacedKnot &a = strands.knots[k], &b = strands.knots[k + 1];
+      if (!(a.inverse > 0 && b.inverse > 0)) continue;
+      const float wide = std::max({a.half_width, b.half_width, 1.0f}) + 0.5f;
+      const float x0 = std::min(a.x, b.x) - wide, x1 = std::max(a.x, b.x) + wide;
+      const float y0 = std::min(a.y, b.y) - wide, y1 = std::max(a.y, b.y) + wide;
+      if (!(x1 > left && x0 < right && y1 > top && y0 < bottom)) continue;
+      const int first_x = tile_of(x0, box.left, tiles.across), last_x = tile_of(x1, box.left, tiles.across);
+      const int first_y = tile_of(y0, box.top, tiles.down), last_y = tile_of(y1, box.top, tiles.down);
+      const float nearest = std::max(a.inverse, b.inverse);
+      const bool one = first_x == last_x && first_y == last_y;
+      for (int y = first_y; y <= last_y; ++y) {
+        for (int x = first_x; x <= last_x; ++x) {
+          const int tile = y * tiles.across + x;
+          if (!(nearest > furthest[static_cast<std::size_t>(tile)])) continue;
+          const float middle_x = left + (static_cast<float>(x) + 0.5f) * tile_side;
+          const float middle_y = top + (static_cast<float>(y) + 0.5f) * tile_side;
+          if (!one && passes_by(a, b, middle_x, middle_y, wide)) continue;
+          found(tile, k, one ? 0.5f * (a.inverse + b.inverse) : inverse_near(a, b, middle_x, middle_y));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Bins::Bins(const RasterBox& box, std::size_t batches)
+    : box_(box), tiles_(tiles_of(box)), next_(batches), first_(static_cast<std::size_t>(tiles_.count()) + 1) {
+  assert(batches <= most_batches);
+}
+
+void Bins::count(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
+  assert(strands.knots.size() <= most_knots);
+  next_[batch].assign(static_cast<std::size_t>(tiles_.count()), 0);
+  each_entry(box_, tiles_, strands, furthest,
+             [&](int tile, std::uint32_t, float) { ++next_[batch][static_cast<std::size_t>(tile)]; });
+}
+
+void Bins::make_room() {
+  std::uint32_t sum = 0;
+  for (std::size_t tile = 0; tile + 1 < first_.size(); ++tile) {
+    first_[tile] = sum;
+    for (std::vector<std::uint32_t>& next : next_) sum += std::exchange(next[tile], sum);
+  }
+  first_.back() = sum;
+  entries_.resize(sum);
+}
+
+void Bins::fill(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
+  each_entry(box_, tiles_, strands, furthest, [&](int tile, std::uint32_t knot, float inverse) {
+    entries_[next_[batch][static_cast<std::size_t>(tile)]++] = {static_cast<std::uint32_t>(batch), knot, inverse};
+  });
+}
+
+void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted) {
+  std::array<std::uint32_t, buckets + 1> at{};
+  float nearest = 0, furthest = 1e30f;
+  for (const BinEntry& entry : entries) nearest = std::max(nearest, entry.inverse), furthest = std::min(furthest, entry.inverse);
+  const float scale = (buckets - 1) / std::max(nearest - furthest, 1e-12f);
+  const auto bucket = [&](const BinEntry& entry) {
+    return static_cast<std::size_t>(std::clamp((nearest - entry.inverse) * scale, 0.0f, static_cast<float>(buckets - 1)));
+  };
+  for (const BinEntry& entry : entries) ++at[bucket(entry) + 1];
+  for (std::size_t i = 0; i < buckets; ++i) at[i + 1] += at[i];
+  sorted.resize(entries.size());
+  for (const BinEntry& entry : entries) sorted[at[bucket(entry)]++] = entry;
+}
+
+}  // namespace pelage

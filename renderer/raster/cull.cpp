@@ -1,0 +1,67 @@
+#include "renderer/raster/cull.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage {
+
+namespace {
+
+struct Ball {
+  glm::vec3 middle{0};  // from the camera
+  float radius = 0;
+};
+
+Ball ball_around(const RasterScene& scene, const GrownPart& part) {
+  return {0.5f * (part.low + part.high) - scene.camera.position, 0.5f * glm::length(part.high - part.low)};
+}
+
+/// Of all strands of a part, (0, 1].
+double kept_share(const RasterScene& scene, const GrownPart& part) {
+  const Ball ball = ball_around(scene, part);
+  const double distance = std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{nearest_drawn});
+  const double pixel = distance / scene.camera.scale;
+  const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
+  return std::min(scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12), 1.0);
+}
+
+/// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it
+/// is, the further it reaches around.
+float least_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.longest, 2.0f); }
+
+}  // namespace
+
+bool shows_in(const RasterScene& scene, const GrownPart& part, const RasterBox& box) {
+  if (part.strands->count() == 0) return false;
+  const PictureCamera& camera = scene.camera;
+  const Ball ball = ball_around(scene, part);
+  const float distance = glm::dot(ball.middle, camera.forward);
+  if (distance < -ball.radius) return false;
+  if (distance < 2 * ball.radius) return true;
+  const float scale = camera.scale / distance, reach = ball.radius * camera.scale / (distance - ball.radius) + 2;
+  const float x = camera.middle.x + glm::dot(ball.middle, camera.right) * scale;
+  const float y = camera.middle.y - glm::dot(ball.middle, camera.up) * scale;
+  const float wider = 1 + std::abs(glm::dot(ball.middle, camera.right)) / distance +
+                      std::abs(glm::dot(ball.middle, camera.up)) / distance;  // balls beside the middle look longer
+  return x + wider * reach > static_cast<float>(box.left) && x - wider * reach < static_cast<float>(box.right) &&
+         y + wider * reach > static_cast<float>(box.top) && y - wider * reach < static_cast<float>(box.bottom);
+}
+
+void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept) {
+  kept.ids.clear(), kept.widened.clear();
+  const StrandSet& set = *part.strands;
+  const double share = kept_share(scene, part), exact = share * static_cast<double>(set.count());
+  const auto count = static_cast<std::uint32_t>(std::min(std::ceil(exact), static_cast<double>(set.count())));
+  constexpr double fading = 0.125;  // of those that are kept
+  const double whole = share < 1 ? 1 / (share * (1 - fading / 2)) : 1;
+  const float least = least_facing(part);
+  const glm::vec3 middle = 0.5f * (part.low + part.high);
+  const glm::vec3 back = glm::normalize(scene.camera.position - middle + glm::vec3(1e-9f));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (glm::dot(set.roots[i].normal, back) < least) continue;
+    const double left = share < 1 ? std::min((exact - i) / (fading * exact), 1.0) : 1;
+    kept.ids.push_back(i), kept.widened.push_back(static_cast<float>(whole * left));
+  }
+}
+
+}  // namespace pelage

@@ -1,0 +1,24 @@
+// Light of strands that share it: one of some neighbours is lit, and hands it on by their colours.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "renderer/raster/kernels.h"
+
+namespace pelage {
+
+class SharedLight {
+ public:
+  /// Writes the light of the strands `ids` of a set to their knots, which are those of `placed` from strand `first` on.
+  /// Gives how many were lit.
+  std::size_t light(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
+                    std::size_t first, PlacedStrands& placed);
+
+ private:
+  std::vector<std::uint32_t> lit_, of_, place_;
+  std::vector<float> light_;
+};
+
+}  // namespace pelage

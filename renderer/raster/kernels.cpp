@@ -1,0 +1,84 @@
+#include "renderer/raster/kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/raster/kernels.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+
+#include "renderer/raster/blend-inl.h"
+#include "renderer/raster/hand_on-inl.h"
+#include "renderer/raster/place-inl.h"
+#include "renderer/raster/skin_light-inl.h"
+#include "renderer/raster/strand_light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+void PlaceStrands(const RasterScene& scene, const StrandSet& set, const RasterBox& box, std::span<const float> furthest,
+                  KeptStrands& kept, PlacedStrands& placed) {
+  place_all(scene, set, box, furthest, kept, placed);
+}
+
+void LightStrands(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
+                  std::vector<float>& light) {
+  light_all(scene, set, ids, light);
+}
+
+void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light,
+                 std::span<PlacedKnot> knots) {
+  hand_on(set, id, from, light, knots.data(), static_cast<int>(knots.size()));
+}
+
+void BlendSegments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
+  blend_all(segments, left, top, min_width, sums);
+}
+
+void LightSkin(const RasterScene& scene, SkinSeen& seen) {
+  for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
+}
+
+const char* Name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pelage {
+
+HWY_EXPORT(PlaceStrands);
+HWY_EXPORT(LightStrands);
+HWY_EXPORT(HandOnLight);
+HWY_EXPORT(BlendSegments);
+HWY_EXPORT(LightSkin);
+HWY_EXPORT(Name);
+
+void place_strands(const RasterScene& scene, const StrandSet& set, const RasterBox& box, std::span<const float> furthest,
+                   KeptStrands& kept, PlacedStrands& placed) {
+  HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, set, box, furthest, kept, placed);
+}
+
+int lit_points(int segments) { return segments <= 8 ? 4 : std::min(segments / 4 + 1, 16); }
+
+void light_strands(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
+                   std::vector<float>& light) {
+  HWY_DYNAMIC_DISPATCH(LightStrands)(scene, set, ids, light);
+}
+
+void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light,
+                   std::span<PlacedKnot> knots) {
+  HWY_DYNAMIC_DISPATCH(HandOnLight)(set, id, from, light, knots);
+}
+
+void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(BlendSegments)(segments, left, top, min_width, sums);
+}
+
+void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }
+
+const char* raster_instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }
+
+}  // namespace pelage
+#endif

@@ -1,0 +1,255 @@
+#include "renderer/raster/raster.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <ctime>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "protocol/base/parallel.h"
+#include "renderer/coat/strand_tile.h"
+#include "renderer/raster/bins.h"
+#include "renderer/raster/cull.h"
+#include "renderer/raster/hand_on.h"
+#include "renderer/raster/kernels.h"
+#include "renderer/raster/raster_optics.h"
+#include "renderer/raster/skin.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr int box_pixels = 1 << 20;      // of a part of a picture that is drawn at once
+constexpr std::size_t most_batches = 64;  // of strands, a thread each: the same for any number of threads
+
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+/// Adds the CPU time of the scope.
+class Lap {
+ public:
+  explicit Lap(double& sum) : sum_(sum), begun_(thread_ms()) {}
+  ~Lap() { sum_ += thread_ms() - begun_; }
+  Lap(const Lap&) = delete;
+  Lap& operator=(const Lap&) = delete;
+
+ private:
+  double& sum_;
+  double begun_;
+};
+
+void add(RasterTimes& sum, const RasterTimes& times) {
+  sum.grid += times.grid, sum.skin += times.skin, sum.cull += times.cull, sum.place += times.place;
+  sum.light += times.light, sum.bin += times.bin, sum.sort += times.sort, sum.blend += times.blend;
+}
+
+/// Some parts of the fur, as they lie on the picture.
+struct Batch {
+  std::size_t first = 0, end = 0;  // parts
+  PlacedStrands placed;
+  RasterTimes times;
+  std::size_t lit = 0;
+};
+
+std::vector<Batch> batches_of(std::span<const GrownPart> parts) {
+  const std::size_t count = std::min(parts.size(), most_batches);
+  std::vector<Batch> batches(count);
+  for (std::size_t i = 0; i < count; ++i)
+    batches[i].first = i * parts.size() / count, batches[i].end = (i + 1) * parts.size() / count;
+  return batches;
+}
+
+void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const float> furthest, Batch& batch) {
+  KeptStrands kept;
+  SharedLight light;
+  for (std::size_t i = batch.first; i < batch.end; ++i) {
+    const GrownPart& part = scene.parts[i];
+    if (!shows_in(scene, part, box)) continue;
+    {
+      const Lap lap(batch.times.cull);
+      keep_strands(scene, part, kept);
+    }
+    const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
+    {
+      const Lap lap(batch.times.place);
+      place_strands(scene, *part.strands, box, furthest, kept, batch.placed);
+    }
+    const Lap lap(batch.times.light);
+    batch.lit += light.light(scene, *part.strands, kept.ids, before, batch.placed);
+  }
+}
+
+/// One tile: sorts what is in it, blends it, and adds the skin behind.
+struct TileDrawer {
+  const RasterScene& scene;
+  const RasterBox& box;
+  const Bins& bins;
+  const SkinPixels& skin;
+  std::span<const Batch> batches;
+  FloatImage& picture;
+
+  void draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileSegment>& segments, RasterTimes& times) const;
+  void add_skin(int tile, int left, int top, TileSums& sums) const;
+  void write(int left, int top, const TileSums& sums) const;
+};
+
+void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileSegment>& segments,
+                      RasterTimes& times) const {
+  const int across = tiles_of(box).across, left = box.left + tile % across * tile_side, top = box.top + tile / across * tile_side;
+  TileSums sums;
+  std::fill_n(sums.through, tile_pixels, 1.0f);
+  for (float* channel : {sums.red, sums.green, sums.blue}) std::fill_n(channel, tile_pixels, 0.0f);
+  std::copy_n(&skin.inverse[static_cast<std::size_t>(tile) * tile_pixels], tile_pixels, sums.behind);
+  {
+    const Lap lap(times.sort);
+    sort_by_distance(bins.tile(tile), sorted);
+    segments.clear();
+    for (const BinEntry& entry : sorted) {
+      const PlacedKnot* knot = &batches[entry.batch].placed.knots[entry.knot];
+      segments.push_back({knot, knot + 1});
+    }
+  }
+  const Lap lap(times.blend);
+  blend_segments(segments, left, top, scene.quality.min_width, sums);
+  add_skin(tile, left, top, sums);
+  write(left, top, sums);
+}
+
+/// Where enough of it shows, eight pixels at a time.
+void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
+  constexpr float least = 1e-3f;
+  SkinSeen seen;
+  std::array<int, SkinSeen::count> at{};
+  int count = 0;
+  const auto flush = [&] {
+    if (count == 0) return;
+    for (int i = count; i < SkinSeen::count; ++i)
+      seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0], seen.piece[i] = seen.piece[0];
+    light_skin(scene, seen);
+    for (int i = 0; i < count; ++i) {
+      const int pixel = at[static_cast<std::size_t>(i)];
+      const float through = std::exchange(sums.through[pixel], 0.0f);
+      sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
+      sums.blue[pixel] += through * seen.blue[i];
+    }
+    count = 0;
+  };
+  for (int y = 0; y < tile_side; ++y) {
+    for (int x = 0; x < tile_side; ++x) {
+      const int pixel = pixel_in_tile(x, y);
+      if (!(sums.behind[pixel] > 0)) continue;
+      if (sums.through[pixel] < least) {
+        sums.through[pixel] = 0;
+        continue;
+      }
+      seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
+      seen.inverse[count] = sums.behind[pixel];
+      seen.piece[count] = skin.piece[static_cast<std::size_t>(tile) * tile_pixels + static_cast<std::size_t>(pixel)];
+      at[static_cast<std::size_t>(count++)] = pixel;
+      if (count == SkinSeen::count) flush();
+    }
+  }
+  flush();
+}
+
+void TileDrawer::write(int left, int top, const TileSums& sums) const {
+  const int right = std::min(left + tile_side, box.right), bottom = std::min(top + tile_side, box.bottom);
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      const int pixel = pixel_in_tile(x - left, y - top);
+      float* out = &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x))];
+      out[0] = sums.red[pixel], out[1] = sums.green[pixel], out[2] = sums.blue[pixel], out[3] = 1 - sums.through[pixel];
+    }
+  }
+}
+
+void draw_box(const RasterScene& scene, const RasterBox& box, int threads, FloatImage& picture, RasterTimes& times,
+              RasterCounts& counts) {
+  std::optional<SkinPixels> skin;
+  {
+    const Lap lap(times.skin);
+    skin.emplace(scene, box, threads);
+  }
+  std::vector<Batch> batches = batches_of(scene.parts);
+  Bins bins(box, batches.size());
+  const auto batch_count = static_cast<std::uint32_t>(batches.size());
+  for_each_in_parallel(
+      batch_count,
+      [&](std::uint32_t i) {
+        place_batch(scene, box, skin->furthest, batches[i]);
+        const Lap lap(batches[i].times.bin);
+        bins.count(i, batches[i].placed, skin->furthest);
+      },
+      threads);
+  bins.make_room();
+  for_each_in_parallel(
+      batch_count,
+      [&](std::uint32_t i) {
+        const Lap lap(batches[i].times.bin);
+        bins.fill(i, batches[i].placed, skin->furthest);
+      },
+      threads);
+  const TileDrawer drawer{scene, box, bins, *skin, batches, picture};
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  run_on_threads(threads, [&] {
+    std::vector<BinEntry> sorted;
+    std::vector<TileSegment> segments;
+    RasterTimes own;
+    for (int tile; (tile = next++) < tiles_of(box).count();) drawer.draw(tile, sorted, segments, own);
+    const std::lock_guard lock(mutex);
+    add(times, own);
+  });
+  std::size_t bytes = bins.bytes();
+  for (const Batch& batch : batches) {
+    add(times, batch.times);
+    counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
+    bytes += batch.placed.knots.size() * sizeof(PlacedKnot) + batch.placed.first.size() * sizeof(std::uint32_t);
+  }
+  for (int tile = 0; tile < tiles_of(box).count(); ++tile) counts.entries += bins.tile(tile).size();
+  counts.bytes = std::max(counts.bytes, bytes);
+}
+
+}  // namespace
+
+struct Raster::Kept {
+  RasterOptics optics;
+  DensityGrid grid;
+};
+
+Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
+Raster::~Raster() = default;
+
+FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
+                        RasterTimes* times, RasterCounts* counts) {
+  RasterTimes spent;
+  RasterCounts counted;
+  {
+    const Lap lap(spent.grid);
+    kept_->grid.update(model, fur.parts(), frame.lights, threads_);
+  }
+  RasterScene scene;
+  scene.optics = kept_->optics.of(frame, model.has_colours);
+  scene.camera = picture_camera(frame), scene.quality = quality;
+  scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid;
+  scene.width = frame.width, scene.height = frame.height;
+  FloatImage picture;
+  picture.width = frame.width, picture.height = frame.height;
+  picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  const int rows = std::max(box_pixels / frame.width / tile_side, 1) * tile_side;
+  for (int top = 0; top < frame.height; top += rows)
+    draw_box(scene, {0, top, frame.width, std::min(top + rows, frame.height)}, threads_, picture, spent, counted);
+  counted.strands = fur.count();
+  if (times) *times = spent;
+  if (counts) *counts = counted;
+  return picture;
+}
+
+}  // namespace pelage

@@ -1,0 +1,44 @@
+// Strands drawn by a rasterizer on the CPU: the strands that are traced, culled, thinned, lit, sorted and blended.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "renderer/image/float_image.h"
+#include "renderer/raster/raster_scene.h"
+#include "renderer/strands/grown_fur.h"
+
+namespace pelage {
+
+/// CPU milliseconds of a picture's stages, over all threads.
+struct RasterTimes {
+  double grid = 0, skin = 0, cull = 0, place = 0, light = 0, bin = 0, sort = 0, blend = 0;
+  double sum() const { return grid + skin + cull + place + light + bin + sort + blend; }
+};
+
+/// What a picture was drawn from.
+struct RasterCounts {
+  std::size_t strands = 0;   // that stand in the coat
+  std::size_t placed = 0;    // that touch the picture
+  std::size_t lit = 0;
+  std::size_t entries = 0;   // segments by tile
+  std::size_t bytes = 0;     // of the largest box, beside the coat
+};
+
+/// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
+class Raster {
+ public:
+  explicit Raster(int threads);
+  ~Raster();
+
+  /// Premultiplied linear light of the skin and its strands: alpha is what they cover.
+  FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
+                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr);
+
+ private:
+  struct Kept;  // from frame to frame
+  int threads_;
+  std::unique_ptr<Kept> kept_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,60 @@
+#include "renderer/raster/raster_optics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/coat/slices.h"
+#include "renderer/coat/strand_tile.h"
+#include "renderer/upload/blocks.h"
+
+namespace pelage {
+
+/// On its way through a height dh a ray at 45 degrees to upright strands goes sqrt(2) dh, and meets width sin(45) of
+/// each: as many as the strands' width times dh in a unit of the ground.
+std::array<float, slice_count> strands_above(const Coat& coat) {
+  std::array<double, slice_count + 1> sum{};
+  const std::vector<Strand> strands = make_strands(coat);
+  for (const Strand& strand : strands) {
+    for (int i = slice_count - 1; i >= 0; --i) {
+      const double s = (i + 0.5) / slice_count;
+      if (strand.length_share < s) continue;
+      sum[static_cast<std::size_t>(i)] += strand.width * glm::mix(coat.width_root, coat.width_tip, s / strand.length_share);
+    }
+  }
+  std::array<float, slice_count> above{};
+  const double over = nominal_length / slice_count / (coat.tile * coat.tile);
+  double whole = 0;
+  for (std::size_t i = slice_count; i-- > 0;) {
+    above[i] = static_cast<float>((whole + 0.5 * sum[i]) * over);
+    whole += sum[i];
+  }
+  return above;
+}
+
+FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
+  if (!coat_ || !same_strands(*coat_, frame.coat)) coat_ = frame.coat, above_ = strands_above(frame.coat);
+  const Look look = wet_look(frame.coat, frame.look);
+  if (look_ != look) {
+    look_ = look;
+    scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
+  }
+  FrameOptics optics;
+  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), 0, above_}, model_has_colours, frame.height);
+  optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
+  optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
+  optics.environment = true;
+  optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
+                                  [](const FurLight& light) { return light.kind == LightKind::directional; });
+  optics.model_colours = optics.frame.skin.w > 0.5f;
+  optics.paint.wetness = static_cast<float>(frame.coat.wetness);
+  return optics;
+}
+
+PictureCamera picture_camera(const FurFrame& frame) {
+  const FurCamera& camera = frame.camera;
+  const float half = 0.5f * static_cast<float>(frame.height);
+  return {camera.position, camera.right, camera.up, camera.forward, half / camera.tan_half_fov,
+          {0.5f * static_cast<float>(frame.width), half}};
+}
+
+}  // namespace pelage

@@ -1,0 +1,31 @@
+// What strands are lit by, made of a frame.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "renderer/raster/raster_scene.h"
+
+namespace pelage {
+
+/// Strands above the middle of each slice that a ray at 45 degrees crosses on average, in fur nominal_length long
+/// (Slices::depth_above, from the strands themselves).
+std::array<float, slice_count> strands_above(const Coat& coat);
+
+/// Made once for a look or a coat.
+class RasterOptics {
+ public:
+  /// Views into this object, until the next call.
+  FrameOptics of(const FurFrame& frame, bool model_has_colours);
+
+ private:
+  std::optional<Coat> coat_;
+  std::array<float, slice_count> above_{};
+  std::optional<Look> look_;
+  ScatteringBlock scattering_{};
+  AzimuthalFit azimuthal_;
+};
+
+PictureCamera picture_camera(const FurFrame& frame);
+
+}  // namespace pelage

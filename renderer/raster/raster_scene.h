@@ -1,0 +1,65 @@
+// What one frame of rasterized strands is drawn from: plain arrays that threads read.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/optics/frame_optics.h"
+#include "renderer/raster/density_grid.h"
+#include "renderer/strands/grown_fur.h"
+
+namespace pelage {
+
+inline constexpr int tile_side = 16, tile_pixels = tile_side * tile_side;
+
+/// Nothing nearer is drawn, sizes along the view.
+inline constexpr float nearest_drawn = 1e-4f;
+
+/// Half-open, from the left and the top, pixels.
+struct RasterBox {
+  int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// From a place to the picture: pixels right and down of its corner, and one over the distance along the view.
+struct PictureCamera {
+  glm::vec3 position{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+  float scale = 1;       // pixels of a size at distance 1
+  glm::vec2 middle{0};   // of the picture, pixels
+};
+
+/// Which strands are drawn, and how closely.
+struct RasterQuality {
+  double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
+  int lit_of = 1;              // strands share the light of one of so many, 1, 2, 4 or 8
+  float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
+};
+
+struct RasterScene {
+  FrameOptics optics;
+  PictureCamera camera;
+  RasterQuality quality;
+  const FurModel* model = nullptr;  // never null
+  std::span<const GrownPart> parts;
+  const DensityGrid* grid = nullptr;
+  int width = 0, height = 0;  // of the whole picture, pixels
+};
+
+/// A knot of a strand on the picture.
+struct PlacedKnot {
+  float x = 0, y = 0;     // pixels
+  float inverse = 0;      // one over the distance along the view; 0 for what is too near to be drawn
+  float half_width = 0;   // pixels
+  std::array<std::uint16_t, 4> light{};  // red, green, blue in half floats
+};
+static_assert(sizeof(PlacedKnot) == 24);
+
+/// Strands of some parts as they lie on the picture.
+struct PlacedStrands {
+  std::vector<PlacedKnot> knots;
+  std::vector<std::uint32_t> first;  // knot of each strand; one more at the end
+};
+
+}  // namespace pelage

@@ -1,0 +1,133 @@
+#include "renderer/raster/skin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "protocol/base/parallel.h"
+
+namespace pelage {
+
+namespace {
+
+/// A triangle on the picture, in double: corners of near ones lie millions of pixels away.
+struct FlatTriangle {
+  std::array<glm::dvec2, 3> at{};
+  glm::dvec3 inverse{0};
+  std::uint32_t piece = 0;
+};
+
+glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 place) {
+  const glm::dvec3 apart(place - camera.position);
+  return {glm::dot(apart, glm::dvec3(camera.right)), glm::dot(apart, glm::dvec3(camera.up)),
+          glm::dot(apart, glm::dvec3(camera.forward))};
+}
+
+FlatTriangle flat(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece) {
+  FlatTriangle triangle;
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
+    const double inverse = 1 / corner.z, scale = inverse * double{camera.scale};
+    triangle.at[static_cast<std::size_t>(i)] = {camera.middle.x + corner.x * scale, camera.middle.y - corner.y * scale};
+    triangle.inverse[i] = inverse;
+  }
+  triangle.piece = piece;
+  return triangle;
+}
+
+/// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): up to two.
+void add_clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
+                 std::vector<FlatTriangle>& triangles) {
+  constexpr double least = nearest_drawn;
+  std::array<glm::dvec3, 4> kept;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];
+    if (a.z >= least) kept[count++] = a;
+    if ((a.z >= least) != (b.z >= least)) kept[count++] = a + (b - a) * ((least - a.z) / (b.z - a.z));
+  }
+  for (std::size_t i = 2; i < count; ++i) triangles.push_back(flat(camera, {kept[0], kept[i - 1], kept[i]}, piece));
+}
+
+/// Each triangle of the surface once; pieces of several patches are alike.
+std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const RasterBox& box) {
+  const FurModel& model = *scene.model;
+  std::vector<FlatTriangle> triangles;
+  for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
+    const glm::uvec3 t = model.triangles[i];
+    const std::array corners{in_camera(scene.camera, model.positions[t.x]), in_camera(scene.camera, model.positions[t.y]),
+                             in_camera(scene.camera, model.positions[t.z])};
+    const std::size_t before = triangles.size();
+    add_clipped(scene.camera, corners, i, triangles);
+    for (std::size_t k = triangles.size(); k-- > before;) {
+      const auto [x0, x1] = std::minmax({triangles[k].at[0].x, triangles[k].at[1].x, triangles[k].at[2].x});
+      const auto [y0, y1] = std::minmax({triangles[k].at[0].y, triangles[k].at[1].y, triangles[k].at[2].y});
+      if (!(x1 > box.left && x0 < box.right && y1 > box.top && y0 < box.bottom))
+        triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  return triangles;
+}
+
+/// Tiles that a triangle's box touches.
+template <class Found>
+void each_tile(const FlatTriangle& triangle, const RasterBox& box, const TileRows& tiles, const Found& found) {
+  const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
+  const auto [y0, y1] = std::minmax({triangle.at[0].y, triangle.at[1].y, triangle.at[2].y});
+  const auto tile = [](double pixel, int first, int count) {
+    return static_cast<int>(std::clamp((pixel - first) / tile_side, 0.0, static_cast<double>(count - 1)));
+  };
+  for (int y = tile(y0, box.top, tiles.down); y <= tile(y1, box.top, tiles.down); ++y) {
+    for (int x = tile(x0, box.left, tiles.across); x <= tile(x1, box.left, tiles.across); ++x) found(y * tiles.across + x);
+  }
+}
+
+double side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, std::uint32_t* piece) {
+  const double area = side(t.at[0], t.at[1], t.at[2]);
+  if (!(std::abs(area) > 1e-12)) return;
+  const auto [x0, x1] = std::minmax({t.at[0].x, t.at[1].x, t.at[2].x});
+  const auto [y0, y1] = std::minmax({t.at[0].y, t.at[1].y, t.at[2].y});
+  const auto pixel = [](double at, int first) { return static_cast<int>(std::clamp(std::floor(at - first), 0.0, tile_side - 1.0)); };
+  for (int y = pixel(y0, top); y <= pixel(y1, top); ++y) {
+    for (int x = pixel(x0, left); x <= pixel(x1, left); ++x) {
+      const glm::dvec2 p(left + x + 0.5, top + y + 0.5);
+      const glm::dvec3 share = glm::dvec3(side(t.at[1], t.at[2], p), side(t.at[2], t.at[0], p), side(t.at[0], t.at[1], p)) / area;
+      if (share.x < 0 || share.y < 0 || share.z < 0) continue;
+      const auto found = static_cast<float>(glm::dot(share, t.inverse));
+      const auto at = static_cast<std::size_t>(pixel_in_tile(x, y));
+      if (found > inverse[at]) inverse[at] = found, piece[at] = t.piece;
+    }
+  }
+}
+
+}  // namespace
+
+SkinPixels::SkinPixels(const RasterScene& scene, const RasterBox& box, int threads) {
+  const TileRows tiles = tiles_of(box);
+  const auto count = static_cast<std::size_t>(tiles.count());
+  inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0), furthest.assign(count, 0);
+  const std::vector<FlatTriangle> triangles = flat_triangles(scene, box);
+  std::vector<std::uint32_t> first(count + 1), order;
+  for (const FlatTriangle& triangle : triangles)
+    each_tile(triangle, box, tiles, [&](int tile) { ++first[static_cast<std::size_t>(tile) + 1]; });
+  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
+  order.resize(first.back());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    each_tile(triangles[i], box, tiles, [&](int tile) { order[next[static_cast<std::size_t>(tile)]++] = i; });
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(count),
+      [&](std::uint32_t tile) {
+        const int left = box.left + static_cast<int>(tile) % tiles.across * tile_side;
+        const int top = box.top + static_cast<int>(tile) / tiles.across * tile_side;
+        float* at = &inverse[std::size_t{tile} * tile_pixels];
+        for (std::uint32_t i = first[tile]; i < first[tile + 1]; ++i)
+          raster_triangle(triangles[order[i]], left, top, at, &piece[std::size_t{tile} * tile_pixels]);
+        furthest[tile] = *std::min_element(at, at + tile_pixels);
+      },
+      threads);
+}
+
+}  // namespace pelage

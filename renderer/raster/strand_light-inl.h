@@ -1,0 +1,176 @@
+// Light on strands, a strand a lane: the tracer's own scattering, and shadows from the grid.
+#if defined(PELAGE_RASTER_STRAND_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_RASTER_STRAND_LIGHT_INL_H_
+#undef PELAGE_RASTER_STRAND_LIGHT_INL_H_
+#else
+#define PELAGE_RASTER_STRAND_LIGHT_INL_H_
+#endif
+
+#include "renderer/coat/strand_tile.h"
+#include "renderer/optics/light-inl.h"
+#include "renderer/optics/paint-inl.h"
+#include "renderer/raster/kernels.h"
+#include "renderer/raster/place-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+inline constexpr int most_points = 16;
+
+/// pack_colour, undone.
+HWY_INLINE Vec3 unpacked_colour(Int word) {
+  const auto channel = [](Int bits) HWY_ATTR {
+    const Real share = to_real(hn::And(bits, whole(1023))) * (1.0f / 1023);
+    return 4.0f * share * share;
+  };
+  return {channel(word), channel(hn::ShiftRight<10>(word)), channel(hn::ShiftRight<20>(word))};
+}
+
+/// Where a place lies among the cells of a grid.
+struct GridLanes {
+  Int first;
+  Real weight[8];
+  int step[8];
+};
+
+HWY_INLINE GridLanes grid_lanes(const GridPlace& grid, Vec3 place) {
+  const auto along = [](Real at, int size) HWY_ATTR { return clamp(at, 0.0f, static_cast<float>(size) - 1.001f); };
+  const Vec3 off = (place - Vec3(grid.low)) * (1 / grid.cell) - Vec3(0.5f);
+  const Vec3 at{along(off.x, grid.size.x), along(off.y, grid.size.y), along(off.z, grid.size.z)};
+  const Vec3 low{floor(at.x), floor(at.y), floor(at.z)}, part = at - low;
+  GridLanes lanes;
+  lanes.first = hn::Add(hn::Mul(hn::Add(hn::Mul(to_int(low.z), whole(grid.size.y)), to_int(low.y)), whole(grid.size.x)),
+                        to_int(low.x));
+  for (int k = 0; k < 8; ++k) {
+    lanes.weight[k] = (k & 1 ? part.x : 1.0f - part.x) * (k & 2 ? part.y : 1.0f - part.y) *
+                      (k & 4 ? part.z : 1.0f - part.z);
+    lanes.step[k] = (k & 1) + (k & 2 ? grid.size.x : 0) + (k & 4 ? grid.size.x * grid.size.y : 0);
+  }
+  return lanes;
+}
+
+/// What lies between a place and two lights: strands and body of the first, of the second.
+HWY_INLINE void crossed_by_two(const std::vector<CrossedByTwo>& cells, const GridLanes& lanes, Real* crossed) {
+  static_assert(sizeof(CrossedByTwo) == 4 * sizeof(float));
+  for (int i = 0; i < 4; ++i) crossed[i] = 0.0f;
+  const Int first = hn::ShiftLeft<2>(lanes.first);
+  for (int k = 0; k < 8; ++k) {
+    const Quad cell = gather_quad(&cells[0][0].strands + 4 * lanes.step[k], first);
+    for (int i = 0; i < 4; ++i) crossed[i] = mul_add(lanes.weight[k], cell.real(i), crossed[i]);
+  }
+}
+
+/// Strands between a fibre and a light less those that the eye looks past: the hot spot (light-inl.h).
+HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real facing, Real strands) {
+  Vec3 apart = fibre.to_camera * view.way - to_light * way_out(fibre.height, facing);
+  apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
+  const Real x = 6.0f * view.widths * length(apart);
+  const Real share = (1.0f + x * 0.16666667f) / (1.0f + x * (0.66666667f + x * 0.16666667f));
+  return max(strands - sqrt(max(view.strands * strands, 0.0f)) * share, 0.0f);
+}
+
+/// What strands share along their length.
+struct StrandLanes {
+  Vec3 place[most_points], tangent[most_points];
+  Int colour[most_points];
+  Vec3 normal, ambient;
+  Real number, reach, longer;
+  Shine shine;
+};
+
+HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
+  const Quad point = gather_quad(&set.points[0].place.x + 4 * knot, rows);
+  return {point.real(0), point.real(1), point.real(2)};
+}
+
+HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const StrandSet& set, const std::uint32_t* ids, int points) {
+  static_assert(sizeof(StrandRoot) == 6 * sizeof(float));
+  const int segments = set.segments;
+  const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1), roots = strand_rows(ids, 6);
+  StrandLanes strand;
+  Real way = 0.0f;
+  for (int p = 0; p < points; ++p) {
+    const int k = p * segments / (points - 1);
+    strand.place[p] = place_of(set, rows, k);
+    strand.tangent[p] = unit(place_of(set, rows, std::min(k + 1, segments)) - place_of(set, rows, std::max(k - 1, 0)));
+    strand.colour[p] = gather(reinterpret_cast<const std::int32_t*>(set.colours.data()) + k, knots);
+    if (p > 0) way += length(strand.place[p] - strand.place[p - 1]);
+  }
+  const Quad root = gather_quad(&set.roots[0].normal.x, roots);
+  const Real wetness = gather(&set.roots[0].wetness, roots);
+  strand.normal = {root.real(0), root.real(1), root.real(2)}, strand.number = root.real(3);
+  strand.reach = gather(&set.roots[0].reach, roots);
+  strand.longer = way / max(strand.reach, 0.01f) * static_cast<float>(1 / nominal_length);
+  strand.shine = shine_of(optics.paint, wetness);
+  strand.ambient = optics.frame.weights.x * environment_light(optics, strand.normal);
+  return strand;
+}
+
+HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera, const StrandLanes& strand, int point,
+                          int points) {
+  const FrameBlock& frame = optics.frame;
+  Fibre fibre;
+  fibre.place = strand.place[point], fibre.normal = strand.normal, fibre.tangent = strand.tangent[point];
+  fibre.to_camera = unit(Vec3(camera.position) - fibre.place);
+  fibre.colour = clamp(unpacked_colour(strand.colour[point]), 0.0f, 1.0f);
+  fibre.height = strand.reach * (static_cast<float>(point) / static_cast<float>(points - 1));
+  fibre.strand = strand.number, fibre.shine = strand.shine;
+  const Int slice = to_int(clamp(fibre.height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
+  fibre.above = gather(&frame.depth_above[0].x, slice) * strand.longer;
+  fibre.crossed = fibre.colour * colour_above(frame, fibre.height);
+  return fibre;
+}
+
+HWY_INLINE Vec3 strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
+  const FrameOptics& optics = scene.optics;
+  const FrameBlock& frame = optics.frame;
+  const float self_shadow = frame.exponents.w;
+  const Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f, self_shadow);
+  Vec3 sum = fibre.colour * ambient *
+             ambient_share(frame, fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f, self_shadow));
+  const FibreView view = view_of(frame, fibre);
+  const Scattering strand{fibre.tangent, fibre.normal, fibre.to_camera, fibre.colour, fibre.strand, fibre.shine};
+  FibreEye eye;
+  if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
+  const GridPlace& grid = scene.grid->place();
+  const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (0.25f * grid.cell));
+  Real crossed[4];
+  for (int i = 0; i < optics.lights; ++i) {
+    if (i % 2 == 0) crossed_by_two(scene.grid->crossed(static_cast<std::size_t>(i / 2)), cells, crossed);
+    const Arriving light = light_at(optics, i, fibre.place);
+    const Real facing = dot(fibre.normal, light.to_light);
+    const Real strands = strands_not_shared(fibre, view, light.to_light, facing, crossed[2 * (i % 2)]);
+    const Real body = crossed[2 * (i % 2) + 1];
+    const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+    const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
+    sum += light.radiance * scattered * through * light_behind(optics.model, facing, frame.exponents.z);
+  }
+  return sum;
+}
+
+HWY_INLINE void light_all(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
+                          std::vector<float>& light) {
+  const int points = lit_points(set.segments);
+  const auto numbers = static_cast<std::size_t>(points) * 3;
+  light.resize(ids.size() * numbers);
+  for (std::size_t i = 0; i < ids.size(); i += lane_count) {
+    std::uint32_t lanes[lane_count];
+    for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
+    const StrandLanes strand = strand_lanes(scene.optics, set, lanes, points);
+    const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
+    for (int p = 0; p < points; ++p) {
+      const Vec3 sent = strand_light(scene, fibre_at(scene.optics, scene.camera, strand, p, points), strand.ambient);
+      float red[lane_count], green[lane_count], blue[lane_count];
+      store(sent.x, red), store(sent.y, green), store(sent.z, blue);
+      for (std::size_t l = 0; l < there; ++l) {
+        float* out = &light[(i + l) * numbers + static_cast<std::size_t>(p) * 3];
+        out[0] = red[l], out[1] = green[l], out[2] = blue[l];
+      }
+    }
+  }
+}
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

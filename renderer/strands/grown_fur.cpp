@@ -1,0 +1,86 @@
+#include "renderer/strands/grown_fur.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "protocol/base/parallel.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double strands_of_part = 2000;
+
+double area_of(const FurModel& model, const StrandChunk& chunk) {
+  double area = 0;
+  for (const std::uint32_t piece : chunk) {
+    const glm::uvec3 t = model.triangles[piece];
+    const glm::dvec3 a(model.positions[t.x]), b(model.positions[t.y]), c(model.positions[t.z]);
+    const auto& corners = model.corners[piece];
+    const double weight = (double{corners[0].weight} + corners[1].weight + corners[2].weight) / 3;
+    area += 0.5 * glm::length(glm::cross(b - a, c - a)) * weight;
+  }
+  return area;
+}
+
+void find_bounds(GrownPart& part) {
+  const StrandSet& set = *part.strands;
+  const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
+  part.low = glm::vec3(1e9f), part.high = glm::vec3(-1e9f), part.longest = 0;
+  float length = 0;
+  for (std::size_t i = 0; i < set.points.size(); ++i) {
+    const StrandPoint& point = set.points[i];
+    part.low = glm::min(part.low, point.place - point.radius);
+    part.high = glm::max(part.high, point.place + point.radius);
+    length = i % knots == 0 ? 0 : length + glm::length(point.place - set.points[i - 1].place);
+    part.longest = std::max(part.longest, length);
+  }
+}
+
+}  // namespace
+
+void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
+  const Coat& coat = recipe.coat;
+  if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
+  chunks_ = make_chunks(model, coat, strands_of_part / recipe.share);
+  parts_.clear();
+  for (const StrandChunk& chunk : chunks_) {
+    GrownPart part;
+    part.strands = std::make_shared<const StrandSet>(), part.area = area_of(model, chunk);
+    parts_.push_back(std::move(part));
+  }
+  model_ = model.id, count_ = coat.count, tile_ = coat.tile, share_ = recipe.share;
+}
+
+std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads) {
+  divide(model, recipe);
+  const Grower grower(model, fields, recipe);
+  std::atomic<std::size_t> grown{0};
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(chunks_.size()),
+      [&](std::uint32_t i) {
+        GrownPart& part = parts_[i];
+        const std::uint64_t state = grower.fingerprint(chunks_[i]);
+        if (part.state == state) return;
+        part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[i]));
+        part.state = state;
+        find_bounds(part);
+        grown += part.strands->count();
+      },
+      threads);
+  return grown;
+}
+
+std::size_t GrownFur::count() const {
+  std::size_t sum = 0;
+  for (const GrownPart& part : parts_) sum += part.strands->count();
+  return sum;
+}
+
+std::size_t GrownFur::bytes() const {
+  std::size_t sum = 0;
+  for (const GrownPart& part : parts_) sum += part.strands->bytes();
+  return sum;
+}
+
+}  // namespace pelage

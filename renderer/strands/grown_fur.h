@@ -1,0 +1,41 @@
+// The strands of a whole coat as they stand, in parts that grow again only where something changed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
+#include "renderer/strands/grow.h"
+
+namespace pelage {
+
+/// Strands that stand together.
+struct GrownPart {
+  std::shared_ptr<const StrandSet> strands;  // never null
+  glm::vec3 low{0}, high{0};                 // around all of them with their thickness, sizes
+  float longest = 0;                         // of them, sizes
+  double area = 0;                           // of the skin that they stand on, sizes^2
+  std::uint64_t state = 0;                   // the same while the strands are
+};
+
+class GrownFur {
+ public:
+  /// Grows what is not as it was, on up to `threads`. Gives the strands that were grown. The views are not kept.
+  std::size_t update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads);
+
+  const std::vector<GrownPart>& parts() const { return parts_; }
+  std::size_t count() const;
+  std::size_t bytes() const;
+
+ private:
+  void divide(const FurModel& model, const GrowRecipe& recipe);
+
+  std::uint64_t model_ = 0;
+  double count_ = 0, tile_ = 0, share_ = 0;  // of the recipe that the surface was divided for
+  std::vector<StrandChunk> chunks_;
+  std::vector<GrownPart> parts_;  // of each chunk
+};
+
+}  // namespace pelage

@@ -1,0 +1,237 @@
+// Rasterized strands beside marched shells, against the traced truth: CPU milliseconds as minima of alternating
+// repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
+// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try A_PIXEL,LIT_OF,MIN_WIDTH,TWICE]
+// Views: creature, mohawk, close, far, torus. The truth is kept in the folder of pictures and read from there.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/compare/compare.h"
+#include "renderer/finish/resize.h"
+#include "renderer/raster/kernels.h"
+#include "renderer/raster/raster.h"
+#include "server/frames/fur_view.h"
+#include "tests/bench/traced.h"
+
+namespace pelage::bench {
+namespace {
+
+struct Way {
+  std::string name;
+  std::function<void()> work;
+  FloatImage image;
+  RasterTimes times;
+  RasterCounts counts;
+};
+
+struct Setup {
+  int repetitions, size, passes, triangles;
+  std::string view, pictures;
+  const char* tried;
+};
+
+void look_at(FurCamera& camera, glm::vec3 position, glm::vec3 target) {
+  camera.position = position, camera.forward = glm::normalize(target - position);
+  camera.right = glm::normalize(glm::cross(camera.forward, glm::vec3(0, 1, 0)));
+  camera.up = glm::cross(camera.right, camera.forward);
+}
+
+/// Long fur along the middle of the head and neck.
+void add_mohawk(testing::FurredModel& model) {
+  const Mesh& mesh = model.model.surface.mesh();
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const glm::vec3 place(mesh.positions[v]), normal(mesh.normals[v]);
+    if (std::abs(place.x) > 0.035f || normal.y < 0.2f || place.y < 0.2f) continue;
+    Groom groom = model.fields.at(v);
+    groom.length = 0.2f * (1 - 0.6f * std::abs(place.x) / 0.035f), groom.direction *= 0.55f;
+    model.fields.set(v, stored_groom(groom.direction, groom.length, 0));
+  }
+}
+
+testing::FurredModel model_of(const Setup& setup) {
+  testing::FurredModel model =
+      testing::furred({setup.view == "torus" ? Builtin::torus : Builtin::creature, setup.triangles});
+  if (setup.view == "mohawk") add_mohawk(model);
+  return model;
+}
+
+FrameRequest request_of(const Setup& setup, Tier tier) {
+  FrameRequest request;
+  request.width = request.height = setup.view == "far" ? setup.size / 4 : setup.size;
+  request.background = Background::transparent, request.knobs = knobs_of(tier), request.tone_map = ToneMap::filmic;
+  return request;
+}
+
+FurFrame frame_of(const Setup& setup, const testing::FurredModel& model, Tier tier) {
+  FurFrame frame = make_frame(model.view(), request_of(setup, tier));
+  if (setup.view == "far") frame.camera.position *= 1.23f;
+  if (setup.view == "close") {
+    look_at(frame.camera, frame.camera.position, {0.02f, 0.16f, 0.27f});
+    frame.camera.tan_half_fov = std::tan(glm::radians(2.2f));
+  }
+  return frame;
+}
+
+FloatImage truth_of(const Setup& setup, Renderer& renderer, const testing::FurredModel& model) {
+  const std::string file = setup.pictures + "/truth-" + setup.view + "-" + std::to_string(setup.size) + ".light";
+  FloatImage truth;
+  if (std::ifstream in(file, std::ios::binary); !setup.pictures.empty() && in) {
+    in.read(reinterpret_cast<char*>(&truth.width), 4), in.read(reinterpret_cast<char*>(&truth.height), 4);
+    truth.rgba.resize(4 * static_cast<std::size_t>(truth.width) * static_cast<std::size_t>(truth.height));
+    in.read(reinterpret_cast<char*>(truth.rgba.data()), static_cast<std::streamsize>(truth.rgba.size() * 4));
+    return truth;
+  }
+  FurFrame frame = frame_of(setup, model, Tier::reference);
+  Tracing& trace = frame.knobs.trace;
+  trace.passes = setup.passes, trace.filter = false, trace.noise = 0, trace.strands = 8'000'000;
+  truth = traced_light(renderer, model, frame);
+  if (setup.pictures.empty()) return truth;
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(&truth.width), 4), out.write(reinterpret_cast<const char*>(&truth.height), 4);
+  out.write(reinterpret_cast<const char*>(truth.rgba.data()), static_cast<std::streamsize>(truth.rgba.size() * 4));
+  return truth;
+}
+
+std::string errors_of(const FloatImage& truth, const FloatImage& image) {
+  const Result<PictureError> error = compare(truth, image, union_of(alpha_mask(truth), alpha_mask(image)));
+  if (!error || !error->figures) return "none";
+  double light = 0, true_light = 0, cover = 0, true_cover = 0;
+  for (std::size_t i = 0; i < truth.rgba.size(); i += 4) {
+    const auto of = [&](const FloatImage& one) {
+      return 0.2126 * double{one.rgba[i]} + 0.7152 * double{one.rgba[i + 1]} + 0.0722 * double{one.rgba[i + 2]};
+    };
+    true_cover += double{truth.rgba[i + 3]}, cover += double{image.rgba[i + 3]};
+    if (truth.rgba[i + 3] > 0.5f && image.rgba[i + 3] > 0.5f) true_light += of(truth), light += of(image);
+  }
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), "FLIP %.4f silhouette %.4f light %.3f cover %.3f", error->figures->flip.mean,
+                error->figures->silhouette.value_or(FlipFigures{}).mean, light / true_light, cover / true_cover);
+  return text.data();
+}
+
+struct Bench {
+  const Setup& setup;
+  Renderer& renderer;
+  Raster& raster;
+  const testing::FurredModel& model;
+  const FurModel& fur_model;
+  const GrownFur& fur;
+  FurFrame frame;
+
+  void keep(const std::string& name, const FloatImage& light) const {
+    if (setup.pictures.empty()) return;
+    FurFrame shown = frame;
+    shown.background = Background::studio;
+    std::ofstream(setup.pictures + "/" + setup.view + "-" + name + ".png", std::ios::binary)
+        << encode_png(renderer.finish(shown, light).value(), false);
+  }
+};
+
+void add_marched(const Bench& bench, std::vector<Way>& ways) {
+  using Named = std::pair<Tier, const char*>;
+  constexpr std::array tiers{Named{Tier::draft, "draft"}, Named{Tier::interactive, "interactive"},
+                             Named{Tier::detailed, "detailed"}};
+  for (const auto& [tier, name] : tiers) {
+    FurFrame frame = bench.frame;
+    frame.knobs = knobs_of(tier);
+    Renderer& renderer = bench.renderer;
+    FloatImage light = std::move(renderer.draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
+    ways.push_back({std::string("marched-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
+  }
+}
+
+/// Strands a pixel, how many share a light, the least width in pixels, 1 for twice the size.
+struct Kind {
+  RasterQuality quality;
+  bool twice;
+};
+
+FloatImage rasterized(const Bench& bench, const Kind& kind, RasterTimes* times, RasterCounts* counts) {
+  FurFrame frame = bench.frame;
+  if (kind.twice) frame.width *= 2, frame.height *= 2;
+  FloatImage light = bench.raster.draw(bench.fur_model, bench.fur, frame, kind.quality, times, counts);
+  return kind.twice ? resized_light(light, bench.frame.width, bench.frame.height, 1) : light;
+}
+
+void add_raster(const Bench& bench, std::vector<Way>& ways) {
+  std::vector<Kind> kinds{{{100, 1, 0}, false}, {{100, 2, 0}, false}, {{100, 4, 2}, false}, {{3, 2, 2}, false}, {{1.5, 2, 2}, false},
+                          {{1.5, 4, 2}, false}, {{1, 4, 2}, false},   {{.6, 4, 2}, false},  {{.4, 4, 2}, false}};
+  if (const char* tried = bench.setup.tried) {
+    Kind kind{};
+    int twice = 0;
+    std::sscanf(tried, "%lf,%d,%f,%d", &kind.quality.strands_a_pixel, &kind.quality.lit_of, &kind.quality.min_width, &twice);
+    kind.twice = twice != 0, kinds = {kind};
+  }
+  for (const Kind& kind : kinds) {
+    std::array<char, 64> name{};
+    std::snprintf(name.data(), name.size(), "strands-%g-%d-%g%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
+                  double{kind.quality.min_width}, kind.twice ? "-twice" : "");
+    Way way{name.data(), {}, {}, {}, {}};
+    way.image = rasterized(bench, kind, &way.times, &way.counts);
+    const std::size_t at = ways.size();
+    way.work = [&bench, &ways, kind, at] {
+      RasterTimes times;
+      rasterized(bench, kind, &times, nullptr);
+      if (times.sum() < ways[at].times.sum()) ways[at].times = times;
+    };
+    ways.push_back(std::move(way));
+  }
+}
+
+void print(const Way& way, const Cost& cost, const FloatImage& truth) {
+  std::printf("  %-24s cpu %7.1f wall %7.1f | %s", way.name.c_str(), cost.cpu, cost.wall, errors_of(truth, way.image).c_str());
+  const RasterTimes& t = way.times;
+  const RasterCounts& c = way.counts;
+  if (c.strands > 0)
+    std::printf(" | grid %.1f skin %.1f cull %.1f place %.1f light %.1f bin %.1f sort %.1f blend %.1f | placed %zu lit %zu entries %zu MB %.1f",
+                t.grid, t.skin, t.cull, t.place, t.light, t.bin, t.sort, t.blend, c.placed, c.lit, c.entries,
+                static_cast<double>(c.bytes) / 1e6);
+  std::printf("\n");
+}
+
+int run(const Setup& setup) {
+  Renderer renderer(RendererOptions{.threads = 1});
+  const testing::FurredModel model = model_of(setup);
+  const FloatImage truth = truth_of(setup, renderer, model);
+  sync_scene(renderer, model.view(), {});
+  const FurFrame frame = frame_of(setup, model, Tier::reference);
+  const ModelArrays arrays = make_arrays(model.view());
+  const FurModel fur_model = make_model(model.view(), arrays);
+  GrownFur fur;
+  const Cost grown = measure([&] {
+    fur.update(fur_model, make_fields(model.view(), frame.skin, {}),
+               {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1);
+  });
+  std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", raster_instruction_set(), setup.view.c_str(), fur.count(),
+              static_cast<double>(fur.bytes()) / 1e6, grown.cpu);
+  Raster raster(1);
+  const Bench bench{setup, renderer, raster, model, fur_model, fur, frame};
+  bench.keep("truth", truth);
+  std::vector<Way> ways;
+  if (!setup.tried) add_marched(bench, ways);
+  ways.reserve(ways.size() + 32);
+  add_raster(bench, ways);
+  std::vector<std::function<void()>> works;
+  for (const Way& way : ways) works.push_back(way.work), bench.keep(way.name, way.image);
+  const std::vector<Cost> costs = measure_alternating(works, setup.repetitions);
+  for (std::size_t i = 0; i < ways.size(); ++i) print(ways[i], costs[i], truth);
+  return 0;
+}
+
+int main(int count, char** arguments) {
+  const char *pictures = text_argument(count, arguments, "--pictures"), *view = text_argument(count, arguments, "--view");
+  return run({argument(count, arguments, "--repetitions", 5), argument(count, arguments, "--size", 512),
+              argument(count, arguments, "--passes", 192), argument(count, arguments, "--triangles", 5000),
+              view ? view : "creature", pictures ? pictures : "", text_argument(count, arguments, "--try")});
+}
+
+}  // namespace
+}  // namespace pelage::bench
+
+int main(int count, char** arguments) { return pelage::bench::main(count, arguments); }
