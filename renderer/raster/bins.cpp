@@ -67,40 +67,46 @@ void each_entry(const RasterBox& box, const TileRows& tiles, const PlacedStrands
 }  // namespace
 
 Bins::Bins(const RasterBox& box, std::size_t batches)
-    : box_(box), tiles_(tiles_of(box)), next_(batches), first_(static_cast<std::size_t>(tiles_.count()) + 1) {
-  assert(batches <= most_batches);
+    : box_(box), tiles_(tiles_of(box)), batches_(batches), first_(static_cast<std::size_t>(tiles_.count()) + 1) {
+  assert(batches <= max_batches);
 }
 
-void Bins::count(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
-  assert(strands.knots.size() <= most_knots);
-  next_[batch].assign(static_cast<std::size_t>(tiles_.count()), 0);
-  each_entry(box_, tiles_, strands, furthest,
-             [&](int tile, std::uint32_t, float) { ++next_[batch][static_cast<std::size_t>(tile)]; });
+void Bins::find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
+  assert(strands.knots.size() <= max_knots);
+  Batch& own = batches_[batch];
+  own.next.assign(static_cast<std::size_t>(tiles_.count()), 0);
+  own.found.clear(), own.found.reserve(strands.knots.size());
+  each_entry(box_, tiles_, strands, furthest, [&](int tile, std::uint32_t knot, float inverse) {
+    ++own.next[static_cast<std::size_t>(tile)];
+    own.found.push_back({static_cast<std::uint32_t>(tile), {static_cast<std::uint32_t>(batch), knot, inverse}});
+  });
 }
 
 void Bins::make_room() {
   std::uint32_t sum = 0;
   for (std::size_t tile = 0; tile + 1 < first_.size(); ++tile) {
     first_[tile] = sum;
-    for (std::vector<std::uint32_t>& next : next_) sum += std::exchange(next[tile], sum);
+    for (Batch& batch : batches_) sum += std::exchange(batch.next[tile], sum);
   }
   first_.back() = sum;
   entries_.resize(sum);
 }
 
-void Bins::fill(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
-  each_entry(box_, tiles_, strands, furthest, [&](int tile, std::uint32_t knot, float inverse) {
-    entries_[next_[batch][static_cast<std::size_t>(tile)]++] = {static_cast<std::uint32_t>(batch), knot, inverse};
-  });
+void Bins::put(std::size_t batch) {
+  Batch& own = batches_[batch];
+  for (const FoundEntry& found : own.found) entries_[own.next[found.tile]++] = found.entry;
+  own.found = {};
 }
 
 void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted) {
   std::array<std::uint32_t, buckets + 1> at{};
   float nearest = 0, furthest = 1e30f;
-  for (const BinEntry& entry : entries) nearest = std::max(nearest, entry.inverse), furthest = std::min(furthest, entry.inverse);
+  for (const BinEntry& entry : entries)
+    nearest = std::max(nearest, entry.inverse), furthest = std::min(furthest, entry.inverse);
   const float scale = (buckets - 1) / std::max(nearest - furthest, 1e-12f);
   const auto bucket = [&](const BinEntry& entry) {
-    return static_cast<std::size_t>(std::clamp((nearest - entry.inverse) * scale, 0.0f, static_cast<float>(buckets - 1)));
+    return static_cast<std::size_t>(
+        std::clamp((nearest - entry.inverse) * scale, 0.0f, static_cast<float>(buckets - 1)));
   };
   for (const BinEntry& entry : entries) ++at[bucket(entry) + 1];
   for (std::size_t i = 0; i < buckets; ++i) at[i + 1] += at[i];

@@ -8,44 +8,46 @@
 
 namespace pelage {
 
-/// Tiles of a box, row by row.
-struct TileRows {
-  int across = 0, down = 0;
-  int count() const { return across * down; }
-};
-inline TileRows tiles_of(const RasterBox& box) {
-  return {(box.right - box.left + tile_side - 1) / tile_side, (box.bottom - box.top + tile_side - 1) / tile_side};
-}
-
 /// A segment in a tile.
 struct BinEntry {
   std::uint32_t batch : 8, knot : 24;  // its first
   float inverse;                       // one over the distance of what of it lies nearest to the tile's middle
 };
 
-/// Segments by tile: batches are counted, then filled, each on a thread of its own; the order does not depend on it.
+/// Segments by tile: batches are found, then put in their places, each on a thread of its own; the order does not
+/// depend on it.
 class Bins {
  public:
-  static constexpr std::size_t most_batches = 256, most_knots = 1 << 24;
+  static constexpr std::size_t max_batches = 256, max_knots = 1 << 24;
 
   Bins(const RasterBox& box, std::size_t batches);
 
-  void count(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest);
-  /// After all batches were counted.
+  /// What of a batch falls into tiles in front of what lies behind: `furthest` has one over its distance for each.
+  void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest);
+  /// After all batches were found.
   void make_room();
-  void fill(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest);
-  /// After all were filled: nearest first, of about the same distance in their order.
+  void put(std::size_t batch);
+  /// After all were put: in the order of batches, strands and knots.
   std::span<const BinEntry> tile(int number) const {
-    return std::span(entries_).subspan(first_[static_cast<std::size_t>(number)],
-                                       first_[static_cast<std::size_t>(number) + 1] - first_[static_cast<std::size_t>(number)]);
+    const auto at = static_cast<std::size_t>(number);
+    return std::span(entries_).subspan(first_[at], first_[at + 1] - first_[at]);
   }
-  std::size_t bytes() const { return entries_.size() * sizeof(BinEntry); }
+  std::size_t bytes() const { return entries_.size() * (sizeof(BinEntry) + sizeof(FoundEntry)); }
 
  private:
+  struct FoundEntry {
+    std::uint32_t tile;
+    BinEntry entry;
+  };
+  struct Batch {
+    std::vector<FoundEntry> found;
+    std::vector<std::uint32_t> next;  // by tile: a count, then where its next entry goes
+  };
+
   RasterBox box_;
   TileRows tiles_;
-  std::vector<std::vector<std::uint32_t>> next_;  // of each batch, by tile: a count, then where its next entry goes
-  std::vector<std::uint32_t> first_;              // entry of each tile
+  std::vector<Batch> batches_;
+  std::vector<std::uint32_t> first_;  // entry of each tile
   std::vector<BinEntry> entries_;
 };
 

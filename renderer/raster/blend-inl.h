@@ -18,10 +18,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-inline constexpr float least_through = 0.01f;  // of a pixel's light: what is less lets nothing through
-inline constexpr int block_width = 4, block_height = 2, block_pixels = 8;
-inline constexpr std::uint32_t all_blocks = ~0u;
-static_assert(block_pixels % lane_count == 0, "registers of more than eight lanes are switched off");
+inline constexpr float min_through = 0.01f;  // of a pixel's light: what is less lets nothing through
+/// A register holds a block of pixels; bit column * block_rows + row of a set is one of a tile's.
+inline constexpr int block_width = 4, block_height = lane_count / 4;
+inline constexpr int block_columns = tile_side / block_width, block_rows = tile_side / block_height;
+static_assert(lane_count % 4 == 0 && block_columns * block_rows <= 64);
+inline constexpr std::uint64_t all_blocks = ~std::uint64_t{0} >> (64 - block_columns * block_rows);
 
 HWY_INLINE void load_light(const PlacedKnot& knot, float* light) {
   const hn::CappedTag<float, 4> four;
@@ -35,7 +37,7 @@ struct FlatSegment {
   float x, y, way_x, way_y;  // from where, and unit
   float over_length, length;
   float half, more_half, inverse, more_inverse;  // at its start, and how much more at its end
-  float least_half;                              // that is drawn
+  float min_half;                                // that is drawn
   float sharpness;                               // of its ends, one over pixels
   float light[4], more_light[4];
 };
@@ -48,7 +50,7 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
   flat.x = a.x - left, flat.y = a.y - top, flat.way_x = across * flat.over_length, flat.way_y = down * flat.over_length;
   flat.half = a.half_width, flat.more_half = b.half_width - a.half_width;
   flat.inverse = a.inverse, flat.more_inverse = b.inverse - a.inverse;
-  flat.least_half = 0.5f * min_width;
+  flat.min_half = 0.5f * min_width;
   flat.sharpness = std::clamp(8 * std::max(a.half_width, b.half_width) - 3, 1.0f, 8.0f);
   load_light(a, flat.light), load_light(b, flat.more_light);
   for (int i = 0; i < 4; ++i) flat.more_light[i] -= flat.light[i];
@@ -56,7 +58,7 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
 }
 
 /// Blocks of the tile that the segment may touch.
-HWY_INLINE std::uint32_t touched_blocks(const TileSegment& segment, float left, float top, float min_width) {
+HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, float top, float min_width) {
   const PlacedKnot &a = *segment.from, &b = *segment.to;
   const float wide = std::max({a.half_width, b.half_width, 0.5f * min_width}) + 0.6f;
   const float x0 = std::min(a.x, b.x) - left - wide, x1 = std::max(a.x, b.x) - left + wide;
@@ -67,16 +69,17 @@ HWY_INLINE std::uint32_t touched_blocks(const TileSegment& segment, float left, 
   const int last_x = static_cast<int>(std::min(x1, side - 1)) / block_width;
   const int first_y = static_cast<int>(std::max(y0, 0.0f)) / block_height;
   const int last_y = static_cast<int>(std::min(y1, side - 1)) / block_height;
-  const std::uint32_t columns = ((2u << last_x) - (1u << first_x)) * 0x11111111u;
-  const auto rows = static_cast<std::uint32_t>((std::uint64_t{16} << (4 * last_y)) - (std::uint64_t{1} << (4 * first_y)));
-  return columns & rows;
+  const std::uint64_t rows = (std::uint64_t{2} << last_y) - (std::uint64_t{1} << first_y);
+  std::uint64_t blocks = 0;
+  for (int x = first_x; x <= last_x; ++x) blocks |= rows << (x * block_rows);
+  return blocks;
 }
 
 /// Blends over lanes of a block; whether anything gets through them still.
 HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
-  const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, s.least_half);
+  const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, s.min_half);
   const Real covered = clamp(drawn - off + 0.5f, 0.0f, 1.0f) - clamp(0.5f - drawn - off, 0.0f, 1.0f);
   const Real within = clamp(mul_add(along, s.sharpness, 0.5f), 0.0f, 1.0f) -
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
@@ -88,28 +91,25 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
   store(mul_add(weight, mul_add(share, s.more_light[0], s.light[0]), load(sums.red + at)), sums.red + at);
   store(mul_add(weight, mul_add(share, s.more_light[1], s.light[1]), load(sums.green + at)), sums.green + at);
   store(mul_add(weight, mul_add(share, s.more_light[2], s.light[2]), load(sums.blue + at)), sums.blue + at);
-  return any(left_over > least_through);
+  return any(left_over > min_through);
 }
 
 HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
-  HWY_ALIGN static constexpr float column[block_pixels] = {.5f, 1.5f, 2.5f, 3.5f, .5f, 1.5f, 2.5f, 3.5f};
-  HWY_ALIGN static constexpr float row[block_pixels] = {.5f, .5f, .5f, .5f, 1.5f, 1.5f, 1.5f, 1.5f};
+  const Int lanes = hn::Iota(int_tag, 0);
+  const Real column = to_real(hn::And(lanes, whole(3))) + 0.5f, row = to_real(hn::ShiftRight<2>(lanes)) + 0.5f;
   const auto tile_left = static_cast<float>(left), tile_top = static_cast<float>(top);
-  std::uint32_t full = 0;
+  std::uint64_t full = 0;
   for (std::size_t i = 0; i < segments.size() && full != all_blocks; ++i) {
     if (i + 8 < segments.size()) hwy::Prefetch(segments[i + 8].from);
-    std::uint32_t blocks = touched_blocks(segments[i], tile_left, tile_top, min_width) & ~full;
+    std::uint64_t blocks = touched_blocks(segments[i], tile_left, tile_top, min_width) & ~full;
     if (blocks == 0) continue;
     const FlatSegment flat = flat_segment(segments[i], tile_left, tile_top, min_width);
     for (; blocks != 0; blocks &= blocks - 1) {
-      const int block = std::countr_zero(blocks), bx = block % 4, by = block / 4;
-      bool open = false;
-      for (int k = 0; k < block_pixels; k += lane_count) {
-        const Real x = load(column + k) + (static_cast<float>(block_width * bx) - flat.x);
-        const Real y = load(row + k) + (static_cast<float>(block_height * by) - flat.y);
-        open |= blend_lanes(flat, x, y, static_cast<std::size_t>(block * block_pixels + k), sums);
-      }
-      if (!open) full |= 1u << block;
+      const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
+      const Real x = column + (static_cast<float>(block_width * bx) - flat.x);
+      const Real y = row + (static_cast<float>(block_height * by) - flat.y);
+      if (!blend_lanes(flat, x, y, static_cast<std::size_t>(block * lane_count), sums))
+        full |= std::uint64_t{1} << block;
     }
   }
 }

@@ -7,6 +7,8 @@ namespace pelage {
 
 namespace {
 
+constexpr double widest = 1.5;  // pixels that strands are widened to: wider ones look like wires
+
 struct Ball {
   glm::vec3 middle{0};  // from the camera
   float radius = 0;
@@ -19,15 +21,18 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
 /// Of all strands of a part, (0, 1].
 double kept_share(const RasterScene& scene, const GrownPart& part) {
   const Ball ball = ball_around(scene, part);
-  const double distance = std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{nearest_drawn});
+  const double distance =
+      std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{nearest_drawn});
   const double pixel = distance / scene.camera.scale;
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
-  return std::min(scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12), 1.0);
+  const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
+  const double width = 2 * double{part.strands->points[0].radius} / pixel;  // of one of them
+  return std::min(std::max(share, width / widest), 1.0);
 }
 
 /// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it
 /// is, the further it reaches around.
-float least_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.longest, 2.0f); }
+float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.longest, 2.0f); }
 
 }  // namespace
 
@@ -54,11 +59,11 @@ void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& 
   const auto count = static_cast<std::uint32_t>(std::min(std::ceil(exact), static_cast<double>(set.count())));
   constexpr double fading = 0.125;  // of those that are kept
   const double whole = share < 1 ? 1 / (share * (1 - fading / 2)) : 1;
-  const float least = least_facing(part);
+  const float smallest = min_facing(part);
   const glm::vec3 middle = 0.5f * (part.low + part.high);
   const glm::vec3 back = glm::normalize(scene.camera.position - middle + glm::vec3(1e-9f));
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (glm::dot(set.roots[i].normal, back) < least) continue;
+    if (glm::dot(set.roots[i].normal, back) < smallest) continue;
     const double left = share < 1 ? std::min((exact - i) / (fading * exact), 1.0) : 1;
     kept.ids.push_back(i), kept.widened.push_back(static_cast<float>(whole * left));
   }

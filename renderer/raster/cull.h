@@ -9,8 +9,8 @@ namespace pelage {
 bool shows_in(const RasterScene& scene, const GrownPart& part, const RasterBox& box);
 
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
-/// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the later
-/// they come, so that none appears at once when the camera comes nearer.
+/// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the
+/// later they come, so that none appears at once when the camera comes nearer.
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Light of a strand's knots from that of its points, or of its neighbour's by their colours; a knot a lane.
+// Light of a strand's knots from that of its points, or of its neighbour's by their colours.
 #if defined(PELAGE_RASTER_HAND_ON_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_HAND_ON_INL_H_
 #undef PELAGE_RASTER_HAND_ON_INL_H_
@@ -11,38 +11,40 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-HWY_INLINE void store_halves(Real value, hwy::float16_t* to) {
-  const hn::Rebind<hwy::float16_t, FloatTag> halves;
-  hn::StoreU(hn::DemoteTo(halves, min(value, 65504.0f).v), halves, to);
+using ColourTag = hn::CappedTag<float, 4>;
+using Colour = hn::Vec<ColourTag>;
+
+/// pack_colour undone, its channels in a register, with a little more so that black can be divided by.
+HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
+  const ColourTag tag;
+  const hn::RebindToSigned<ColourTag> words;
+  HWY_ALIGN const std::int32_t channels[4] = {static_cast<std::int32_t>(packed & 1023),
+                                              static_cast<std::int32_t>(packed >> 10 & 1023),
+                                              static_cast<std::int32_t>(packed >> 20 & 1023), 0};
+  const Colour share = hn::Mul(hn::ConvertTo(tag, hn::Load(words, channels)), hn::Set(tag, 2.0f / 1023));
+  return hn::MulAdd(share, share, hn::Set(tag, 0.002f));
 }
 
-HWY_INLINE void hand_on(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light, PlacedKnot* knots,
-                        int count) {
+HWY_INLINE void hand_on(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
+                        const float* along, PlacedKnot* knots, int count) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));
-  const int points = lit_points(set.segments);
-  const Int numbers = hn::Iota(int_tag, 0);
-  const auto row = [&](std::uint32_t strand, Int knot) HWY_ATTR {
-    const auto* words = reinterpret_cast<const std::int32_t*>(set.colours.data());
-    return unpacked_colour(gather(words + std::size_t{strand} * static_cast<std::size_t>(set.segments + 1), knot));
-  };
-  for (int k = 0; k < count; k += lane_count) {
-    const Real place = min(to_real(hn::Add(numbers, whole(k))), static_cast<float>(count - 1));
-    const Int knot = to_int(mul_add(place, static_cast<float>(set.segments) / static_cast<float>(count - 1), 1e-3f));
-    const Real at = to_real(knot) * (static_cast<float>(points - 1) / static_cast<float>(set.segments));
-    const Real low = min(floor(at), static_cast<float>(points - 2)), part = at - low;
-    const Int first = to_int(3.0f * low);
-    const auto channel = [&](int c) HWY_ATTR { return mix(gather(light + c, first), gather(light + c + 3, first), part); };
-    Vec3 sent{channel(0), channel(1), channel(2)};
+  const ColourTag tag;
+  const hn::Rebind<hwy::float16_t, ColourTag> halves;
+  const auto segments = static_cast<std::size_t>(set.segments);
+  const float over = static_cast<float>(light.count - 1) / std::max(1 - light.from, 1e-3f);
+  for (int k = 0; k < count; ++k) {
+    const float at = std::max((along[k] - light.from) * over, 0.0f);
+    const int low = std::min(static_cast<int>(at), light.count - 2);
+    const Colour a = hn::LoadU(tag, &light.light[static_cast<std::size_t>(low)].x);
+    const Colour b = hn::LoadU(tag, &light.light[static_cast<std::size_t>(low) + 1].x);
+    Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, at - static_cast<float>(low)), a);
     if (id != from) {
-      const Vec3 own = row(id, knot) + Vec3(0.002f), its = row(from, knot) + Vec3(0.002f);
-      sent = {sent.x * own.x / its.x, sent.y * own.y / its.y, sent.z * own.z / its.z};
+      const auto knot = static_cast<std::size_t>(along[k] * static_cast<float>(segments) + 0.01f);
+      const Colour own = colour_over_black(set.colours[id * (segments + 1) + knot]);
+      sent = hn::Mul(sent, hn::Div(own, colour_over_black(set.colours[from * (segments + 1) + knot])));
     }
-    hwy::float16_t red[lane_count], green[lane_count], blue[lane_count];
-    store_halves(sent.x, red), store_halves(sent.y, green), store_halves(sent.z, blue);
-    for (int l = 0; l < lane_count && k + l < count; ++l) {
-      hwy::float16_t out[4] = {red[l], green[l], blue[l], {}};
-      hwy::CopyBytes<sizeof(out)>(out, knots[k + l].light.data());
-    }
+    const auto half = hn::DemoteTo(halves, hn::Min(sent, hn::Set(tag, 65504.0f)));
+    hn::StoreU(half, halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
   }
 }
 

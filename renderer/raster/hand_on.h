@@ -11,14 +11,14 @@ namespace pelage {
 
 class SharedLight {
  public:
-  /// Writes the light of the strands `ids` of a set to their knots, which are those of `placed` from strand `first` on.
-  /// Gives how many were lit.
-  std::size_t light(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
+  /// Writes the light of the strands `ids` of a part to their knots, which are those of `placed` from strand `first`
+  /// on. Gives how many were lit.
+  std::size_t light(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
                     std::size_t first, PlacedStrands& placed);
 
  private:
   std::vector<std::uint32_t> lit_, of_, place_;
-  std::vector<float> light_;
+  std::vector<LitStrandPoints> light_;
 };
 
 }  // namespace pelage

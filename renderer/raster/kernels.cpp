@@ -17,19 +17,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-void PlaceStrands(const RasterScene& scene, const StrandSet& set, const RasterBox& box, std::span<const float> furthest,
+void PlaceStrands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
                   KeptStrands& kept, PlacedStrands& placed) {
-  place_all(scene, set, box, furthest, kept, placed);
+  place_all(scene, part, box, hidden, kept, placed);
 }
 
-void LightStrands(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
-                  std::vector<float>& light) {
-  light_all(scene, set, ids, light);
+void LightStrands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
+                  std::span<LitStrandPoints> light) {
+  light_all(scene, part, ids, whole, light);
 }
 
-void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light,
-                 std::span<PlacedKnot> knots) {
-  hand_on(set, id, from, light, knots.data(), static_cast<int>(knots.size()));
+void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
+                 std::span<const float> along, std::span<PlacedKnot> knots) {
+  hand_on(set, id, from, light, along.data(), knots.data(), static_cast<int>(knots.size()));
 }
 
 void BlendSegments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
@@ -55,21 +55,19 @@ HWY_EXPORT(BlendSegments);
 HWY_EXPORT(LightSkin);
 HWY_EXPORT(Name);
 
-void place_strands(const RasterScene& scene, const StrandSet& set, const RasterBox& box, std::span<const float> furthest,
+void place_strands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed) {
-  HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, set, box, furthest, kept, placed);
+  HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, part, box, hidden, kept, placed);
 }
 
-int lit_points(int segments) { return segments <= 8 ? 4 : std::min(segments / 4 + 1, 16); }
-
-void light_strands(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
-                   std::vector<float>& light) {
-  HWY_DYNAMIC_DISPATCH(LightStrands)(scene, set, ids, light);
+void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
+                   std::span<LitStrandPoints> light) {
+  HWY_DYNAMIC_DISPATCH(LightStrands)(scene, part, ids, whole, light);
 }
 
-void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light,
-                   std::span<PlacedKnot> knots) {
-  HWY_DYNAMIC_DISPATCH(HandOnLight)(set, id, from, light, knots);
+void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
+                   std::span<const float> along, std::span<PlacedKnot> knots) {
+  HWY_DYNAMIC_DISPATCH(HandOnLight)(set, id, from, light, along, knots);
 }
 
 void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {

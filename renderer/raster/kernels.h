@@ -15,21 +15,32 @@ struct KeptStrands {
   std::vector<float> widened;
 };
 
-/// Places strands of a part, without their light, and leaves those in `kept` whose box touches `box` nearer than what
-/// lies behind it: `furthest` has one over the distance for each tile of the box.
-void place_strands(const RasterScene& scene, const StrandSet& set, const RasterBox& box, std::span<const float> furthest,
+inline constexpr int hiding_side = 4;  // pixels of the blocks by which skin hides strands
+
+/// Places strands of a part, without their light, and leaves those in `kept` that touch `box` and are not hidden by the
+/// skin: `hidden` has one over the distance behind which nothing shows, for each block of hiding_side pixels.
+void place_strands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 
-/// Points of a strand of so many segments that are lit, root and tip among them.
-int lit_points(int segments);
+/// Where nothing but gaps between strands shows them, some strands stand for all: the first ones, which are drawn down
+/// to their roots. Their number, where the last that is kept is `last`.
+inline constexpr std::uint32_t deep_of = 8;  // strands that one stands for
+inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
-/// Light that strands of a set send to the camera, lit_points times three numbers each.
-void light_strands(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
-                   std::vector<float>& light);
+/// Light that a strand sends to the camera from some points of it, evenly from `from` in [0, 1) to the tip.
+struct LitStrandPoints {
+  static constexpr int max = 16;
+  float from = 0;
+  int count = 2;
+  std::array<glm::vec4, max> light{};  // the fourth is 0
+};
+/// With `whole` from the root on, else from where they come to be seen.
+void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
+                   std::span<LitStrandPoints> light);
 
-/// Writes the light of a strand's knots: `light` is that of the points of strand `from`, which may be another.
-void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const float* light,
-                   std::span<PlacedKnot> knots);
+/// Writes the light of a strand's knots, which lie `along` it: `light` is that of strand `from`, which may be another.
+void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
+                   std::span<const float> along, std::span<PlacedKnot> knots);
 
 /// What of a strand falls into a tile.
 struct TileSegment {
@@ -42,15 +53,16 @@ struct TileSums {
   alignas(64) float behind[tile_pixels];  // one over the distance of what ends the strands' view
 };
 
-/// Where a tile's pixel lies in its sums: in blocks of 4 x 2, which a register holds.
-inline int pixel_in_tile(int x, int y) { return ((y >> 1) * (tile_side / 4) + (x >> 2)) * 8 + (y & 1) * 4 + (x & 3); }
+/// Where a tile's pixel lies in its sums: in columns of four, so that registers of 4, 8 and 16 numbers hold blocks of
+/// 4 x 1, 4 x 2 and 4 x 4 pixels.
+inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_side) + y * 4 + (x & 3); }
 
 /// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through.
 void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums);
 
-/// Up to eight pixels that show skin, and its light there.
+/// Some pixels that show skin, and its light there.
 struct SkinSeen {
-  static constexpr int count = 8;
+  static constexpr int count = 16;     // as many as the widest registers hold
   float x[count] = {}, y[count] = {};  // pixels of the picture
   float inverse[count] = {};           // one over the distance
   std::uint32_t piece[count] = {};     // triangle of the model

@@ -6,19 +6,20 @@
 #define PELAGE_RASTER_PLACE_INL_H_
 #endif
 
-#include "renderer/optics/lanes-inl.h"
+#include "renderer/coat/strand_tile.h"
+#include "renderer/optics/light-inl.h"
 #include "renderer/raster/kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-inline constexpr int most_knots = 64;
+inline constexpr int max_knots = 64;
 inline constexpr float min_segment = 2;  // pixels: knots nearer than that are left out
 
 /// Knots of as many strands as there are lanes.
 struct KnotLanes {
-  HWY_ALIGN float x[most_knots][lane_count], y[most_knots][lane_count];
-  HWY_ALIGN float inverse[most_knots][lane_count], half_width[most_knots][lane_count];
+  HWY_ALIGN float x[max_knots][lane_count], y[max_knots][lane_count];
+  HWY_ALIGN float inverse[max_knots][lane_count], half_width[max_knots][lane_count];
 };
 
 HWY_INLINE Int strand_rows(const std::uint32_t* ids, int numbers) {
@@ -30,6 +31,8 @@ struct PlacedLanes {
   Real left, right, top, bottom;
   Real nearest;  // one over a distance
   Real way;      // pixels along the strand
+  Real length;   // sizes
+  Vec3 root, tip;
 };
 
 HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet& set, const std::uint32_t* ids,
@@ -37,11 +40,11 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);
   const Real wider = load(widened) * camera.scale;
   const Real far = 1e30f, none = 0.0f;
-  PlacedLanes placed{far, -far, far, -far, none, none};
+  PlacedLanes placed{far, -far, far, -far, none, none, none, Vec3(none), Vec3(none)};
   Real before_x = 0.0f, before_y = 0.0f;
   for (int k = 0; k <= set.segments; ++k) {
     const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
-    const Vec3 apart = Vec3(point.real(0), point.real(1), point.real(2)) - Vec3(camera.position);
+    const Vec3 place{point.real(0), point.real(1), point.real(2)}, apart = place - Vec3(camera.position);
     const Real distance = dot(apart, Vec3(camera.forward));
     const Mask seen = distance > nearest_drawn;
     const Real inverse = 1.0f / max(distance, nearest_drawn), scale = inverse * camera.scale;
@@ -50,8 +53,9 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     const Real half = point.real(3) * inverse * wider;
     store(x, knots.x[k]), store(y, knots.y[k]), store(half, knots.half_width[k]);
     store(select(seen, inverse, 0.0f), knots.inverse[k]);
-    if (k > 0) placed.way += length(Vec2{x - before_x, y - before_y});
-    before_x = x, before_y = y;
+    if (k == 0) placed.root = place;
+    if (k > 0) placed.way += length(Vec2{x - before_x, y - before_y}), placed.length += length(place - placed.tip);
+    before_x = x, before_y = y, placed.tip = place;
     placed.left = select(seen, min(placed.left, x - half), placed.left);
     placed.right = select(seen, max(placed.right, x + half), placed.right);
     placed.top = select(seen, min(placed.top, y - half), placed.top);
@@ -61,54 +65,104 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   return placed;
 }
 
-/// Whether lanes touch the box, and are not behind what lies in the one tile that they are in.
-HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const RasterBox& box, std::span<const float> furthest) {
+/// What says how deep in the fur an eye sees a strand.
+struct DepthLanes {
+  Vec3 root, tip, normal;
+  Real reach, length;  // of the fur that it stands in, over nominal_length
+};
+
+/// The last knot of each lane that so many strands stand in front of that nothing is seen of it; 0 for none.
+HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, float crowding, int segments) {
+  const FrameBlock& frame = scene.optics.frame;
+  const Vec3 to_camera = unit(Vec3(scene.camera.position) - strand.root), along = unit(strand.tip - strand.root);
+  const Real facing = dot(strand.normal, to_camera);
+  Real hidden = 0.0f;
+  for (int k = 1; k < segments; ++k) {
+    const Real height = strand.reach * (static_cast<float>(k) / static_cast<float>(segments));
+    const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
+    const Real above = gather(&frame.depth_above[0].x, slice) * strand.length * crowding;
+    const Real crossed = strands_crossed(above, way_out(height, facing), along, to_camera);
+    const Mask seen = crossed < scene.quality.seen_depth;
+    if (all(seen)) break;
+    hidden = select(seen, hidden, static_cast<float>(k));
+  }
+  return hidden;
+}
+
+/// Whether lanes touch the box and any of their knots lies in front of the skin, or on none.
+HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, const RasterBox& box,
+                           std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
   const Mask inside = (placed.right > left) & (placed.left < right) & (placed.bottom > top) & (placed.top < bottom);
-  const int across = (box.right - box.left + tile_side - 1) / tile_side;
-  const auto tile_of = [](Real pixel, float first, float end) HWY_ATTR {
-    return floor((clamp(pixel, first, end - 1.0f) - first) * (1.0f / tile_side));
-  };
-  const Real x0 = tile_of(placed.left, left, right), x1 = tile_of(placed.right, left, right);
-  const Real y0 = tile_of(placed.top, top, bottom), y1 = tile_of(placed.bottom, top, bottom);
-  const Int tile = to_int(mul_add(y0, static_cast<float>(across), x0));
-  const Mask in_one = (x0 >= x1) & (y0 >= y1);
-  return inside & ((placed.nearest > gather(furthest.data(), tile)) | !in_one);
+  if (!any(inside)) return inside;
+  const float longest = static_cast<float>(2 * hiding_side * segments);  // of segments that no block is skipped by
+  Mask seen = placed.way > longest;
+  const int across = tiles_of(box).across * (tile_side / hiding_side);
+  for (int k = segments; k >= 0 && !all(seen); --k) {
+    const Real x = load(knots.x[k]), y = load(knots.y[k]);
+    const Real bx = floor((clamp(x, left, right - 1.0f) - left) * (1.0f / hiding_side));
+    const Real by = floor((clamp(y, top, bottom - 1.0f) - top) * (1.0f / hiding_side));
+    const Real least = gather(hidden.data(), to_int(mul_add(by, static_cast<float>(across), bx)));
+    seen = seen | (load(knots.inverse[k]) > least);
+  }
+  return inside & seen;
 }
 
-/// Appends the knots of a lane that are more than a few pixels apart.
-HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int segments, float way, PlacedStrands& placed) {
-  const float wanted = way / min_segment;
-  const int count = wanted >= static_cast<float>(segments) ? segments : std::max(1, static_cast<int>(wanted));
+/// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider.
+HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way,
+                            PlacedStrands& placed) {
+  const float wanted = way / min_segment * static_cast<float>(segments - first) / static_cast<float>(segments);
+  const int count =
+      wanted >= static_cast<float>(segments - first) ? segments - first : std::max(1, static_cast<int>(wanted));
   for (int i = 0; i <= count; ++i) {
-    const int k = i * segments / count;
-    placed.knots.push_back({knots.x[k][lane], knots.y[k][lane], knots.inverse[k][lane], knots.half_width[k][lane], {}});
+    const int k = first + i * (segments - first) / count;
+    const float half = knots.half_width[k][lane] * (k < wide ? static_cast<float>(deep_of) : 1.0f);
+    placed.knots.push_back({knots.x[k][lane], knots.y[k][lane], knots.inverse[k][lane], half, {}});
+    placed.along.push_back(static_cast<float>(k) / static_cast<float>(segments));
   }
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }
 
-HWY_INLINE void place_all(const RasterScene& scene, const StrandSet& set, const RasterBox& box,
-                          std::span<const float> furthest, KeptStrands& kept, PlacedStrands& placed) {
+HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip, Real length) {
+  static_assert(sizeof(StrandRoot) == 6 * sizeof(float));
+  const Int roots = strand_rows(ids, 6);
+  const Quad normal = gather_quad(&set.roots[0].normal.x, roots);
+  const Real reach = gather(&set.roots[0].reach, roots);
+  return {root,
+          tip,
+          {normal.real(0), normal.real(1), normal.real(2)},
+          reach,
+          length / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
+}
+
+HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const RasterBox& box,
+                          std::span<const float> hidden_by_skin, KeptStrands& kept, PlacedStrands& placed) {
+  const StrandSet& set = *part.strands;
   KnotLanes knots;
   const std::size_t count = kept.ids.size();
+  const std::uint32_t last_whole = count > 0 ? whole_strands(kept.ids.back()) : 0;
   std::size_t stay = 0;
   if (placed.first.empty()) placed.first.push_back(0);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
-    float widened[lane_count], way[lane_count];
+    float widened[lane_count], way[lane_count], hidden[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
-    store(lanes.way, way);
-    std::uint32_t seen = bits_of(seen_lanes(lanes, box, furthest));
+    std::uint32_t seen = bits_of(seen_lanes(lanes, knots, set.segments, box, hidden_by_skin));
     if (count - i < lane_count) seen &= (1u << (count - i)) - 1;
+    if (seen == 0) continue;
+    const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);
+    store(lanes.way, way), store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
     for (; seen != 0; seen &= seen - 1) {
       const int lane = std::countr_zero(seen);
       kept.ids[stay] = ids[lane], kept.widened[stay] = widened[lane], ++stay;
-      append_lane(knots, lane, set.segments, way[lane], placed);
+      const int deep = static_cast<int>(hidden[lane]);
+      const bool whole_strand = ids[lane] < last_whole;
+      append_lane(knots, lane, whole_strand ? 0 : deep, deep, set.segments, way[lane], placed);
     }
   }
   kept.ids.resize(stay), kept.widened.resize(stay);

@@ -24,7 +24,7 @@ namespace pelage {
 namespace {
 
 constexpr int box_pixels = 1 << 20;      // of a part of a picture that is drawn at once
-constexpr std::size_t most_batches = 64;  // of strands, a thread each: the same for any number of threads
+constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same for any number of threads
 
 double thread_ms() {
   timespec now{};
@@ -59,14 +59,14 @@ struct Batch {
 };
 
 std::vector<Batch> batches_of(std::span<const GrownPart> parts) {
-  const std::size_t count = std::min(parts.size(), most_batches);
+  const std::size_t count = std::min(parts.size(), max_batches);
   std::vector<Batch> batches(count);
   for (std::size_t i = 0; i < count; ++i)
     batches[i].first = i * parts.size() / count, batches[i].end = (i + 1) * parts.size() / count;
   return batches;
 }
 
-void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const float> furthest, Batch& batch) {
+void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const float> hidden, Batch& batch) {
   KeptStrands kept;
   SharedLight light;
   for (std::size_t i = batch.first; i < batch.end; ++i) {
@@ -79,10 +79,10 @@ void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
     {
       const Lap lap(batch.times.place);
-      place_strands(scene, *part.strands, box, furthest, kept, batch.placed);
+      place_strands(scene, part, box, hidden, kept, batch.placed);
     }
     const Lap lap(batch.times.light);
-    batch.lit += light.light(scene, *part.strands, kept.ids, before, batch.placed);
+    batch.lit += light.light(scene, part, kept.ids, before, batch.placed);
   }
 }
 
@@ -102,7 +102,8 @@ struct TileDrawer {
 
 void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileSegment>& segments,
                       RasterTimes& times) const {
-  const int across = tiles_of(box).across, left = box.left + tile % across * tile_side, top = box.top + tile / across * tile_side;
+  const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
+            top = box.top + tile / across * tile_side;
   TileSums sums;
   std::fill_n(sums.through, tile_pixels, 1.0f);
   for (float* channel : {sums.red, sums.green, sums.blue}) std::fill_n(channel, tile_pixels, 0.0f);
@@ -122,9 +123,9 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   write(left, top, sums);
 }
 
-/// Where enough of it shows, eight pixels at a time.
+/// Where enough of it shows, some pixels at a time.
 void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
-  constexpr float least = 1e-3f;
+  constexpr float shown = 1e-3f;
   SkinSeen seen;
   std::array<int, SkinSeen::count> at{};
   int count = 0;
@@ -145,7 +146,7 @@ void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
     for (int x = 0; x < tile_side; ++x) {
       const int pixel = pixel_in_tile(x, y);
       if (!(sums.behind[pixel] > 0)) continue;
-      if (sums.through[pixel] < least) {
+      if (sums.through[pixel] < shown) {
         sums.through[pixel] = 0;
         continue;
       }
@@ -164,7 +165,8 @@ void TileDrawer::write(int left, int top, const TileSums& sums) const {
   for (int y = top; y < bottom; ++y) {
     for (int x = left; x < right; ++x) {
       const int pixel = pixel_in_tile(x - left, y - top);
-      float* out = &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x))];
+      float* out = &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                      static_cast<std::size_t>(x))];
       out[0] = sums.red[pixel], out[1] = sums.green[pixel], out[2] = sums.blue[pixel], out[3] = 1 - sums.through[pixel];
     }
   }
@@ -183,9 +185,9 @@ void draw_box(const RasterScene& scene, const RasterBox& box, int threads, Float
   for_each_in_parallel(
       batch_count,
       [&](std::uint32_t i) {
-        place_batch(scene, box, skin->furthest, batches[i]);
+        place_batch(scene, box, skin->hidden, batches[i]);
         const Lap lap(batches[i].times.bin);
-        bins.count(i, batches[i].placed, skin->furthest);
+        bins.find(i, batches[i].placed, skin->furthest);
       },
       threads);
   bins.make_room();
@@ -193,7 +195,7 @@ void draw_box(const RasterScene& scene, const RasterBox& box, int threads, Float
       batch_count,
       [&](std::uint32_t i) {
         const Lap lap(batches[i].times.bin);
-        bins.fill(i, batches[i].placed, skin->furthest);
+        bins.put(i);
       },
       threads);
   const TileDrawer drawer{scene, box, bins, *skin, batches, picture};

@@ -18,11 +18,11 @@ struct RasterTimes {
 
 /// What a picture was drawn from.
 struct RasterCounts {
-  std::size_t strands = 0;   // that stand in the coat
-  std::size_t placed = 0;    // that touch the picture
+  std::size_t strands = 0;  // that stand in the coat
+  std::size_t placed = 0;   // that touch the picture
   std::size_t lit = 0;
-  std::size_t entries = 0;   // segments by tile
-  std::size_t bytes = 0;     // of the largest box, beside the coat
+  std::size_t entries = 0;  // segments by tile
+  std::size_t bytes = 0;    // of the largest box, beside the coat
 };
 
 /// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.

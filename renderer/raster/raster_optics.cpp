@@ -18,7 +18,8 @@ std::array<float, slice_count> strands_above(const Coat& coat) {
     for (int i = slice_count - 1; i >= 0; --i) {
       const double s = (i + 0.5) / slice_count;
       if (strand.length_share < s) continue;
-      sum[static_cast<std::size_t>(i)] += strand.width * glm::mix(coat.width_root, coat.width_tip, s / strand.length_share);
+      sum[static_cast<std::size_t>(i)] +=
+          strand.width * glm::mix(coat.width_root, coat.width_tip, s / strand.length_share);
     }
   }
   std::array<float, slice_count> above{};
@@ -39,7 +40,8 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
     scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
   }
   FrameOptics optics;
-  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), 0, above_}, model_has_colours, frame.height);
+  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), 0, above_}, model_has_colours,
+                                  frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
   optics.environment = true;
@@ -53,7 +55,11 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
 PictureCamera picture_camera(const FurFrame& frame) {
   const FurCamera& camera = frame.camera;
   const float half = 0.5f * static_cast<float>(frame.height);
-  return {camera.position, camera.right, camera.up, camera.forward, half / camera.tan_half_fov,
+  return {camera.position,
+          camera.right,
+          camera.up,
+          camera.forward,
+          half / camera.tan_half_fov,
           {0.5f * static_cast<float>(frame.width), half}};
 }
 

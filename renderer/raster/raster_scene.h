@@ -23,17 +23,27 @@ struct RasterBox {
   int left = 0, top = 0, right = 0, bottom = 0;
 };
 
+/// Tiles of a box, row by row.
+struct TileRows {
+  int across = 0, down = 0;
+  int count() const { return across * down; }
+};
+inline TileRows tiles_of(const RasterBox& box) {
+  return {(box.right - box.left + tile_side - 1) / tile_side, (box.bottom - box.top + tile_side - 1) / tile_side};
+}
+
 /// From a place to the picture: pixels right and down of its corner, and one over the distance along the view.
 struct PictureCamera {
   glm::vec3 position{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
-  float scale = 1;       // pixels of a size at distance 1
-  glm::vec2 middle{0};   // of the picture, pixels
+  float scale = 1;      // pixels of a size at distance 1
+  glm::vec2 middle{0};  // of the picture, pixels
 };
 
 /// Which strands are drawn, and how closely.
 struct RasterQuality {
   double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
   int lit_of = 1;              // strands share the light of one of so many, 1, 2, 4 or 8
+  float seen_depth = 6;        // strands in front of what is left out as hidden, above 0
   float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
 };
 
@@ -49,9 +59,9 @@ struct RasterScene {
 
 /// A knot of a strand on the picture.
 struct PlacedKnot {
-  float x = 0, y = 0;     // pixels
-  float inverse = 0;      // one over the distance along the view; 0 for what is too near to be drawn
-  float half_width = 0;   // pixels
+  float x = 0, y = 0;                    // pixels
+  float inverse = 0;                     // one over the distance along the view; 0 for what is too near to be drawn
+  float half_width = 0;                  // pixels
   std::array<std::uint16_t, 4> light{};  // red, green, blue in half floats
 };
 static_assert(sizeof(PlacedKnot) == 24);
@@ -59,6 +69,7 @@ static_assert(sizeof(PlacedKnot) == 24);
 /// Strands of some parts as they lie on the picture.
 struct PlacedStrands {
   std::vector<PlacedKnot> knots;
+  std::vector<float> along;          // of each knot: where on its strand, 0 at the root, 1 at the tip
   std::vector<std::uint32_t> first;  // knot of each strand; one more at the end
 };
 

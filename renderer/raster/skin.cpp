@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "protocol/base/parallel.h"
 
@@ -55,7 +56,8 @@ std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const RasterB
   std::vector<FlatTriangle> triangles;
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
-    const std::array corners{in_camera(scene.camera, model.positions[t.x]), in_camera(scene.camera, model.positions[t.y]),
+    const std::array corners{in_camera(scene.camera, model.positions[t.x]),
+                             in_camera(scene.camera, model.positions[t.y]),
                              in_camera(scene.camera, model.positions[t.z])};
     const std::size_t before = triangles.size();
     add_clipped(scene.camera, corners, i, triangles);
@@ -78,24 +80,73 @@ void each_tile(const FlatTriangle& triangle, const RasterBox& box, const TileRow
     return static_cast<int>(std::clamp((pixel - first) / tile_side, 0.0, static_cast<double>(count - 1)));
   };
   for (int y = tile(y0, box.top, tiles.down); y <= tile(y1, box.top, tiles.down); ++y) {
-    for (int x = tile(x0, box.left, tiles.across); x <= tile(x1, box.left, tiles.across); ++x) found(y * tiles.across + x);
+    for (int x = tile(x0, box.left, tiles.across); x <= tile(x1, box.left, tiles.across); ++x)
+      found(y * tiles.across + x);
   }
 }
 
-double side(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+/// A number that runs evenly over the picture, at the middle of a tile's first pixel.
+struct Plane {
+  float at = 0, across = 0, down = 0;
+};
+
+/// Shares of the corners across from each edge, and one over the distance. From a tile's own corner on: floats do.
+struct TilePlanes {
+  std::array<Plane, 3> share;
+  Plane inverse;
+  bool there = false;
+};
+
+TilePlanes planes_over(const FlatTriangle& t, int left, int top) {
+  const glm::dvec2 ab = t.at[1] - t.at[0], ac = t.at[2] - t.at[0];
+  const double area = ab.x * ac.y - ab.y * ac.x;
+  TilePlanes planes;
+  if (!(std::abs(area) > 1e-12)) return planes;
+  planes.there = true;
+  const glm::dvec2 first(left + 0.5, top + 0.5);
+  glm::dvec3 at(0), across(0), down(0);
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec2 &a = t.at[static_cast<std::size_t>((i + 1) % 3)], &b = t.at[static_cast<std::size_t>((i + 2) % 3)];
+    const glm::dvec2 way = (b - a) / area, off = first - a;
+    at[i] = way.x * off.y - way.y * off.x, across[i] = -way.y, down[i] = way.x;
+    planes.share[static_cast<std::size_t>(i)] = {static_cast<float>(at[i]), static_cast<float>(across[i]),
+                                                 static_cast<float>(down[i])};
+  }
+  planes.inverse = {static_cast<float>(glm::dot(at, t.inverse)), static_cast<float>(glm::dot(across, t.inverse)),
+                    static_cast<float>(glm::dot(down, t.inverse))};
+  return planes;
+}
+
+/// Pixels of a row where all three shares are at least 0: [first, end). Neighbours overlap by a little, so that none is
+/// missed between two.
+std::pair<int, int> covered_pixels(const TilePlanes& planes, int y, int first, int end) {
+  constexpr float overlap = 1e-3f;  // pixels
+  float low = static_cast<float>(first), high = static_cast<float>(end - 1);
+  for (const Plane& share : planes.share) {
+    const float at = share.at + share.down * static_cast<float>(y);
+    if (share.across > 0) low = std::max(low, -at / share.across);
+    if (share.across < 0) high = std::min(high, -at / share.across);
+    if (share.across == 0 && at < 0) return {0, 0};
+  }
+  if (!(low <= high + overlap)) return {0, 0};
+  return {std::max(static_cast<int>(std::ceil(low - overlap)), first),
+          std::min(static_cast<int>(std::floor(high + overlap)) + 1, end)};
+}
 
 void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, std::uint32_t* piece) {
-  const double area = side(t.at[0], t.at[1], t.at[2]);
-  if (!(std::abs(area) > 1e-12)) return;
+  const TilePlanes planes = planes_over(t, left, top);
+  if (!planes.there) return;
   const auto [x0, x1] = std::minmax({t.at[0].x, t.at[1].x, t.at[2].x});
   const auto [y0, y1] = std::minmax({t.at[0].y, t.at[1].y, t.at[2].y});
-  const auto pixel = [](double at, int first) { return static_cast<int>(std::clamp(std::floor(at - first), 0.0, tile_side - 1.0)); };
+  const auto pixel = [](double at, int first) {
+    return static_cast<int>(std::clamp(std::floor(at - first), 0.0, tile_side - 1.0));
+  };
+  const int left_most = pixel(x0, left), right_most = pixel(x1, left) + 1;
   for (int y = pixel(y0, top); y <= pixel(y1, top); ++y) {
-    for (int x = pixel(x0, left); x <= pixel(x1, left); ++x) {
-      const glm::dvec2 p(left + x + 0.5, top + y + 0.5);
-      const glm::dvec3 share = glm::dvec3(side(t.at[1], t.at[2], p), side(t.at[2], t.at[0], p), side(t.at[0], t.at[1], p)) / area;
-      if (share.x < 0 || share.y < 0 || share.z < 0) continue;
-      const auto found = static_cast<float>(glm::dot(share, t.inverse));
+    const auto [first, end] = covered_pixels(planes, y, left_most, right_most);
+    float found = planes.inverse.at + planes.inverse.down * static_cast<float>(y) +
+                  planes.inverse.across * static_cast<float>(first);
+    for (int x = first; x < end; ++x, found += planes.inverse.across) {
       const auto at = static_cast<std::size_t>(pixel_in_tile(x, y));
       if (found > inverse[at]) inverse[at] = found, piece[at] = t.piece;
     }
@@ -107,6 +158,8 @@ void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, s
 SkinPixels::SkinPixels(const RasterScene& scene, const RasterBox& box, int threads) {
   const TileRows tiles = tiles_of(box);
   const auto count = static_cast<std::size_t>(tiles.count());
+  constexpr int blocks = tile_side / hiding_side;
+  hidden.assign(count * blocks * blocks, 0);
   inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0), furthest.assign(count, 0);
   const std::vector<FlatTriangle> triangles = flat_triangles(scene, box);
   std::vector<std::uint32_t> first(count + 1), order;
@@ -126,6 +179,15 @@ SkinPixels::SkinPixels(const RasterScene& scene, const RasterBox& box, int threa
         for (std::uint32_t i = first[tile]; i < first[tile + 1]; ++i)
           raster_triangle(triangles[order[i]], left, top, at, &piece[std::size_t{tile} * tile_pixels]);
         furthest[tile] = *std::min_element(at, at + tile_pixels);
+        for (int k = 0; k < blocks * blocks; ++k) {
+          const int x = static_cast<int>(tile) % tiles.across * blocks + k % blocks,
+                    y = static_cast<int>(tile) / tiles.across * blocks + k / blocks;
+          float least = 1e30f;
+          for (int i = 0; i < hiding_side * hiding_side; ++i)
+            least = std::min(least, at[pixel_in_tile(k % blocks * hiding_side + i % hiding_side,
+                                                     k / blocks * hiding_side + i / hiding_side)]);
+          hidden[static_cast<std::size_t>(y * tiles.across * blocks + x)] = least;
+        }
       },
       threads);
 }

@@ -64,7 +64,7 @@ HWY_INLINE Vec3 skin_light(const RasterScene& scene, const SkinLanes& skin) {
   Vec3 sum = frame.weights.x * colour * environment_light(optics, skin.normal) *
              ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, frame.exponents.w));
   const GridPlace& grid = scene.grid->place();
-  const GridLanes cells = grid_lanes(grid, skin.place + skin.normal * (0.25f * grid.cell));
+  const GridLanes cells = grid_lanes(grid, skin.place + skin.normal * (off_skin * grid.cell));
   Real between[4];
   for (int i = 0; i < optics.lights; ++i) {
     if (i % 2 == 0) crossed_by_two(scene.grid->crossed(static_cast<std::size_t>(i / 2)), cells, between);

@@ -15,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-inline constexpr int most_points = 16;
+/// Cells above a place by which its shadow is read: as its own cell holds what lies below it too.
+inline constexpr float off_skin = 0.25f;
 
 /// pack_colour, undone.
 HWY_INLINE Vec3 unpacked_colour(Int word) {
@@ -42,8 +43,8 @@ HWY_INLINE GridLanes grid_lanes(const GridPlace& grid, Vec3 place) {
   lanes.first = hn::Add(hn::Mul(hn::Add(hn::Mul(to_int(low.z), whole(grid.size.y)), to_int(low.y)), whole(grid.size.x)),
                         to_int(low.x));
   for (int k = 0; k < 8; ++k) {
-    lanes.weight[k] = (k & 1 ? part.x : 1.0f - part.x) * (k & 2 ? part.y : 1.0f - part.y) *
-                      (k & 4 ? part.z : 1.0f - part.z);
+    lanes.weight[k] =
+        (k & 1 ? part.x : 1.0f - part.x) * (k & 2 ? part.y : 1.0f - part.y) * (k & 4 ? part.z : 1.0f - part.z);
     lanes.step[k] = (k & 1) + (k & 2 ? grid.size.x : 0) + (k & 4 ? grid.size.x * grid.size.y : 0);
   }
   return lanes;
@@ -61,7 +62,8 @@ HWY_INLINE void crossed_by_two(const std::vector<CrossedByTwo>& cells, const Gri
 }
 
 /// Strands between a fibre and a light less those that the eye looks past: the hot spot (light-inl.h).
-HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real facing, Real strands) {
+HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real facing,
+                                   Real strands) {
   Vec3 apart = fibre.to_camera * view.way - to_light * way_out(fibre.height, facing);
   apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
   const Real x = 6.0f * view.widths * length(apart);
@@ -69,13 +71,26 @@ HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Ve
   return max(strands - sqrt(max(view.strands * strands, 0.0f)) * share, 0.0f);
 }
 
-/// What strands share along their length.
+/// What strands share along their length, and their points that are lit.
 struct StrandLanes {
-  Vec3 place[most_points], tangent[most_points];
-  Int colour[most_points];
+  Vec3 place[LitStrandPoints::max], tangent[LitStrandPoints::max];
+  Int colour[LitStrandPoints::max];
+  Real height[LitStrandPoints::max];
   Vec3 normal, ambient;
-  Real number, reach, longer;
+  Real number, longer;
   Shine shine;
+};
+
+/// Points of a strand that are lit: knots from the first on, evenly to the tip. A third of a straight strand apart:
+/// nearer ones see the mean of the fur around them as if it were the same everywhere, and get too dark.
+struct LitKnots {
+  int first = 0, count = 4, segments = 1;
+
+  LitKnots(int of_segments, bool whole_strand) : segments(of_segments) {
+    if (segments > 8) count = std::min(segments / 4 + 1, LitStrandPoints::max);
+    if (!whole_strand) first = segments / 3, count = std::max(count - count / 3, 2);
+  }
+  int knot(int point) const { return first + point * (segments - first) / (count - 1); }
 };
 
 HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
@@ -83,37 +98,41 @@ HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
   return {point.real(0), point.real(1), point.real(2)};
 }
 
-HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const StrandSet& set, const std::uint32_t* ids, int points) {
-  static_assert(sizeof(StrandRoot) == 6 * sizeof(float));
+HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const GrownPart& part, const std::uint32_t* ids,
+                                    const LitKnots& lit) {
+  const StrandSet& set = *part.strands;
   const int segments = set.segments;
-  const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1), roots = strand_rows(ids, 6);
-  StrandLanes strand;
+  const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1),
+            roots = strand_rows(ids, 6);
+  const Vec3 root = place_of(set, rows, 0);
+  Vec3 before = root;
   Real way = 0.0f;
-  for (int p = 0; p < points; ++p) {
-    const int k = p * segments / (points - 1);
+  StrandLanes strand;
+  for (int p = 0; p < lit.count; ++p) {
+    const int k = lit.knot(p);
     strand.place[p] = place_of(set, rows, k);
     strand.tangent[p] = unit(place_of(set, rows, std::min(k + 1, segments)) - place_of(set, rows, std::max(k - 1, 0)));
     strand.colour[p] = gather(reinterpret_cast<const std::int32_t*>(set.colours.data()) + k, knots);
-    if (p > 0) way += length(strand.place[p] - strand.place[p - 1]);
+    way += length(strand.place[p] - before), before = strand.place[p];
   }
-  const Quad root = gather_quad(&set.roots[0].normal.x, roots);
-  const Real wetness = gather(&set.roots[0].wetness, roots);
-  strand.normal = {root.real(0), root.real(1), root.real(2)}, strand.number = root.real(3);
-  strand.reach = gather(&set.roots[0].reach, roots);
-  strand.longer = way / max(strand.reach, 0.01f) * static_cast<float>(1 / nominal_length);
-  strand.shine = shine_of(optics.paint, wetness);
+  const DepthLanes depth = depth_lanes(set, ids, root, before, way);
+  for (int p = 0; p < lit.count; ++p)
+    strand.height[p] = depth.reach * (static_cast<float>(lit.knot(p)) / static_cast<float>(segments));
+  strand.normal = depth.normal, strand.number = gather(&set.roots[0].number, roots);
+  strand.longer = depth.length * part.crowding;
+  strand.shine = shine_of(optics.paint, gather(&set.roots[0].wetness, roots));
   strand.ambient = optics.frame.weights.x * environment_light(optics, strand.normal);
   return strand;
 }
 
-HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera, const StrandLanes& strand, int point,
-                          int points) {
+HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera, const StrandLanes& strand,
+                          int point) {
   const FrameBlock& frame = optics.frame;
   Fibre fibre;
   fibre.place = strand.place[point], fibre.normal = strand.normal, fibre.tangent = strand.tangent[point];
   fibre.to_camera = unit(Vec3(camera.position) - fibre.place);
   fibre.colour = clamp(unpacked_colour(strand.colour[point]), 0.0f, 1.0f);
-  fibre.height = strand.reach * (static_cast<float>(point) / static_cast<float>(points - 1));
+  fibre.height = strand.height[point];
   fibre.strand = strand.number, fibre.shine = strand.shine;
   const Int slice = to_int(clamp(fibre.height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
   fibre.above = gather(&frame.depth_above[0].x, slice) * strand.longer;
@@ -133,7 +152,7 @@ HWY_INLINE Vec3 strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 
   FibreEye eye;
   if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
   const GridPlace& grid = scene.grid->place();
-  const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (0.25f * grid.cell));
+  const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (off_skin * grid.cell));
   Real crossed[4];
   for (int i = 0; i < optics.lights; ++i) {
     if (i % 2 == 0) crossed_by_two(scene.grid->crossed(static_cast<std::size_t>(i / 2)), cells, crossed);
@@ -148,24 +167,24 @@ HWY_INLINE Vec3 strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 
   return sum;
 }
 
-HWY_INLINE void light_all(const RasterScene& scene, const StrandSet& set, std::span<const std::uint32_t> ids,
-                          std::vector<float>& light) {
-  const int points = lit_points(set.segments);
-  const auto numbers = static_cast<std::size_t>(points) * 3;
-  light.resize(ids.size() * numbers);
+HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
+                          bool whole_strand, std::span<LitStrandPoints> light) {
+  const LitKnots lit(part.strands->segments, whole_strand);
   for (std::size_t i = 0; i < ids.size(); i += lane_count) {
     std::uint32_t lanes[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
-    const StrandLanes strand = strand_lanes(scene.optics, set, lanes, points);
+    const StrandLanes strand = strand_lanes(scene.optics, part, lanes, lit);
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
-    for (int p = 0; p < points; ++p) {
-      const Vec3 sent = strand_light(scene, fibre_at(scene.optics, scene.camera, strand, p, points), strand.ambient);
+    for (std::size_t l = 0; l < there; ++l) {
+      light[i + l].from = static_cast<float>(lit.first) / static_cast<float>(lit.segments);
+      light[i + l].count = lit.count;
+    }
+    for (int p = 0; p < lit.count; ++p) {
+      const Vec3 sent = strand_light(scene, fibre_at(scene.optics, scene.camera, strand, p), strand.ambient);
       float red[lane_count], green[lane_count], blue[lane_count];
       store(sent.x, red), store(sent.y, green), store(sent.z, blue);
-      for (std::size_t l = 0; l < there; ++l) {
-        float* out = &light[(i + l) * numbers + static_cast<std::size_t>(p) * 3];
-        out[0] = red[l], out[1] = green[l], out[2] = blue[l];
-      }
+      for (std::size_t l = 0; l < there; ++l)
+        light[i + l].light[static_cast<std::size_t>(p)] = {red[l], green[l], blue[l], 0};
     }
   }
 }

@@ -90,7 +90,7 @@ struct Grower::Impl {
     FurPiece opening;
     std::optional<FurPiece> closing;
   };
-  /// Strands of a chunk, and where they stand.
+  /// Strands of a chunk, and where they stand at rest: a model that moves keeps their order.
   struct Found {
     std::vector<Piece> pieces;
     std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // by piece
@@ -210,7 +210,7 @@ void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copi
   for (const TileCopy& copy : copies) {
     if (!keeps(piece.opening, copy)) continue;
     found.strands.emplace_back(number, copy);
-    found.roots.push_back(piece.opening.place(glm::vec3(copy.share)));
+    found.roots.push_back(piece.opening.rest_place(glm::vec3(copy.share)));
   }
 }
 

@@ -65,6 +65,8 @@ std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, con
         part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[i]));
         part.state = state;
         find_bounds(part);
+        const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
+        part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
         grown += part.strands->count();
       },
       threads);

@@ -17,6 +17,7 @@ struct GrownPart {
   glm::vec3 low{0}, high{0};                 // around all of them with their thickness, sizes
   float longest = 0;                         // of them, sizes
   double area = 0;                           // of the skin that they stand on, sizes^2
+  float crowding = 1;                        // strands over those of the whole coat on that area
   std::uint64_t state = 0;                   // the same while the strands are
 };
 

@@ -111,6 +111,10 @@ glm::vec3 FurPiece::place(glm::vec3 share) const {
   return share.x * corners_[0].place + share.y * corners_[1].place + share.z * corners_[2].place;
 }
 
+glm::vec3 FurPiece::rest_place(glm::vec3 share) const {
+  return share.x * corners_[0].rest_place + share.y * corners_[1].rest_place + share.z * corners_[2].rest_place;
+}
+
 RootFields FurPiece::fields(glm::vec3 share) const {
   const auto mixed = [&](auto value) {
     return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
@@ -118,8 +122,7 @@ RootFields FurPiece::fields(glm::vec3 share) const {
   RootFields root;
   root.place = place(share);
   root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
-  root.rest = {mixed([](const Corner& c) { return c.rest_place; }),
-               unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), turn_};
+  root.rest = {rest_place(share), unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), turn_};
   root.tile_u = unit_across(mixed([](const Corner& c) { return c.corner.tile_axis; }), root.normal);
   root.tile_v = glm::cross(root.normal, root.tile_u);
   root.length = mixed([](const Corner& c) { return c.fur.length; });

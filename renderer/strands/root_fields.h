@@ -78,6 +78,7 @@ class FurPiece {
   float density(glm::vec3 share) const { return glm::dot(share, density_); }
 
   glm::vec3 place(glm::vec3 share) const;
+  glm::vec3 rest_place(glm::vec3 share) const;
   RootFields fields(glm::vec3 share) const;
   /// From the root to the height s in [0, 1] of the fur there, sizes.
   glm::vec3 leaned(glm::vec3 share, float s) const;

@@ -1,7 +1,10 @@
 // Rasterized strands beside marched shells, against the traced truth: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
-// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try A_PIXEL,LIT_OF,MIN_WIDTH,TWICE]
-// Views: creature, mohawk, close, far, torus. The truth is kept in the folder of pictures and read from there.
+// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try
+// A_PIXEL,LIT_OF,SEEN_DEPTH,MIN_WIDTH,TWICE] Views: creature, mohawk, close, far, torus. The truth is kept in the
+// folder of pictures and read from there.
+#include "renderer/raster/raster.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +18,6 @@
 #include "renderer/compare/compare.h"
 #include "renderer/finish/resize.h"
 #include "renderer/raster/kernels.h"
-#include "renderer/raster/raster.h"
 #include "server/frames/fur_view.h"
 #include "tests/bench/traced.h"
 
@@ -142,7 +144,8 @@ void add_marched(const Bench& bench, std::vector<Way>& ways) {
     frame.knobs = knobs_of(tier);
     Renderer& renderer = bench.renderer;
     FloatImage light = std::move(renderer.draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
-    ways.push_back({std::string("marched-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
+    ways.push_back(
+        {std::string("marched-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
   }
 }
 
@@ -160,18 +163,20 @@ FloatImage rasterized(const Bench& bench, const Kind& kind, RasterTimes* times, 
 }
 
 void add_raster(const Bench& bench, std::vector<Way>& ways) {
-  std::vector<Kind> kinds{{{100, 1, 0}, false}, {{100, 2, 0}, false}, {{100, 4, 2}, false}, {{3, 2, 2}, false}, {{1.5, 2, 2}, false},
-                          {{1.5, 4, 2}, false}, {{1, 4, 2}, false},   {{.6, 4, 2}, false},  {{.4, 4, 2}, false}};
+  std::vector<Kind> kinds{{{100, 1, 9, 0}, false}, {{100, 2, 6, 0}, false}, {{100, 4, 6, 2}, false},
+                          {{3, 2, 6, 2}, false},   {{1.5, 2, 6, 2}, false}, {{1.5, 4, 6, 2}, false},
+                          {{1, 4, 6, 2}, false},   {{.6, 4, 6, 2}, false},  {{.4, 4, 6, 2}, false}};
   if (const char* tried = bench.setup.tried) {
     Kind kind{};
     int twice = 0;
-    std::sscanf(tried, "%lf,%d,%f,%d", &kind.quality.strands_a_pixel, &kind.quality.lit_of, &kind.quality.min_width, &twice);
+    std::sscanf(tried, "%lf,%d,%f,%f,%d", &kind.quality.strands_a_pixel, &kind.quality.lit_of, &kind.quality.seen_depth,
+                &kind.quality.min_width, &twice);
     kind.twice = twice != 0, kinds = {kind};
   }
   for (const Kind& kind : kinds) {
     std::array<char, 64> name{};
-    std::snprintf(name.data(), name.size(), "strands-%g-%d-%g%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
-                  double{kind.quality.min_width}, kind.twice ? "-twice" : "");
+    std::snprintf(name.data(), name.size(), "strands-%g-%d-%g-%g%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
+                  double{kind.quality.seen_depth}, double{kind.quality.min_width}, kind.twice ? "-twice" : "");
     Way way{name.data(), {}, {}, {}, {}};
     way.image = rasterized(bench, kind, &way.times, &way.counts);
     const std::size_t at = ways.size();
@@ -185,13 +190,16 @@ void add_raster(const Bench& bench, std::vector<Way>& ways) {
 }
 
 void print(const Way& way, const Cost& cost, const FloatImage& truth) {
-  std::printf("  %-24s cpu %7.1f wall %7.1f | %s", way.name.c_str(), cost.cpu, cost.wall, errors_of(truth, way.image).c_str());
+  std::printf("  %-24s cpu %7.1f wall %7.1f | %s", way.name.c_str(), cost.cpu, cost.wall,
+              errors_of(truth, way.image).c_str());
   const RasterTimes& t = way.times;
   const RasterCounts& c = way.counts;
   if (c.strands > 0)
-    std::printf(" | grid %.1f skin %.1f cull %.1f place %.1f light %.1f bin %.1f sort %.1f blend %.1f | placed %zu lit %zu entries %zu MB %.1f",
-                t.grid, t.skin, t.cull, t.place, t.light, t.bin, t.sort, t.blend, c.placed, c.lit, c.entries,
-                static_cast<double>(c.bytes) / 1e6);
+    std::printf(
+        " | grid %.1f skin %.1f cull %.1f place %.1f light %.1f bin %.1f sort %.1f blend %.1f | placed %zu lit %zu "
+        "entries %zu MB %.1f",
+        t.grid, t.skin, t.cull, t.place, t.light, t.bin, t.sort, t.blend, c.placed, c.lit, c.entries,
+        static_cast<double>(c.bytes) / 1e6);
   std::printf("\n");
 }
 
@@ -208,8 +216,8 @@ int run(const Setup& setup) {
     fur.update(fur_model, make_fields(model.view(), frame.skin, {}),
                {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1);
   });
-  std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", raster_instruction_set(), setup.view.c_str(), fur.count(),
-              static_cast<double>(fur.bytes()) / 1e6, grown.cpu);
+  std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", raster_instruction_set(), setup.view.c_str(),
+              fur.count(), static_cast<double>(fur.bytes()) / 1e6, grown.cpu);
   Raster raster(1);
   const Bench bench{setup, renderer, raster, model, fur_model, fur, frame};
   bench.keep("truth", truth);
@@ -225,7 +233,8 @@ int run(const Setup& setup) {
 }
 
 int main(int count, char** arguments) {
-  const char *pictures = text_argument(count, arguments, "--pictures"), *view = text_argument(count, arguments, "--view");
+  const char *pictures = text_argument(count, arguments, "--pictures"),
+             *view = text_argument(count, arguments, "--view");
   return run({argument(count, arguments, "--repetitions", 5), argument(count, arguments, "--size", 512),
               argument(count, arguments, "--passes", 192), argument(count, arguments, "--triangles", 5000),
               view ? view : "creature", pictures ? pictures : "", text_argument(count, arguments, "--try")});

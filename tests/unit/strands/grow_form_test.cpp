@@ -118,6 +118,7 @@ TEST(GrowForm, TurnsWithTheModel) {
   patch.direction.assign(patch.positions.size(), {0.3f, -0.5f});
   const StrandSet level = patch.grow(recipe);
   const glm::mat3 turned(glm::vec3(0.36f, 0.48f, -0.8f), glm::vec3(-0.8f, 0.6f, 0), glm::vec3(0.48f, 0.64f, 0.6f));
+  patch.rest_positions = patch.positions, patch.rest_normals = patch.normals;  // strands keep their order
   for (auto* vectors : {&patch.positions, &patch.normals, &patch.tangents}) {
     for (glm::vec3& v : *vectors) v = turned * v;
   }

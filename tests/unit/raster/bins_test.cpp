@@ -1,0 +1,81 @@
+// Segments by tile, and their order.
+#include "renderer/raster/bins.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace pelage {
+namespace {
+
+constexpr RasterBox box{0, 0, 64, 48};
+
+PlacedStrands one_strand(const std::vector<PlacedKnot>& knots) {
+  return {knots, std::vector<float>(knots.size()), {0, static_cast<std::uint32_t>(knots.size())}};
+}
+
+Bins binned(const std::vector<PlacedStrands>& batches, const std::vector<float>& furthest = std::vector<float>(12)) {
+  Bins bins(box, batches.size());
+  for (std::size_t i = batches.size(); i-- > 0;) bins.find(i, batches[i], furthest);
+  bins.make_room();
+  for (std::size_t i = batches.size(); i-- > 0;) bins.put(i);
+  return bins;
+}
+
+TEST(Bins, HaveASegmentInEachTileThatItTouches) {
+  const Bins bins = binned({one_strand({{8, 8, 1, 0.5f, {}}, {56, 40, 1, 0.5f, {}}})});
+  std::size_t found = 0;
+  for (int tile = 0; tile < 12; ++tile) found += bins.tile(tile).size();
+  EXPECT_EQ(bins.tile(0).size(), 1u);
+  EXPECT_EQ(bins.tile(5).size(), 1u);  // in the middle
+  EXPECT_EQ(bins.tile(3).size(), 0u);  // the box of the segment touches these two
+  EXPECT_EQ(bins.tile(8).size(), 0u);
+  EXPECT_GE(found, 5u);
+}
+
+TEST(Bins, KeepTheOrderOfBatches) {
+  const PlacedStrands strand = one_strand({{4, 4, 1, 0.5f, {}}, {9, 9, 1, 0.5f, {}}, {12, 12, 1, 0.5f, {}}});
+  const Bins bins = binned({strand, strand});
+  ASSERT_EQ(bins.tile(0).size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(bins.tile(0)[i].batch, i / 2);
+    EXPECT_EQ(bins.tile(0)[i].knot, i % 2);
+  }
+}
+
+TEST(Bins, LeaveOutWhatIsBehindOrTooNear) {
+  const std::vector<float> furthest(12, 0.5f);
+  EXPECT_EQ(binned({one_strand({{8, 8, 0.4f, 1, {}}, {9, 9, 0.45f, 1, {}}})}, furthest).tile(0).size(), 0u);
+  EXPECT_EQ(binned({one_strand({{8, 8, 0.4f, 1, {}}, {9, 9, 0.6f, 1, {}}})}, furthest).tile(0).size(), 1u);
+  EXPECT_EQ(binned({one_strand({{8, 8, 0, 1, {}}, {9, 9, 0.6f, 1, {}}})}, furthest).tile(0).size(), 0u);
+}
+
+TEST(Bins, HoldNumbersOfAnySize) {
+  constexpr float huge = 1e30f, infinite = std::numeric_limits<float>::infinity(),
+                  none = std::numeric_limits<float>::quiet_NaN();
+  for (const float x : {-huge, huge, infinite, -infinite, none, 1e6f}) {
+    const Bins bins =
+        binned({one_strand({{8, 8, 1, 1, {}}, {x, 20, 1, 1, {}}}), one_strand({{x, x, 1, x, {}}, {x, x, 1, 1, {}}})});
+    for (int tile = 0; tile < 12; ++tile) EXPECT_LE(bins.tile(tile).size(), 2u);
+  }
+}
+
+TEST(Bins, SortNearestFirstAndStable) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(0.5f, 2);
+  std::vector<BinEntry> entries, sorted;
+  for (std::uint32_t i = 0; i < 5000; ++i) entries.push_back({0, i, i % 3 ? uniform(random) : 1.0f});
+  sort_by_distance(entries, sorted);
+  ASSERT_EQ(sorted.size(), entries.size());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    EXPECT_GE(sorted[i - 1].inverse, sorted[i].inverse - 1.6f / 1023);
+    if (sorted[i - 1].inverse == sorted[i].inverse) {
+      EXPECT_LT(sorted[i - 1].knot, sorted[i].knot);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pelage

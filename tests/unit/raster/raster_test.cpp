@@ -1,0 +1,121 @@
+// Whole pictures of a patch of fur: bits, coverage and extremes.
+#include "renderer/raster/raster.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/strands/fur_patch.h"
+
+namespace pelage {
+namespace {
+
+/// A lawn seen from above at a slant.
+struct Stage {
+  FurPatch patch{0.4, 8, 0.05f};
+  GrowRecipe recipe{plain_coat(4000)};
+  GrownFur fur;
+  FurFrame frame;
+
+  Stage() {
+    frame.width = 96, frame.height = 80;
+    look_from({0.2f, -0.5f, 0.6f}, {0.2f, 0.2f, 0});
+    frame.coat = recipe.coat;
+    FurLight key, fill;
+    key.direction = glm::normalize(glm::vec3(0.3f, 0.5f, -1)), fill.direction = {-1, 0, 0};
+    frame.lights = {key, fill};
+    grow();
+  }
+  void grow() { fur.update(patch.model(), patch.fields(), recipe, 2); }
+  void look_from(glm::vec3 position, glm::vec3 target) {
+    FurCamera& camera = frame.camera;
+    camera.position = position, camera.forward = glm::normalize(target - position);
+    camera.right = glm::normalize(glm::cross(camera.forward, glm::vec3(0, 0, 1)));
+    camera.up = glm::cross(camera.right, camera.forward), camera.tan_half_fov = 0.3f;
+  }
+  FloatImage draw(const RasterQuality& quality = {}, int threads = 2, RasterCounts* counts = nullptr) const {
+    Raster raster(threads);
+    return raster.draw(patch.model(), fur, frame, quality, nullptr, counts);
+  }
+};
+
+bool is_sound(const FloatImage& image) {
+  return std::all_of(image.rgba.begin(), image.rgba.end(), [](float v) { return std::isfinite(v) && v >= 0; });
+}
+
+double mean(const FloatImage& image, std::size_t channel) {
+  double sum = 0;
+  for (std::size_t i = channel; i < image.rgba.size(); i += 4) sum += double{image.rgba[i]};
+  return sum / static_cast<double>(image.rgba.size() / 4);
+}
+
+TEST(Raster, HasTheSameBitsForAnyThreads) {
+  const Stage stage;
+  for (const RasterQuality& quality : {RasterQuality{100, 1, 6, 0}, RasterQuality{1, 4, 3, 2}})
+    EXPECT_EQ(stage.draw(quality, 1).rgba, stage.draw(quality, 7).rgba);
+}
+
+TEST(Raster, FewStrandsCoverAndShineAsAll) {
+  const Stage stage;
+  const FloatImage all = stage.draw({1000, 1, 100, 0});
+  EXPECT_TRUE(is_sound(all));
+  EXPECT_GT(mean(all, 3), 0.3);
+  for (const RasterQuality& quality :
+       {RasterQuality{1000, 1, 3, 0}, RasterQuality{1000, 2, 6, 0}, RasterQuality{3, 1, 6, 1}}) {
+    RasterCounts counts;
+    const FloatImage few = stage.draw(quality, 2, &counts);
+    EXPECT_LT(counts.lit, counts.strands + 1);
+    EXPECT_NEAR(mean(few, 3), mean(all, 3), 0.015 * mean(all, 3));
+    EXPECT_NEAR(mean(few, 1), mean(all, 1), 0.06 * mean(all, 1));
+  }
+}
+
+TEST(Raster, IsSoundWhereNothingCanBeDrawn) {
+  Stage stage;
+  stage.frame.width = stage.frame.height = 1;
+  EXPECT_TRUE(is_sound(stage.draw()));
+  stage.frame.width = 33, stage.frame.height = 17;  // no whole tiles
+  stage.frame.lights.clear();
+  EXPECT_TRUE(is_sound(stage.draw()));
+  stage.look_from({0.2f, 0.2f, 0.02f}, {0.2f, 0.3f, 0.02f});  // within the fur
+  EXPECT_TRUE(is_sound(stage.draw()));
+  stage.look_from({0.2f, 0.2f, 1}, {0.2f, 0.5f, 2});  // behind the camera
+  EXPECT_EQ(mean(stage.draw(), 3), 0);
+}
+
+TEST(Raster, IsSoundWithStrandsOfAnySize) {
+  for (const float length : {0.0f, 1e-6f, 10.0f}) {
+    for (const float size : {1.0f, 1e-4f}) {
+      Stage stage;
+      std::fill(stage.patch.length.begin(), stage.patch.length.end(), length);
+      stage.grow();
+      stage.frame.camera.tan_half_fov *= size;  // a million pixels long at the least
+      EXPECT_TRUE(is_sound(stage.draw({1, 1, 6, 0}))) << length;
+    }
+  }
+}
+
+TEST(Raster, CurlsAreDrawn) {
+  Stage stage;
+  stage.recipe.coat.curl = 0.2, stage.recipe.coat.curl_turns = 5;
+  stage.frame.coat = stage.recipe.coat;
+  stage.grow();
+  ASSERT_GT(stage.fur.parts()[0].strands->segments, 30);
+  const FloatImage all = stage.draw({1000, 1, 100, 0}), few = stage.draw({1000, 2, 6, 1});
+  EXPECT_TRUE(is_sound(all));
+  EXPECT_NEAR(mean(few, 3), mean(all, 3), 0.02 * mean(all, 3));
+}
+
+TEST(Raster, SkinHidesStrandsBehindIt) {
+  Stage stage;
+  stage.look_from({0.2f, 0.2f, -0.8f}, {0.2f, 0.21f, 0});  // from below
+  RasterCounts counts;
+  const FloatImage below = stage.draw({1000, 1, 6, 0}, 2, &counts);
+  EXPECT_LT(counts.placed, counts.strands / 3);  // those that reach beyond the edge
+  EXPECT_GT(mean(below, 3), 0.1);
+}
+
+}  // namespace
+}  // namespace pelage
