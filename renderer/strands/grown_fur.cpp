@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double strands_of_part = 2000;
+constexpr double strands_of_grown_part = 2000;
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
   double area = 0;
@@ -42,7 +42,7 @@ void find_bounds(GrownPart& part) {
 void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   const Coat& coat = recipe.coat;
   if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
-  chunks_ = make_chunks(model, coat, strands_of_part / recipe.share);
+  chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
   parts_.clear();
   for (const StrandChunk& chunk : chunks_) {
     GrownPart part;

@@ -18,15 +18,20 @@ Workers::Workers(int threads, std::size_t max_waiting) : max_waiting_(max_waitin
 Workers::~Workers() { end(); }
 
 bool Workers::give(Task task, bool urgent) {
-  {
-    const std::lock_guard lock(mutex_);
-    std::deque<Task>& queue = urgent ? urgent_ : common_;
-    if (queue.size() >= max_waiting_) return false;
-    queue.push_back(std::move(task));
-  }
-  came_.notify_one();
-  if (urgent) urgent_came_.notify_one();
+  const std::lock_guard lock(mutex_);
+  std::deque<Task>& queue = urgent ? urgent_ : common_;
+  if (queue.size() >= max_waiting_) return false;
+  queue.push_back(std::move(task));
+  call_last(idle_);
+  if (urgent) call_last(kept_idle_);
   return true;
+}
+
+void Workers::call_last(std::vector<Idle*>& idle) {
+  if (idle.empty()) return;
+  idle.back()->is_called = true;
+  idle.back()->called.notify_one();  // under the lock: it lives no longer than its thread waits
+  idle.pop_back();
 }
 
 void Workers::work(bool kept) {
@@ -35,7 +40,11 @@ void Workers::work(bool kept) {
 
 Workers::Task Workers::next(bool kept) {
   std::unique_lock lock(mutex_);
-  (kept ? urgent_came_ : came_).wait(lock, [&] { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); });
+  while (!has_work(kept)) {
+    Idle own;
+    (kept ? kept_idle_ : idle_).push_back(&own);
+    own.called.wait(lock, [&] { return own.is_called; });
+  }
   std::deque<Task>& queue = urgent_.empty() && !kept ? common_ : urgent_;
   if (queue.empty()) return {};
   Task task = std::move(queue.front());
@@ -47,9 +56,9 @@ void Workers::end() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
+    while (!idle_.empty()) call_last(idle_);
+    while (!kept_idle_.empty()) call_last(kept_idle_);
   }
-  came_.notify_all();
-  urgent_came_.notify_all();
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
 }

@@ -12,7 +12,8 @@
 namespace pelage {
 
 /// Threads that run tasks in the order that they came, urgent ones first. One more thread is kept for urgent tasks, so
-/// that these run while all others are busy. Thread-safe.
+/// that these run while all others are busy. Of those that wait the last one to have worked works next: each thread
+/// keeps some freed memory for itself, so that few of them should do what few can. Thread-safe.
 class Workers {
  public:
   using Task = std::function<void()>;  // throws nothing
@@ -27,14 +28,24 @@ class Workers {
   [[nodiscard]] bool give(Task task, bool urgent);
 
  private:
+  /// A thread that waits.
+  struct Idle {
+    std::condition_variable called;
+    bool is_called = false;
+  };
+
   void work(bool kept);
+  /// Whether a thread has something to do, or to end.
+  bool has_work(bool kept) const { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); }
+  /// Calls the last of those that wait. The lock is held.
+  static void call_last(std::vector<Idle*>& idle);
   /// The next task; an empty one at the end.
   Task next(bool kept);
   void end();
 
   const std::size_t max_waiting_;
   std::mutex mutex_;
-  std::condition_variable came_, urgent_came_;  // for common threads, for the one that is kept
+  std::vector<Idle*> idle_, kept_idle_;  // common threads, and the one that is kept
   std::deque<Task> urgent_, common_;
   bool ending_ = false;
   std::vector<std::thread> threads_;
