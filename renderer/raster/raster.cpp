@@ -7,6 +7,7 @@
 #include <ctime>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -123,41 +124,36 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   write(left, top, sums);
 }
 
+/// Lights skin that shows in some pixels of a tile, and adds what of it gets through the strands.
+void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen& seen, TileSums& sums) {
+  for (std::size_t i = pixels.size(); i < SkinSeen::count; ++i)  // lanes that nothing is asked of
+    seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0], seen.piece[i] = seen.piece[0];
+  light_skin(scene, seen);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const int pixel = pixels[i];
+    const float through = std::exchange(sums.through[pixel], 0.0f);
+    sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
+    sums.blue[pixel] += through * seen.blue[i];
+  }
+}
+
 /// Where enough of it shows, some pixels at a time.
 void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
   constexpr float shown = 1e-3f;
+  const std::uint32_t* piece = &skin.piece[static_cast<std::size_t>(tile) * tile_pixels];
   SkinSeen seen;
-  std::array<int, SkinSeen::count> at{};
-  int count = 0;
-  const auto flush = [&] {
-    if (count == 0) return;
-    for (int i = count; i < SkinSeen::count; ++i)
-      seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0], seen.piece[i] = seen.piece[0];
-    light_skin(scene, seen);
-    for (int i = 0; i < count; ++i) {
-      const int pixel = at[static_cast<std::size_t>(i)];
-      const float through = std::exchange(sums.through[pixel], 0.0f);
-      sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
-      sums.blue[pixel] += through * seen.blue[i];
-    }
-    count = 0;
-  };
-  for (int y = 0; y < tile_side; ++y) {
-    for (int x = 0; x < tile_side; ++x) {
-      const int pixel = pixel_in_tile(x, y);
-      if (!(sums.behind[pixel] > 0)) continue;
-      if (sums.through[pixel] < shown) {
-        sums.through[pixel] = 0;
-        continue;
-      }
-      seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
-      seen.inverse[count] = sums.behind[pixel];
-      seen.piece[count] = skin.piece[static_cast<std::size_t>(tile) * tile_pixels + static_cast<std::size_t>(pixel)];
-      at[static_cast<std::size_t>(count++)] = pixel;
-      if (count == SkinSeen::count) flush();
-    }
+  std::array<int, SkinSeen::count> pixels{};
+  std::size_t count = 0;
+  for (int i = 0; i < tile_pixels; ++i) {
+    const int x = i % tile_side, y = i / tile_side, pixel = pixel_in_tile(x, y);
+    if (!(sums.behind[pixel] > 0)) continue;
+    if (sums.through[pixel] < shown) sums.through[pixel] = 0;
+    if (sums.through[pixel] == 0) continue;
+    seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
+    seen.inverse[count] = sums.behind[pixel], seen.piece[count] = piece[pixel], pixels[count++] = pixel;
+    if (count == pixels.size()) blend_skin(scene, pixels, seen, sums), count = 0;
   }
-  flush();
+  if (count > 0) blend_skin(scene, std::span(pixels).first(count), seen, sums);
 }
 
 void TileDrawer::write(int left, int top, const TileSums& sums) const {
@@ -172,6 +168,41 @@ void TileDrawer::write(int left, int top, const TileSums& sums) const {
   }
 }
 
+/// Places all strands of the box, lit, and puts their segments into tiles.
+void place_and_bin(const RasterScene& scene, const RasterBox& box, const SkinPixels& skin, int threads,
+                   std::vector<Batch>& batches, Bins& bins) {
+  const auto count = static_cast<std::uint32_t>(batches.size());
+  for_each_in_parallel(
+      count,
+      [&](std::uint32_t i) {
+        place_batch(scene, box, skin.hidden, batches[i]);
+        const Lap lap(batches[i].times.bin);
+        bins.find(i, batches[i].placed, skin.furthest);
+      },
+      threads);
+  bins.make_room();
+  for_each_in_parallel(
+      count,
+      [&](std::uint32_t i) {
+        const Lap lap(batches[i].times.bin);
+        bins.put(i);
+      },
+      threads);
+}
+
+void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& times) {
+  std::atomic<int> next{0};
+  std::mutex mutex;
+  run_on_threads(threads, [&] {
+    std::vector<BinEntry> sorted;
+    std::vector<TileSegment> segments;
+    RasterTimes own;
+    for (int tile = next++; tile < count; tile = next++) drawer.draw(tile, sorted, segments, own);
+    const std::lock_guard lock(mutex);
+    add(times, own);
+  });
+}
+
 void draw_box(const RasterScene& scene, const RasterBox& box, int threads, FloatImage& picture, RasterTimes& times,
               RasterCounts& counts) {
   std::optional<SkinPixels> skin;
@@ -181,41 +212,16 @@ void draw_box(const RasterScene& scene, const RasterBox& box, int threads, Float
   }
   std::vector<Batch> batches = batches_of(scene.parts);
   Bins bins(box, batches.size());
-  const auto batch_count = static_cast<std::uint32_t>(batches.size());
-  for_each_in_parallel(
-      batch_count,
-      [&](std::uint32_t i) {
-        place_batch(scene, box, skin->hidden, batches[i]);
-        const Lap lap(batches[i].times.bin);
-        bins.find(i, batches[i].placed, skin->furthest);
-      },
-      threads);
-  bins.make_room();
-  for_each_in_parallel(
-      batch_count,
-      [&](std::uint32_t i) {
-        const Lap lap(batches[i].times.bin);
-        bins.put(i);
-      },
-      threads);
-  const TileDrawer drawer{scene, box, bins, *skin, batches, picture};
-  std::atomic<int> next{0};
-  std::mutex mutex;
-  run_on_threads(threads, [&] {
-    std::vector<BinEntry> sorted;
-    std::vector<TileSegment> segments;
-    RasterTimes own;
-    for (int tile; (tile = next++) < tiles_of(box).count();) drawer.draw(tile, sorted, segments, own);
-    const std::lock_guard lock(mutex);
-    add(times, own);
-  });
+  place_and_bin(scene, box, *skin, threads, batches, bins);
+  const int tiles = tiles_of(box).count();
+  draw_tiles({scene, box, bins, *skin, batches, picture}, tiles, threads, times);
   std::size_t bytes = bins.bytes();
   for (const Batch& batch : batches) {
     add(times, batch.times);
     counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
-    bytes += batch.placed.knots.size() * sizeof(PlacedKnot) + batch.placed.first.size() * sizeof(std::uint32_t);
+    bytes += batch.placed.bytes();
   }
-  for (int tile = 0; tile < tiles_of(box).count(); ++tile) counts.entries += bins.tile(tile).size();
+  for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
   counts.bytes = std::max(counts.bytes, bytes);
 }
 

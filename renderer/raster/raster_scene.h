@@ -71,6 +71,10 @@ struct PlacedStrands {
   std::vector<PlacedKnot> knots;
   std::vector<float> along;          // of each knot: where on its strand, 0 at the root, 1 at the tip
   std::vector<std::uint32_t> first;  // knot of each strand; one more at the end
+
+  std::size_t bytes() const {
+    return knots.size() * sizeof(PlacedKnot) + along.size() * sizeof(float) + first.size() * sizeof(std::uint32_t);
+  }
 };
 
 }  // namespace pelage

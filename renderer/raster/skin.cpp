@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "protocol/base/parallel.h"
@@ -153,43 +154,56 @@ void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, s
   }
 }
 
+/// Triangles by tile: those of tile t are order[first[t]] to order[first[t + 1]].
+struct TileTriangles {
+  std::vector<std::uint32_t> first, order;
+};
+
+TileTriangles by_tile(const std::vector<FlatTriangle>& triangles, const RasterBox& box, const TileRows& tiles) {
+  TileTriangles by;
+  by.first.resize(static_cast<std::size_t>(tiles.count()) + 1);
+  for (const FlatTriangle& triangle : triangles)
+    each_tile(triangle, box, tiles, [&](int tile) { ++by.first[static_cast<std::size_t>(tile) + 1]; });
+  for (std::size_t i = 0; i + 1 < by.first.size(); ++i) by.first[i + 1] += by.first[i];
+  by.order.resize(by.first.back());
+  std::vector<std::uint32_t> next(by.first.begin(), by.first.end() - 1);
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+    each_tile(triangles[i], box, tiles, [&](int tile) { by.order[next[static_cast<std::size_t>(tile)]++] = i; });
+  return by;
+}
+
+/// The furthest of a block of a tile's pixels.
+float furthest_of_block(const float* inverse, int left, int top) {
+  float furthest = std::numeric_limits<float>::max();
+  for (int y = top; y < top + hiding_side; ++y)
+    for (int x = left; x < left + hiding_side; ++x) furthest = std::min(furthest, inverse[pixel_in_tile(x, y)]);
+  return furthest;
+}
+
 }  // namespace
 
 SkinPixels::SkinPixels(const RasterScene& scene, const RasterBox& box, int threads) {
+  constexpr int blocks = tile_side / hiding_side;
   const TileRows tiles = tiles_of(box);
   const auto count = static_cast<std::size_t>(tiles.count());
-  constexpr int blocks = tile_side / hiding_side;
-  hidden.assign(count * blocks * blocks, 0);
-  inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0), furthest.assign(count, 0);
+  inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0);
+  furthest.assign(count, 0), hidden.assign(count * blocks * blocks, 0);
   const std::vector<FlatTriangle> triangles = flat_triangles(scene, box);
-  std::vector<std::uint32_t> first(count + 1), order;
-  for (const FlatTriangle& triangle : triangles)
-    each_tile(triangle, box, tiles, [&](int tile) { ++first[static_cast<std::size_t>(tile) + 1]; });
-  for (std::size_t i = 0; i < count; ++i) first[i + 1] += first[i];
-  order.resize(first.back());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    each_tile(triangles[i], box, tiles, [&](int tile) { order[next[static_cast<std::size_t>(tile)]++] = i; });
-  for_each_in_parallel(
-      static_cast<std::uint32_t>(count),
-      [&](std::uint32_t tile) {
-        const int left = box.left + static_cast<int>(tile) % tiles.across * tile_side;
-        const int top = box.top + static_cast<int>(tile) / tiles.across * tile_side;
-        float* at = &inverse[std::size_t{tile} * tile_pixels];
-        for (std::uint32_t i = first[tile]; i < first[tile + 1]; ++i)
-          raster_triangle(triangles[order[i]], left, top, at, &piece[std::size_t{tile} * tile_pixels]);
-        furthest[tile] = *std::min_element(at, at + tile_pixels);
-        for (int k = 0; k < blocks * blocks; ++k) {
-          const int x = static_cast<int>(tile) % tiles.across * blocks + k % blocks,
-                    y = static_cast<int>(tile) / tiles.across * blocks + k / blocks;
-          float least = 1e30f;
-          for (int i = 0; i < hiding_side * hiding_side; ++i)
-            least = std::min(least, at[pixel_in_tile(k % blocks * hiding_side + i % hiding_side,
-                                                     k / blocks * hiding_side + i / hiding_side)]);
-          hidden[static_cast<std::size_t>(y * tiles.across * blocks + x)] = least;
-        }
-      },
-      threads);
+  const TileTriangles by = by_tile(triangles, box, tiles);
+  const auto raster_tile = [&](std::uint32_t tile) {
+    const int x = static_cast<int>(tile) % tiles.across, y = static_cast<int>(tile) / tiles.across;
+    float* at = &inverse[std::size_t{tile} * tile_pixels];
+    std::uint32_t* pieces = &piece[std::size_t{tile} * tile_pixels];
+    for (std::uint32_t i = by.first[tile]; i < by.first[tile + 1]; ++i)
+      raster_triangle(triangles[by.order[i]], box.left + x * tile_side, box.top + y * tile_side, at, pieces);
+    furthest[tile] = *std::min_element(at, at + tile_pixels);
+    for (int k = 0; k < blocks * blocks; ++k) {
+      const int bx = k % blocks, by_row = k / blocks;
+      const int block = ((y * blocks + by_row) * tiles.across + x) * blocks + bx;
+      hidden[static_cast<std::size_t>(block)] = furthest_of_block(at, bx * hiding_side, by_row * hiding_side);
+    }
+  };
+  for_each_in_parallel(static_cast<std::uint32_t>(count), raster_tile, threads);
 }
 
 }  // namespace pelage
