@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "protocol/base/parallel.h"
-#include "renderer/coat/strand_tile.h"
 #include "renderer/raster/bins.h"
 #include "renderer/raster/cull.h"
 #include "renderer/raster/hand_on.h"
@@ -247,7 +246,6 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   scene.optics = kept_->optics.of(frame, model.has_colours);
   scene.camera = picture_camera(frame), scene.quality = quality;
   scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid;
-  scene.width = frame.width, scene.height = frame.height;
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));

@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// CPU milliseconds of a picture's stages, over all threads.
+/// CPU milliseconds of a picture's stages, over all threads; of grid and skin those of the calling one.
 struct RasterTimes {
   double grid = 0, skin = 0, cull = 0, place = 0, light = 0, bin = 0, sort = 0, blend = 0;
   double sum() const { return grid + skin + cull + place + light + bin + sort + blend; }

@@ -54,7 +54,6 @@ struct RasterScene {
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
   const DensityGrid* grid = nullptr;
-  int width = 0, height = 0;  // of the whole picture, pixels
 };
 
 /// A knot of a strand on the picture.

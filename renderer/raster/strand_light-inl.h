@@ -81,8 +81,8 @@ struct StrandLanes {
   Shine shine;
 };
 
-/// Points of a strand that are lit: knots from the first on, evenly to the tip. A third of a straight strand apart:
-/// nearer ones see the mean of the fur around them as if it were the same everywhere, and get too dark.
+/// Points of a strand that are lit: knots from the first on, evenly to the tip. Thirds of a straight strand do as
+/// well as all of its knots (docs/notes/2026-11-27-strand-raster.md); more on curls.
 struct LitKnots {
   int first = 0, count = 4, segments = 1;
 

@@ -149,7 +149,7 @@ void add_marched(const Bench& bench, std::vector<Way>& ways) {
   }
 }
 
-/// Strands a pixel, how many share a light, the least width in pixels, 1 for twice the size.
+/// What is drawn, and whether at twice the size and averaged.
 struct Kind {
   RasterQuality quality;
   bool twice;
