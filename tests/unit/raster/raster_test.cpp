@@ -110,11 +110,23 @@ TEST(Raster, CurlsAreDrawn) {
 
 TEST(Raster, SkinHidesStrandsBehindIt) {
   Stage stage;
-  stage.look_from({0.2f, 0.2f, -0.8f}, {0.2f, 0.21f, 0});  // from below
-  RasterCounts counts;
-  const FloatImage below = stage.draw({1000, 1, 6, 0}, 2, &counts);
-  EXPECT_LT(counts.placed, counts.strands / 3);  // those that reach beyond the edge
-  EXPECT_GT(mean(below, 3), 0.1);
+  RasterCounts open, hidden;
+  stage.draw({1000, 1, 6, 0}, 2, &open);
+  EXPECT_GT(open.placed, open.strands / 3);
+  FurPatch& patch = stage.patch;  // a bald ceiling between the lawn and the camera
+  const auto first = static_cast<unsigned>(patch.positions.size());
+  for (const glm::vec2 corner : {glm::vec2(-2, -2), glm::vec2(2, -2), glm::vec2(2, 2), glm::vec2(-2, 2)}) {
+    patch.positions.emplace_back(corner, 0.3f), patch.normals.emplace_back(0, 0, 1),
+        patch.tangents.emplace_back(1, 0, 0);
+    patch.direction.emplace_back(0), patch.length.push_back(0);
+  }
+  patch.add({first, first + 1, first + 2}), patch.add({first, first + 2, first + 3});
+  patch.id = 2;
+  stage.grow();
+  const FloatImage ceiling = stage.draw({1000, 1, 6, 0}, 2, &hidden);
+  EXPECT_EQ(hidden.strands, open.strands);
+  EXPECT_EQ(hidden.placed, 0u);
+  EXPECT_EQ(mean(ceiling, 3), 1);
 }
 
 }  // namespace
