@@ -1,7 +1,10 @@
 #include "server/export/export_file.h"
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 
+#include "protocol/base/parallel.h"
 #include "server/export/cards.h"
 #include "server/export/mesh_fields.h"
 #include "server/export/shells.h"
@@ -9,13 +12,20 @@
 
 namespace pelage {
 
-std::uint64_t size_of(const std::function<bool(const Sink&)>& write) {
-  std::uint64_t bytes = 0;
-  write([&](std::string_view piece) {
-    bytes += piece.size();
-    return true;
+bool ExportFile::write(const Sink& sink) const {
+  return std::all_of(parts.begin(), parts.end(), [&](const FilePart& part) { return part(sink); });
+}
+
+std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel) {
+  std::vector<std::uint64_t> bytes(parts.size());
+  for_each_in_parallel(static_cast<std::uint32_t>(parts.size()), [&](std::uint32_t i) {
+    parts[i]([&](std::string_view piece) {
+      cancel.check();
+      bytes[i] += piece.size();
+      return true;
+    });
   });
-  return bytes;
+  return std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{0});
 }
 
 namespace {
@@ -26,20 +36,19 @@ ExportFile strand_file(const std::shared_ptr<const ExportedStrands>& strands, co
   file.about.strands = strands->count(), file.about.points = strands->points();
   if (request.format == ExportFormat::hair) {
     file.content_type = "application/octet-stream", file.ending = ".hair";
-    file.write = [strands](const Sink& sink) { return write_hair(*strands, sink); };
+    file.parts = {[strands](const Sink& sink) { return write_hair(*strands, sink); }};
     return file;
   }
   file.content_type = "model/vnd.usda", file.ending = ".usda";
-  file.write = [strands, about = file.about, guides = request.every > 1 && !request.widen](const Sink& sink) {
-    return write_usda(*strands, about, guides, sink);
-  };
+  file.parts = usda_parts(strands, file.about.revision, request.every > 1 && !request.widen);
   return file;
 }
 
 ExportFile glb_file(std::string glb, std::uint64_t triangles, ExportFile file) {
   file.content_type = "model/gltf-binary", file.ending = ".glb";
   file.about.triangles = triangles;
-  file.write = [whole = std::make_shared<const std::string>(std::move(glb))](const Sink& sink) { return sink(*whole); };
+  file.parts = {
+      [whole = std::make_shared<const std::string>(std::move(glb))](const Sink& sink) { return sink(*whole); }};
   return file;
 }
 
@@ -72,9 +81,7 @@ Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& req
   if (!strands) return strands.status();
   Result<ExportFile> file = file_of(scene.view(), std::move(*strands), request);
   if (!file) return file;
-  file->about.bytes = size_of([&](const Sink& sink) {
-    return file->write([&](std::string_view piece) { return cancel.check(), sink(piece); });
-  });
+  file->about.bytes = size_of(file->parts, cancel);
   return file;
 } catch (const Cancelled&) {
   return nobody_waits();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocol/base/limits.h"
 #include "protocol/base/status.h"
@@ -17,11 +18,16 @@ namespace pelage {
 /// Takes the next bytes of a file; false ends the writing.
 using Sink = std::function<bool(std::string_view)>;
 
+/// Makes the same bytes each time; false when the sink ended it.
+using FilePart = std::function<bool(const Sink&)>;
+
 struct ExportFile {
   ExportAnswer about;
   const char* content_type = "";
-  std::string ending;                      // ".usda"
-  std::function<bool(const Sink&)> write;  // the same bytes each time; false when the sink ended it
+  std::string ending;           // ".usda"
+  std::vector<FilePart> parts;  // one after the other they are the file; each can be made on a thread of its own
+
+  bool write(const Sink& sink) const;
 };
 
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
@@ -44,7 +50,7 @@ Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, con
 Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name,
                                           const Cancel& cancel = {});
 
-/// The bytes that `write` makes.
-std::uint64_t size_of(const std::function<bool(const Sink&)>& write);
+/// The bytes of all parts, which are made on all cores to know. Throws Cancelled.
+std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel);
 
 }  // namespace pelage

@@ -44,8 +44,8 @@ Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, con
   if (Status compressed = compress_file(plain, path, [&] { cancel.check(); }); !compressed.ok()) return compressed;
   if (Status large = check_size(path, max.bytes, "packed"); !large.ok()) return large;
   file.content_type = "application/gzip", file.ending = ".pelage";
-  file.write = [folder, path](const Sink& sink) { return copy_file(path, sink); };
-  file.about.bytes = size_of(file.write);
+  file.parts = {[folder, path](const Sink& sink) { return copy_file(path, sink); }};
+  file.about.bytes = size_of(file.parts, cancel);
   return file;
 } catch (const Cancelled&) {
   return nobody_waits();

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "server/export/buffered.h"
 #include "server/export/strand_files.h"
@@ -7,105 +9,143 @@ namespace pelage {
 
 namespace {
 
-/// Calls use(set, group) for each set until the sink ends it; group 0 is fur, 1 curves.
-template <class Use>
-void for_each_set(const ExportedStrands& strands, const Buffered& out, const Use& use) {
-  const std::size_t fur = strands.sets.size() - strands.curve_sets;
-  for (std::size_t k = 0; k < strands.sets.size() && out.going(); ++k) use(strands.sets[k], k < fur ? 0 : 1);
-}
-
-/// An array with `print(separator, set, i)` for each point, or for each strand, of all sets.
-template <class Print>
-void write_array(const ExportedStrands& strands, Buffered& out, std::string_view declaration, bool of_points,
-                 const char* interpolation, const Print& print) {
-  out.print("        {} = [", declaration);
-  const char* separator = "";
-  for_each_set(strands, out, [&](const StrandSet& set, int group) {
-    const std::size_t count = of_points ? set.points.size() : set.count();
-    for (std::size_t i = 0; i < count; ++i) {
-      out.print("{}", separator);
-      print(set, i, group);
-      separator = ", ";
-    }
-  });
-  out.print("]");
-  if (interpolation) out.print(" (\n            interpolation = \"{}\"\n        )", interpolation);
-  out.print("\n");
-}
-
 void print_vector(Buffered& out, glm::vec3 v) { out.print("({}, {}, {})", v.x, v.y, v.z); }
 
-void write_extent(const ExportedStrands& strands, Buffered& out) {
+/// A set of strands in the file.
+struct FileSet {
+  const StrandSet& strands;
+  int group;           // 0 is fur, 1 curves
+  std::size_t before;  // strands in earlier sets
+};
+
+/// Lists the parts of a file in their order.
+class Parts {
+ public:
+  explicit Parts(std::shared_ptr<const ExportedStrands> strands) : strands_(std::move(strands)) {}
+
+  void add_text(std::string text) {
+    parts_.push_back([text = std::move(text)](const Sink& sink) { return sink(text); });
+  }
+
+  /// An array with `print(out, set, i)` for each point, or for each strand, of all sets.
+  template <class Print>
+  void add_array(std::string_view declaration, bool of_points, std::string_view interpolation, const Print& print) {
+    add_text(fmt::format("        {} = [", declaration));
+    std::size_t before = 0;
+    const std::size_t fur = strands_->sets.size() - strands_->curve_sets;
+    for (std::size_t k = 0; k < strands_->sets.size(); ++k) {
+      const FileSet set{strands_->sets[k], k < fur ? 0 : 1, before};
+      const std::size_t count = of_points ? set.strands.points.size() : set.strands.count();
+      parts_.push_back([kept = strands_, set, count, print](const Sink& sink) {
+        Buffered out(sink);
+        for (std::size_t i = 0; i < count && out.going(); ++i) {
+          if (set.before + i > 0) out.print(", ");
+          print(out, set, i);
+        }
+        return out.finish();
+      });
+      before += set.strands.count();
+    }
+    if (interpolation.empty()) return add_text("]\n");
+    add_text(fmt::format("] (\n            interpolation = \"{}\"\n        )\n", interpolation));
+  }
+
+  std::vector<FilePart> take() { return std::move(parts_); }
+
+ private:
+  const std::shared_ptr<const ExportedStrands> strands_;
+  std::vector<FilePart> parts_;
+};
+
+std::string header(const ExportedStrands& strands, Revision revision) {
+  return fmt::format(R"(#usda 1.0
+(
+    customLayerData = {{
+        string generator = "Pelage"
+        int revision = {}
+    }}
+    defaultPrim = "groom"
+    metersPerUnit = 1
+    upAxis = "Y"
+)
+
+def Xform "groom" (
+    prepend apiSchemas = ["GroomAPI"]
+)
+{{
+    double3 xformOp:translate = ({}, {}, {})
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+
+    def BasisCurves "fur"
+    {{
+        uniform token type = "linear"
+        uniform token wrap = "nonperiodic"
+)",
+                     revision, strands.centre.x, strands.centre.y, strands.centre.z);
+}
+
+std::string extent(const ExportedStrands& strands) {
   glm::vec3 low(0), high(0);
   bool any = false;
-  for_each_set(strands, out, [&](const StrandSet& set, int) {
+  for (const StrandSet& set : strands.sets) {
     for (const StrandPoint& point : set.points) {
       const glm::vec3 place = strands.model_offset(point), half(strands.model_width(point) / 2);
       low = any ? glm::min(low, place - half) : place - half;
       high = any ? glm::max(high, place + half) : place + half;
       any = true;
     }
-  });
-  out.print("        float3[] extent = [");
-  print_vector(out, low), out.print(", "), print_vector(out, high);
-  out.print("]\n");
+  }
+  return fmt::format("        float3[] extent = [({}, {}, {}), ({}, {}, {})]\n", low.x, low.y, low.z, high.x, high.y,
+                     high.z);
 }
 
-void write_points(const ExportedStrands& strands, Buffered& out) {
-  write_array(strands, out, "int[] curveVertexCounts", false, nullptr,
-              [&](const StrandSet& set, std::size_t, int) { out.print("{}", set.segments + 1); });
-  write_array(strands, out, "point3f[] points", true, nullptr, [&](const StrandSet& set, std::size_t i, int) {
-    print_vector(out, strands.model_offset(set.points[i]));
+void add_points(const ExportedStrands& strands, Parts& parts) {
+  parts.add_array("int[] curveVertexCounts", false, "",
+                  [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.strands.segments + 1); });
+  parts.add_array("point3f[] points", true, "", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
+    print_vector(out, strands.model_offset(set.strands.points[i]));
   });
-  write_array(strands, out, "float[] widths", true, "vertex",
-              [&](const StrandSet& set, std::size_t i, int) { out.print("{}", strands.model_width(set.points[i])); });
+  parts.add_array("float[] widths", true, "vertex", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
+    out.print("{}", strands.model_width(set.strands.points[i]));
+  });
   for (const char* name : {"color3f[] primvars:displayColor", "float3[] primvars:groom_color"}) {
-    write_array(strands, out, name, true, "vertex",
-                [&](const StrandSet& set, std::size_t i, int) { print_vector(out, unpack_colour(set.colours[i])); });
+    parts.add_array(name, true, "vertex", [](Buffered& out, const FileSet& set, std::size_t i) {
+      print_vector(out, unpack_colour(set.strands.colours[i]));
+    });
   }
 }
 
-void write_root_uvs(const ExportedStrands& strands, Buffered& out) {
+void add_root_uvs(const ExportedStrands& strands, Parts& parts) {
   if (strands.root_uvs.empty()) return;
   for (const char* name : {"texCoord2f[] primvars:st", "float2[] primvars:groom_root_uv"}) {
-    std::size_t strand = 0;
-    write_array(strands, out, name, false, "uniform", [&](const StrandSet&, std::size_t, int) {
-      const glm::vec2 uv = strands.root_uvs[strand++];
+    parts.add_array(name, false, "uniform", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
+      const glm::vec2 uv = strands.root_uvs[set.before + i];
       out.print("({}, {})", uv.x, uv.y);
     });
   }
 }
 
-void write_groom_names(const ExportedStrands& strands, bool as_guides, Buffered& out) {
-  std::size_t strand = 0;
-  write_array(strands, out, "int[] primvars:groom_id", false, "uniform",
-              [&](const StrandSet&, std::size_t, int) { out.print("{}", strand++); });
-  write_array(strands, out, "int[] primvars:groom_group_id", false, "uniform",
-              [&](const StrandSet&, std::size_t, int group) { out.print("{}", group); });
-  out.print("        int[] primvars:groom_guide = [{}] (\n            interpolation = \"constant\"\n        )\n",
-            as_guides ? 1 : 0);
+void add_groom_names(bool as_guides, Parts& parts) {
+  parts.add_array("int[] primvars:groom_id", false, "uniform",
+                  [](Buffered& out, const FileSet& set, std::size_t i) { out.print("{}", set.before + i); });
+  parts.add_array("int[] primvars:groom_group_id", false, "uniform",
+                  [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.group); });
+  parts.add_text(
+      fmt::format("        int[] primvars:groom_guide = [{}] (\n            interpolation = \"constant\"\n        )\n",
+                  as_guides ? 1 : 0));
 }
 
 }  // namespace
 
-bool write_usda(const ExportedStrands& strands, const ExportAnswer& about, bool as_guides, const Sink& sink) {
-  Buffered out(sink);
-  out.print(
-      "#usda 1.0\n(\n    customLayerData = {{\n        string generator = \"Pelage\"\n        int revision = {}\n",
-      about.revision);
-  out.print("    }}\n    defaultPrim = \"groom\"\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\n");
-  out.print(
-      "def Xform \"groom\" (\n    prepend apiSchemas = [\"GroomAPI\"]\n)\n{{\n    double3 xformOp:translate = ({}, {}, "
-      "{})\n",
-      strands.centre.x, strands.centre.y, strands.centre.z);
-  out.print("    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n\n    def BasisCurves \"fur\"\n    {{\n");
-  out.print("        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n");
-  write_extent(strands, out);
-  write_points(strands, out);
-  write_root_uvs(strands, out);
-  write_groom_names(strands, as_guides, out);
-  out.print("    }}\n}}\n");
-  return out.finish();
+std::vector<FilePart> usda_parts(const std::shared_ptr<const ExportedStrands>& strands, Revision revision,
+                                 bool as_guides) {
+  Parts parts(strands);
+  parts.add_text(header(*strands, revision) + extent(*strands));
+  add_points(*strands, parts);
+  add_root_uvs(*strands, parts);
+  add_groom_names(as_guides, parts);
+  parts.add_text("    }\n}\n");
+  return parts.take();
 }
 
 }  // namespace pelage

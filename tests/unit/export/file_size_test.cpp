@@ -23,6 +23,19 @@ TEST(FileSize, AGlbBeyondItsLimitIsRefused) {
   EXPECT_EQ(text.finish().status().code, Code::too_large);
 }
 
+TEST(FileSize, ItIsThatOfAllPartsInTheirOrder) {
+  const auto text = [](std::string of) { return [of](const Sink& sink) { return sink(of); }; };
+  ExportFile file;
+  for (int i = 0; i < 1000; ++i) file.parts.push_back(text(std::to_string(i) + " "));
+  std::string whole;
+  EXPECT_TRUE(file.write([&](std::string_view piece) { return whole += piece, true; }));
+  EXPECT_EQ(whole.substr(0, 8), "0 1 2 3 ");
+  EXPECT_EQ(size_of(file.parts, {}), whole.size());
+  int asked = 0;
+  EXPECT_FALSE(file.write([&](std::string_view) { return ++asked < 3; }));
+  EXPECT_EQ(asked, 3);  // nothing more is made once the sink ended it
+}
+
 TEST(FileSize, ASavedSceneThatWouldNotOpenIsRefused) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "pelage_file_size";
   std::filesystem::remove_all(folder);
