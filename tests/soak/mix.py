@@ -2,8 +2,9 @@
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/mix.py [MINUTES] [CSV]
 
-Prints a line a minute, writes all readings to CSV where it is given, and ends with 1 where memory still grows by more than a tenth in the second
-half, where temporary files are left, or where a request fails.
+Six times the clients stop, and memory is read at rest: what they made is gone, and what the server keeps by design is in one state. While they work it
+says little, as it is made of what happens to be drawn at once. Prints a line a minute, writes all readings to CSV where it is given, and ends with 1 where
+memory at rest grows by more than a tenth after the second rest, where temporary files are left, or where a request fails.
 """
 import http.client
 import os
@@ -20,7 +21,9 @@ import bodies
 from support.server import Server, comb
 
 READING_SECONDS = 10
-MAX_GROWTH = 0.1  # of memory, from the third quarter to the last
+RESTS = 6
+REST_SECONDS = 35  # a progressive picture that nobody asks for lives for 30 s
+MAX_GROWTH = 0.1  # of memory at rest, from the second rest to any later one: by then each kind of work has been done often
 BINARY = {"Content-Type": "application/octet-stream"}
 
 
@@ -88,9 +91,9 @@ def reading(server, temporary):
     return resident / 1e6, data / 1e6, sum(1 for _ in temporary.iterdir()), len(list((process / "fd").iterdir()))
 
 
-def watch(server, temporary, minutes, clients):
-    readings, began, said = [], time.monotonic(), -1
-    while time.monotonic() - began < 60 * minutes and server.process.poll() is None:
+def watch(server, temporary, clients, began, ends):
+    readings, said = [], -1
+    while time.monotonic() < ends and server.process.poll() is None:
         gone = (time.monotonic() - began) / 60
         readings.append((gone, *reading(server, temporary)))
         if int(gone) > said:
@@ -98,18 +101,39 @@ def watch(server, temporary, minutes, clients):
             done = ", ".join(f"{client.work} {client.done}" for client in clients)
             print("{:5.1f} min: {:.0f} MB, data {:.1f} MB, {} temporary files, {} open files".format(*readings[-1]), f"({done})", flush=True)
         time.sleep(READING_SECONDS)
-    return numpy.array(readings)
+    return readings
 
 
-def faults_of(server, temporary, readings, clients):
+def keep_busy(server, temporary, clients, began, minutes):
+    """All clients for so long, and their last rounds to the end; readings meanwhile."""
+    ends = time.monotonic() + 60 * minutes
+    threads = [threading.Thread(target=client.run, args=(lambda: time.monotonic() > ends,)) for client in clients]
+    for thread in threads:
+        thread.start()
+    readings = watch(server, temporary, clients, began, ends)
+    for thread in threads:
+        thread.join()
+    return readings
+
+
+def rest(server, temporary):
+    """Fills what the server keeps (coats, the last traced picture) the same way each time, waits until the rest is dropped, and reads."""
+    scene = server.new_scene("creature", 3000)
+    for request in ({"quality": "detailed"}, {"quality": "reference", "traced": {"max_passes": 1}}):
+        answer = scene.post("frames", {"width": 128, "height": 128, **request})
+        assert answer.status == 200, answer
+    server.call("DELETE", scene.path)
+    time.sleep(REST_SECONDS)
+    return reading(server, temporary)
+
+
+def faults_of(server, temporary, at_rest, clients):
     faults = [failure for client in clients for failure in client.failures]
     if server.process.poll() is not None:
         return [*faults, f"the server is gone: {server.printed()[-2000:]}"]
-    memory = readings[:, 1]
-    third, last = numpy.array_split(memory, 4)[2:]
-    if last.mean() > (1 + MAX_GROWTH) * third.mean():
-        faults.append(f"memory grew from {third.mean():.0f} to {last.mean():.0f} MB in the second half")
-    time.sleep(2)
+    memory = [megabytes for megabytes, *_ in at_rest]
+    if max(memory[1:]) > (1 + MAX_GROWTH) * memory[1]:
+        faults.append(f"memory at rest grew from {memory[1]:.0f} to {max(memory[1:]):.0f} MB")
     if left := [file.name for file in temporary.iterdir()]:
         faults.append(f"temporary files are left: {left[:10]}")
     return faults
@@ -123,17 +147,14 @@ def main():
     del os.environ["TMPDIR"]
     try:
         clients = [Client(server, work, seed) for seed, work in enumerate(["groom", "groom", "trace", "upload", "export", "hang_up"])]
-        ended = threading.Event()
-        threads = [threading.Thread(target=client.run, args=(ended.is_set,)) for client in clients]
-        for thread in threads:
-            thread.start()
-        readings = watch(server, temporary, minutes, clients)
-        ended.set()
-        for thread in threads:
-            thread.join()
+        began, readings, at_rest = time.monotonic(), [], []
+        for _ in range(RESTS):
+            readings += keep_busy(server, temporary, clients, began, minutes / RESTS)
+            at_rest.append(rest(server, temporary))
+            print("at rest: {:.0f} MB, data {:.1f} MB, {} temporary files, {} open files".format(*at_rest[-1]), flush=True)
         if len(sys.argv) > 2:
             numpy.savetxt(sys.argv[2], readings, "%.3f", ",", header="minutes,memory_mb,data_mb,temporary_files,open_files", comments="")
-        faults = faults_of(server, temporary, readings, clients)
+        faults = faults_of(server, temporary, at_rest, clients)
         print("\n".join(faults) or "no faults")
         return 1 if faults else 0
     finally:
