@@ -181,7 +181,10 @@ MarchScene Marcher::scene_of(const FurFrame& frame, const Coated& coated, const 
   if (!scene.optics.casters.empty()) add_shell_shadows(frame, scene);
   scene.varyings = varyings_of(scene);
   if (!frame.eyes.empty() && !eyes_) eyes_ = std::make_unique<EyeCache>();
-  if (!frame.eyes.empty()) eyes_->add(frame, scene);
+  if (!frame.eyes.empty()) scene.optics.eyes = eyes_->of(frame);
+  for (std::size_t k = 0; k < frame.eyes.size(); ++k)
+    scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
+                                    {scene.width, scene.height}));
   add_ground(frame, scene);
   return scene;
 }

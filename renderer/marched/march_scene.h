@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "renderer/curves/guard_hairs.h"
+#include "renderer/input/picture.h"
 #include "renderer/marched/ground_contact.h"
 #include "renderer/marched/ribbons.h"
 #include "renderer/marched/slice_atlas.h"
+#include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 
 namespace pelage {
@@ -74,27 +76,12 @@ struct MarchMesh {
 /// How high fur stops the light that comes to other parts of the body, over its height: its hull (lean.glsl).
 inline constexpr float hull_height = 0.6f;
 
-/// Nothing nearer is drawn, sizes along the view; as the camera of renderer/upload/blocks.cpp.
-inline constexpr float near_distance = 1e-4f;
-
 /// A triangle of one shell as a tile takes it.
 struct ShellTriangle {
   std::uint32_t piece = 0;
   std::uint16_t shell = 0;
   bool facing = true;     // seen from outside
   std::uint32_t cut = 0;  // its first row where it is cut at the near plane, else 0
-};
-
-/// Half-open, from the left and the top.
-struct PixelBox {
-  int left = 0, top = 0, right = 0, bottom = 0;
-};
-
-/// The camera in the frame of an eye.
-struct EyeCamera {
-  glm::vec3 viewer{0};   // radii of the eye
-  glm::vec3 forward{0};  // unit
-  PixelBox box;          // that the eye may touch
 };
 
 /// The level that catches the model's shadow. Nothing stands under it.

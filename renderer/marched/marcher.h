@@ -10,9 +10,9 @@
 #include "renderer/coat/slices.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/marched/eye_cache.h"
 #include "renderer/marched/fur_mesh.h"
 #include "renderer/marched/slice_atlas.h"
+#include "renderer/optics/eye_cache.h"
 #include "renderer/visibility/changed_fur.h"
 
 namespace pelage {

@@ -157,15 +157,20 @@ HWY_INLINE Vec3 light_on_skin(const FrameOptics& optics, const Bare& bare, const
   return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
 }
 
+/// What bare skin sends to the camera of the light from all around.
+HWY_INLINE Vec3 sky_on_skin(const FrameOptics& optics, const Bare& bare, const SkinSurface& surface) {
+  const Vec3 sum = optics.frame.weights.x * surface.open * surface.colour * environment_light(optics, surface.normal);
+  const Vec3 dry = mirrored_sky(optics, surface.normal, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
+  const Vec3 wet = mirrored_sky(optics, surface.film, surface.to_camera, 0.03f, surface.wet_roughness);
+  return sum + surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
+}
+
 /// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes. Its share of `direct` is added to
 /// where that is given.
 HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 open, Real hull, Vec3 normal,
                            Vec3 to_camera, Real pixel, Direct* direct) {
   const SkinSurface surface = skin_surface(bare, place, normal, to_camera, pixel);
-  Vec3 sum = optics.frame.weights.x * surface.open * surface.colour * environment_light(optics, surface.normal);
-  const Vec3 dry = mirrored_sky(optics, surface.normal, to_camera, 0.08f * bare.shine, surface.dry_roughness);
-  const Vec3 wet = mirrored_sky(optics, surface.film, to_camera, 0.03f, surface.wet_roughness);
-  sum += surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
+  Vec3 sum = sky_on_skin(optics, bare, surface);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, place);
     const Vec3 without = light.radiance * light_on_skin(optics, bare, surface, light.to_light);

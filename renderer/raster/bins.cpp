@@ -34,7 +34,7 @@ bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float
 
 /// Calls found(tile, knot, inverse) for each tile that each segment may touch in front of what lies behind.
 template <class Found>
-void each_entry(const RasterBox& box, const TileRows& tiles, const PlacedStrands& strands,
+void each_entry(const PixelBox& box, const TileRows& tiles, const PlacedStrands& strands,
                 std::span<const float> furthest, const Found& found) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
@@ -66,7 +66,7 @@ void each_entry(const RasterBox& box, const TileRows& tiles, const PlacedStrands
 
 }  // namespace
 
-Bins::Bins(const RasterBox& box, std::size_t batches)
+Bins::Bins(const PixelBox& box, std::size_t batches)
     : box_(box), tiles_(tiles_of(box)), batches_(batches), first_(static_cast<std::size_t>(tiles_.count()) + 1) {
   assert(batches <= max_batches);
 }

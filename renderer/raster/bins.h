@@ -20,7 +20,7 @@ class Bins {
  public:
   static constexpr std::size_t max_batches = 256, max_knots = 1 << 24;
 
-  Bins(const RasterBox& box, std::size_t batches);
+  Bins(const PixelBox& box, std::size_t batches);
 
   /// What of a batch falls into tiles in front of what lies behind: `furthest` has one over its distance for each.
   void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest);
@@ -44,7 +44,7 @@ class Bins {
     std::vector<std::uint32_t> next;  // by tile: a count, then where its next entry goes
   };
 
-  RasterBox box_;
+  PixelBox box_;
   TileRows tiles_;
   std::vector<Batch> batches_;
   std::vector<std::uint32_t> first_;  // entry of each tile

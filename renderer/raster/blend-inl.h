@@ -12,17 +12,14 @@
 #include <bit>
 #include <cmath>
 
-#include "renderer/optics/lanes-inl.h"
 #include "renderer/raster/kernels.h"
+#include "renderer/raster/pixel_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 inline constexpr float min_through = 0.01f;  // of a pixel's light: what is less lets nothing through
-/// A register holds a block of pixels; bit column * block_rows + row of a set is one of a tile's.
-inline constexpr int block_width = 4, block_height = lane_count / 4;
-inline constexpr int block_columns = tile_side / block_width, block_rows = tile_side / block_height;
-static_assert(lane_count % 4 == 0 && block_columns * block_rows <= 64);
+/// Bit column * block_rows + row of a set is one of a tile's blocks.
 inline constexpr std::uint64_t all_blocks = ~std::uint64_t{0} >> (64 - block_columns * block_rows);
 
 HWY_INLINE void load_light(const PlacedKnot& knot, float* light) {
@@ -95,8 +92,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
 }
 
 HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
-  const Int lanes = hn::Iota(int_tag, 0);
-  const Real column = to_real(hn::And(lanes, whole(3))) + 0.5f, row = to_real(hn::ShiftRight<2>(lanes)) + 0.5f;
+  const Vec2 first = block_pixels(0);
   const auto tile_left = static_cast<float>(left), tile_top = static_cast<float>(top);
   std::uint64_t full = 0;
   for (std::size_t i = 0; i < segments.size() && full != all_blocks; ++i) {
@@ -106,8 +102,8 @@ HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int t
     const FlatSegment flat = flat_segment(segments[i], tile_left, tile_top, min_width);
     for (; blocks != 0; blocks &= blocks - 1) {
       const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
-      const Real x = column + (static_cast<float>(block_width * bx) - flat.x);
-      const Real y = row + (static_cast<float>(block_height * by) - flat.y);
+      const Real x = first.x + (static_cast<float>(block_width * bx) - flat.x);
+      const Real y = first.y + (static_cast<float>(block_height * by) - flat.y);
       if (!blend_lanes(flat, x, y, static_cast<std::size_t>(block * lane_count), sums))
         full |= std::uint64_t{1} << block;
     }

@@ -22,7 +22,7 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
 double kept_share(const RasterScene& scene, const GrownPart& part) {
   const Ball ball = ball_around(scene, part);
   const double distance =
-      std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{nearest_drawn});
+      std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{near_distance});
   const double pixel = distance / scene.camera.scale;
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
   const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
@@ -36,7 +36,7 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 
 }  // namespace
 
-bool shows_in(const RasterScene& scene, const GrownPart& part, const RasterBox& box) {
+bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {
   if (part.strands->count() == 0) return false;
   const PictureCamera& camera = scene.camera;
   const Ball ball = ball_around(scene, part);

@@ -6,7 +6,7 @@
 namespace pelage {
 
 /// Whether a part may show in the box.
-bool shows_in(const RasterScene& scene, const GrownPart& part, const RasterBox& box);
+bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box);
 
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
 /// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the

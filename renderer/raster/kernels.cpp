@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
 #include "renderer/raster/blend-inl.h"
+#include "renderer/raster/eyes-inl.h"
 #include "renderer/raster/hand_on-inl.h"
 #include "renderer/raster/place-inl.h"
 #include "renderer/raster/skin_light-inl.h"
@@ -17,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-void PlaceStrands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
+void PlaceStrands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                   KeptStrands& kept, PlacedStrands& placed) {
   place_all(scene, part, box, hidden, kept, placed);
 }
@@ -36,6 +37,14 @@ void BlendSegments(std::span<const TileSegment> segments, int left, int top, flo
   blend_all(segments, left, top, min_width, sums);
 }
 
+void MeetEyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
+  meet_all(scene, left, top, ends.data(), numbers.data());
+}
+
+void LightEyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums) {
+  light_eyes_of(scene, left, top, numbers.data(), sums);
+}
+
 void LightSkin(const RasterScene& scene, SkinSeen& seen) {
   for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
 }
@@ -52,10 +61,12 @@ HWY_EXPORT(PlaceStrands);
 HWY_EXPORT(LightStrands);
 HWY_EXPORT(HandOnLight);
 HWY_EXPORT(BlendSegments);
+HWY_EXPORT(MeetEyes);
+HWY_EXPORT(LightEyes);
 HWY_EXPORT(LightSkin);
 HWY_EXPORT(Name);
 
-void place_strands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
+void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed) {
   HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, part, box, hidden, kept, placed);
 }
@@ -72,6 +83,14 @@ void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, c
 
 void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
   HWY_DYNAMIC_DISPATCH(BlendSegments)(segments, left, top, min_width, sums);
+}
+
+void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
+  HWY_DYNAMIC_DISPATCH(MeetEyes)(scene, left, top, ends, numbers);
+}
+
+void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(LightEyes)(scene, left, top, numbers, sums);
 }
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }

@@ -19,7 +19,7 @@ inline constexpr int hiding_side = 4;  // pixels of the blocks by which skin hid
 
 /// Places strands of a part, without their light, and leaves those in `kept` that touch `box` and are not hidden by the
 /// skin: `hidden` has one over the distance behind which nothing shows, for each block of hiding_side pixels.
-void place_strands(const RasterScene& scene, const GrownPart& part, const RasterBox& box, std::span<const float> hidden,
+void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 
 /// Where nothing but gaps between strands shows them, some strands stand for all: the first ones, which are drawn down
@@ -59,6 +59,15 @@ inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_s
 
 /// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through.
 void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums);
+
+/// What shows less of a pixel than this shows nothing.
+inline constexpr float shown = 1e-3f;
+
+/// Eyes in a tile whose left upper corner is given. `ends` has one over the distance of what ends the view of strands:
+/// that of an eye where it is nearest, whose number goes to `numbers`.
+void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers);
+/// Adds their light by what gets through to them; the skin beside an eye's edge still gets the rest.
+void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums);
 
 /// Some pixels that show skin, and its light there.
 struct SkinSeen {

@@ -46,8 +46,8 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
     const Vec3 place{point.real(0), point.real(1), point.real(2)}, apart = place - Vec3(camera.position);
     const Real distance = dot(apart, Vec3(camera.forward));
-    const Mask seen = distance > nearest_drawn;
-    const Real inverse = 1.0f / max(distance, nearest_drawn), scale = inverse * camera.scale;
+    const Mask seen = distance > near_distance;
+    const Real inverse = 1.0f / max(distance, near_distance), scale = inverse * camera.scale;
     const Real x = mul_add(dot(apart, Vec3(camera.right)), scale, camera.middle.x);
     const Real y = Real(camera.middle.y) - dot(apart, Vec3(camera.up)) * scale;
     const Real half = point.real(3) * inverse * wider;
@@ -90,7 +90,7 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
 }
 
 /// Whether lanes touch the box and any of their knots lies in front of the skin, or on none.
-HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, const RasterBox& box,
+HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, const PixelBox& box,
                            std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
@@ -136,7 +136,7 @@ HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids
           length / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
 }
 
-HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const RasterBox& box,
+HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const PixelBox& box,
                           std::span<const float> hidden_by_skin, KeptStrands& kept, PlacedStrands& placed) {
   const StrandSet& set = *part.strands;
   KnotLanes knots;

@@ -66,7 +66,7 @@ std::vector<Batch> batches_of(std::span<const GrownPart> parts) {
   return batches;
 }
 
-void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const float> hidden, Batch& batch) {
+void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const float> hidden, Batch& batch) {
   KeptStrands kept;
   SharedLight light;
   for (std::size_t i = batch.first; i < batch.end; ++i) {
@@ -89,7 +89,7 @@ void place_batch(const RasterScene& scene, const RasterBox& box, std::span<const
 /// One tile: sorts what is in it, blends it, and adds the skin behind.
 struct TileDrawer {
   const RasterScene& scene;
-  const RasterBox& box;
+  const PixelBox& box;
   const Bins& bins;
   const SkinPixels& skin;
   std::span<const Batch> batches;
@@ -107,7 +107,8 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   TileSums sums;
   std::fill_n(sums.through, tile_pixels, 1.0f);
   for (float* channel : {sums.red, sums.green, sums.blue}) std::fill_n(channel, tile_pixels, 0.0f);
-  std::copy_n(&skin.inverse[static_cast<std::size_t>(tile) * tile_pixels], tile_pixels, sums.behind);
+  const std::size_t first_pixel = static_cast<std::size_t>(tile) * tile_pixels;
+  std::copy_n(&skin.ends()[first_pixel], tile_pixels, sums.behind);
   {
     const Lap lap(times.sort);
     sort_by_distance(bins.tile(tile), sorted);
@@ -119,6 +120,7 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   }
   const Lap lap(times.blend);
   blend_segments(segments, left, top, scene.quality.min_width, sums);
+  if (!skin.eyes.empty()) light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
   write(left, top, sums);
 }
@@ -138,18 +140,18 @@ void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen&
 
 /// Where enough of it shows, some pixels at a time.
 void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
-  constexpr float shown = 1e-3f;
   const std::uint32_t* piece = &skin.piece[static_cast<std::size_t>(tile) * tile_pixels];
+  const float* inverse = &skin.inverse[static_cast<std::size_t>(tile) * tile_pixels];
   SkinSeen seen;
   std::array<int, SkinSeen::count> pixels{};
   std::size_t count = 0;
   for (int i = 0; i < tile_pixels; ++i) {
     const int x = i % tile_side, y = i / tile_side, pixel = pixel_in_tile(x, y);
-    if (!(sums.behind[pixel] > 0)) continue;
+    if (!(inverse[pixel] > 0)) continue;
     if (sums.through[pixel] < shown) sums.through[pixel] = 0;
     if (sums.through[pixel] == 0) continue;
     seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
-    seen.inverse[count] = sums.behind[pixel], seen.piece[count] = piece[pixel], pixels[count++] = pixel;
+    seen.inverse[count] = inverse[pixel], seen.piece[count] = piece[pixel], pixels[count++] = pixel;
     if (count == pixels.size()) blend_skin(scene, pixels, seen, sums), count = 0;
   }
   if (count > 0) blend_skin(scene, std::span(pixels).first(count), seen, sums);
@@ -168,7 +170,7 @@ void TileDrawer::write(int left, int top, const TileSums& sums) const {
 }
 
 /// Places all strands of the box, lit, and puts their segments into tiles.
-void place_and_bin(const RasterScene& scene, const RasterBox& box, const SkinPixels& skin, int threads,
+void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixels& skin, int threads,
                    std::vector<Batch>& batches, Bins& bins) {
   const auto count = static_cast<std::uint32_t>(batches.size());
   for_each_in_parallel(
@@ -202,7 +204,7 @@ void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& t
   });
 }
 
-void draw_box(const RasterScene& scene, const RasterBox& box, int threads, FloatImage& picture, RasterTimes& times,
+void draw_box(const RasterScene& scene, const PixelBox& box, int threads, FloatImage& picture, RasterTimes& times,
               RasterCounts& counts) {
   std::optional<SkinPixels> skin;
   {
@@ -245,6 +247,9 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model.has_colours);
   scene.camera = picture_camera(frame), scene.quality = quality;
+  for (std::size_t k = 0; k < frame.eyes.size(); ++k)
+    scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
+                                    {frame.width, frame.height}));
   scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid;
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;

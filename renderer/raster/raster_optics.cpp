@@ -48,6 +48,9 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
                                   [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
+  if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
+  if (!frame.eyes.empty() && !eyes_) eyes_.emplace();
+  if (!frame.eyes.empty()) optics.eyes = eyes_->of(frame);
   optics.paint.wetness = static_cast<float>(frame.coat.wetness);
   return optics;
 }

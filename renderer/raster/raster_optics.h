@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "renderer/optics/eye_cache.h"
 #include "renderer/raster/raster_scene.h"
 
 namespace pelage {
@@ -23,6 +24,7 @@ class RasterOptics {
   std::array<float, slice_count> above_{};
   std::optional<Look> look_;
   ScatteringBlock scattering_{};
+  std::optional<EyeCache> eyes_;  // none before the first eye
   AzimuthalFit azimuthal_;
 };
 

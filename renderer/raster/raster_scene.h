@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer/input/picture.h"
+#include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
 #include "renderer/strands/grown_fur.h"
@@ -15,20 +17,12 @@ namespace pelage {
 
 inline constexpr int tile_side = 16, tile_pixels = tile_side * tile_side;
 
-/// Nothing nearer is drawn, sizes along the view.
-inline constexpr float nearest_drawn = 1e-4f;
-
-/// Half-open, from the left and the top, pixels.
-struct RasterBox {
-  int left = 0, top = 0, right = 0, bottom = 0;
-};
-
 /// Tiles of a box, row by row.
 struct TileRows {
   int across = 0, down = 0;
   int count() const { return across * down; }
 };
-inline TileRows tiles_of(const RasterBox& box) {
+inline TileRows tiles_of(const PixelBox& box) {
   return {(box.right - box.left + tile_side - 1) / tile_side, (box.bottom - box.top + tile_side - 1) / tile_side};
 }
 
@@ -54,6 +48,7 @@ struct RasterScene {
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
   const DensityGrid* grid = nullptr;
+  std::vector<EyeCamera> eyes;  // of optics.eyes
 };
 
 /// A knot of a strand on the picture.

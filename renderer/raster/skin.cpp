@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocol/base/parallel.h"
+#include "renderer/raster/kernels.h"
 
 namespace pelage {
 
@@ -40,7 +41,7 @@ FlatTriangle flat(const PictureCamera& camera, const std::array<glm::dvec3, 3>& 
 /// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): up to two.
 void add_clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
                  std::vector<FlatTriangle>& triangles) {
-  constexpr double least = nearest_drawn;
+  constexpr double least = near_distance;
   std::array<glm::dvec3, 4> kept;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -52,7 +53,7 @@ void add_clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& c
 }
 
 /// Each triangle of the surface once; pieces of several patches are alike.
-std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const RasterBox& box) {
+std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const PixelBox& box) {
   const FurModel& model = *scene.model;
   std::vector<FlatTriangle> triangles;
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
@@ -74,7 +75,7 @@ std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const RasterB
 
 /// Tiles that a triangle's box touches.
 template <class Found>
-void each_tile(const FlatTriangle& triangle, const RasterBox& box, const TileRows& tiles, const Found& found) {
+void each_tile(const FlatTriangle& triangle, const PixelBox& box, const TileRows& tiles, const Found& found) {
   const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
   const auto [y0, y1] = std::minmax({triangle.at[0].y, triangle.at[1].y, triangle.at[2].y});
   const auto tile = [](double pixel, int first, int count) {
@@ -159,7 +160,7 @@ struct TileTriangles {
   std::vector<std::uint32_t> first, order;
 };
 
-TileTriangles by_tile(const std::vector<FlatTriangle>& triangles, const RasterBox& box, const TileRows& tiles) {
+TileTriangles by_tile(const std::vector<FlatTriangle>& triangles, const PixelBox& box, const TileRows& tiles) {
   TileTriangles by;
   by.first.resize(static_cast<std::size_t>(tiles.count()) + 1);
   for (const FlatTriangle& triangle : triangles)
@@ -182,20 +183,31 @@ float furthest_of_block(const float* inverse, int left, int top) {
 
 }  // namespace
 
-SkinPixels::SkinPixels(const RasterScene& scene, const RasterBox& box, int threads) {
+float* SkinPixels::add_eyes(const RasterScene& scene, std::uint32_t tile, int left, int top) {
+  const std::size_t first = std::size_t{tile} * tile_pixels;
+  const std::span<float> ends = std::span(with_eyes_).subspan(first, tile_pixels);
+  std::copy_n(&inverse[first], tile_pixels, ends.begin());
+  meet_eyes(scene, left, top, ends, std::span(eyes).subspan(first, tile_pixels));
+  return ends.data();
+}
+
+SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int threads) {
   constexpr int blocks = tile_side / hiding_side;
   const TileRows tiles = tiles_of(box);
   const auto count = static_cast<std::size_t>(tiles.count());
   inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0);
   furthest.assign(count, 0), hidden.assign(count * blocks * blocks, 0);
+  if (!scene.eyes.empty()) eyes.assign(count * tile_pixels, -1), with_eyes_.resize(count * tile_pixels);
   const std::vector<FlatTriangle> triangles = flat_triangles(scene, box);
   const TileTriangles by = by_tile(triangles, box, tiles);
   const auto raster_tile = [&](std::uint32_t tile) {
     const int x = static_cast<int>(tile) % tiles.across, y = static_cast<int>(tile) / tiles.across;
+    const int left = box.left + x * tile_side, top = box.top + y * tile_side;
     float* at = &inverse[std::size_t{tile} * tile_pixels];
     std::uint32_t* pieces = &piece[std::size_t{tile} * tile_pixels];
     for (std::uint32_t i = by.first[tile]; i < by.first[tile + 1]; ++i)
-      raster_triangle(triangles[by.order[i]], box.left + x * tile_side, box.top + y * tile_side, at, pieces);
+      raster_triangle(triangles[by.order[i]], left, top, at, pieces);
+    if (!eyes.empty()) at = add_eyes(scene, tile, left, top);
     furthest[tile] = *std::min_element(at, at + tile_pixels);
     for (int k = 0; k < blocks * blocks; ++k) {
       const int bx = k % blocks, by_row = k / blocks;

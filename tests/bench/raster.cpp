@@ -19,6 +19,7 @@
 #include "renderer/finish/resize.h"
 #include "renderer/raster/kernels.h"
 #include "server/frames/fur_view.h"
+#include "server/scene/creature_settings.h"
 #include "tests/bench/traced.h"
 
 namespace pelage::bench {
@@ -59,6 +60,9 @@ void add_mohawk(testing::FurredModel& model) {
 testing::FurredModel model_of(const Setup& setup) {
   testing::FurredModel model =
       testing::furred({setup.view == "torus" ? Builtin::torus : Builtin::creature, setup.triangles});
+  model.model.name = setup.view == "torus" ? "torus" : "creature";  // eyes and bare skin go by it
+  model.settings = first_settings(model.model);
+  model.settings.curves.clear();  // whiskers are not drawn yet
   if (setup.view == "mohawk") add_mohawk(model);
   return model;
 }

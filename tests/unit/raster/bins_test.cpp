@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-constexpr RasterBox box{0, 0, 64, 48};
+constexpr PixelBox box{0, 0, 64, 48};
 
 PlacedStrands one_strand(const std::vector<PlacedKnot>& knots) {
   return {knots, std::vector<float>(knots.size()), {0, static_cast<std::uint32_t>(knots.size())}};

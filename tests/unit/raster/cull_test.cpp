@@ -72,7 +72,7 @@ TEST(Cull, NoPartThatShowsIsLeftOut) {
     camera.forward = glm::normalize(glm::vec3(uniform(random), uniform(random), uniform(random) + 1e-3f));
     camera.right = glm::normalize(glm::cross(camera.forward, glm::vec3(0, 0.1f, 1)));
     camera.up = glm::cross(camera.right, camera.forward);
-    const RasterBox box{40, 60, 150, 170};
+    const PixelBox box{40, 60, 150, 170};
     for (const GrownPart& part : field.fur.parts()) {
       bool inside = false;
       for (const StrandPoint& point : part.strands->points) {
@@ -80,7 +80,7 @@ TEST(Cull, NoPartThatShowsIsLeftOut) {
         const float distance = glm::dot(apart, camera.forward), scale = camera.scale / distance;
         const float x = camera.middle.x + glm::dot(apart, camera.right) * scale;
         const float y = camera.middle.y - glm::dot(apart, camera.up) * scale;
-        inside = inside || (distance > nearest_drawn && x > 40 && x < 150 && y > 60 && y < 170);
+        inside = inside || (distance > near_distance && x > 40 && x < 150 && y > 60 && y < 170);
       }
       if (inside) {
         ASSERT_TRUE(shows_in(field.scene, part, box)) << i;

@@ -129,5 +129,53 @@ TEST(Raster, SkinHidesStrandsBehindIt) {
   EXPECT_EQ(mean(ceiling, 3), 1);
 }
 
+glm::vec4 pixel(const FloatImage& image, int x, int y) {
+  const float* at = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+  return {at[0], at[1], at[2], at[3]};
+}
+
+TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
+  Stage stage;
+  const FloatImage none = stage.draw({1000, 1, 6, 0});
+  FurEye eye;
+  eye.radius = 0.08f, eye.sclera = {0, 1, 0}, eye.frame = glm::mat3(-1, 0, 0, 0, 0, 1, 0, 1, 0);  // looks away
+  eye.position = {0.2f, 0.35f, -0.12f};
+  stage.frame.eyes = {eye};
+  EXPECT_EQ(stage.draw({1000, 1, 6, 0}).rgba, none.rgba);  // under the skin
+  RasterCounts open, hidden;
+  stage.frame.eyes[0].position = {0.2f, -0.1f, 0.3f};  // between lawn and camera
+  stage.draw({1000, 1, 6, 0}, 2, &hidden);
+  stage.frame.eyes.clear();
+  stage.draw({1000, 1, 6, 0}, 2, &open);
+  EXPECT_LT(hidden.placed, open.placed);
+  stage.frame.eyes = {eye};
+  stage.frame.eyes[0].position = {0.42f, 0.2f, 0.1f};  // partly before nothing
+  const FloatImage seen = stage.draw({1000, 1, 6, 0}), again = stage.draw({1000, 1, 6, 0}, 7);
+  EXPECT_TRUE(is_sound(seen));
+  EXPECT_EQ(seen.rgba, again.rgba);
+  std::size_t green = 0;
+  for (int i = 0; i < seen.width * seen.height; ++i) {
+    const glm::vec4 of = pixel(seen, i % seen.width, i / seen.width);
+    if (of.g > 2 * of.r && of.a > 0.99f) ++green;
+  }
+  EXPECT_GT(green, 200u);
+}
+
+TEST(Raster, BareSkinHasTheColourOfItsRegion) {
+  Stage stage;
+  std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
+  stage.grow();
+  const glm::vec4 furred = pixel(stage.draw(), 48, 40);
+  FurSkinRegion nose;
+  nose.centre = {0.2, 0.2, 0}, nose.to_unit = glm::dmat3(4), nose.softness = 0.1;  // a ball of radius .25
+  nose.colour = {0.8f, 0.05f, 0.05f}, nose.shine = 0;
+  stage.frame.skin = {nose};
+  const FloatImage bare = stage.draw();
+  const glm::vec4 middle = pixel(bare, 48, 40);
+  EXPECT_NEAR(furred.r, furred.g, 0.7f * furred.r);
+  EXPECT_GT(middle.r, 8 * middle.g);
+  EXPECT_EQ(middle.a, 1);
+}
+
 }  // namespace
 }  // namespace pelage

@@ -1,4 +1,4 @@
-#include "renderer/marched/eye_cache.h"
+#include "renderer/optics/eye_cache.h"
 
 #include <algorithm>
 #include <cassert>
@@ -45,29 +45,30 @@ TissueLevels tissue_levels() {
 }
 
 /// Pixels that the box around an eye may touch, as eye.vert has it: all where it reaches the near plane.
-PixelBox box_of(const EyeEntry& eye, const MarchScene& scene) {
+PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 size) {
   const float side = 1.02f * lid_radius, top = 1.02f * std::max(lid_radius, eye.cornea.x + eye.cornea.y);
   glm::vec2 low(1e9f), high(-1e9f);
   for (int k = 0; k < 8; ++k) {
     const glm::vec3 corner(k & 1 ? side : -side, k & 2 ? side : -side, k & 4 ? top : -side);
     const glm::vec3 place =
         glm::vec3(eye.position) + eye.right.w * (glm::mat3(eye.right, eye.up, eye.forward) * corner);
-    const glm::vec4 clip = scene.optics.frame.world_to_clip * glm::vec4(place, 1);
-    if (!(clip.w > near_distance)) return {0, 0, scene.width, scene.height};
-    const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(scene.width, scene.height);
+    const glm::vec4 clip = world_to_clip * glm::vec4(place, 1);
+    if (!(clip.w > near_distance)) return {0, 0, size.x, size.y};
+    const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(size);
     low = glm::min(low, at), high = glm::max(high, at);
   }
-  const auto held = [](float at, int size) { return clamped_index(at, 0, size); };
-  return {held(std::floor(low.x) - 1, scene.width), held(std::floor(low.y) - 1, scene.height),
-          held(std::ceil(high.x) + 1, scene.width), held(std::ceil(high.y) + 1, scene.height)};
-}
-
-EyeCamera camera_of(const EyeEntry& eye, const MarchScene& scene) {
-  const glm::mat3 frame(eye.right, eye.up, eye.forward);
-  return {(scene.viewpoint - glm::vec3(eye.position)) * frame / eye.right.w, scene.forward * frame, box_of(eye, scene)};
+  const auto held = [](float at, int most) { return clamped_index(at, 0, most); };
+  return {held(std::floor(low.x) - 1, size.x), held(std::floor(low.y) - 1, size.y), held(std::ceil(high.x) + 1, size.x),
+          held(std::ceil(high.y) + 1, size.y)};
 }
 
 }  // namespace
+
+EyeCamera eye_camera(const EyeEntry& eye, const FurCamera& camera, const glm::mat4& world_to_clip, glm::ivec2 size) {
+  const glm::mat3 frame(eye.right, eye.up, eye.forward);
+  return {(camera.position - glm::vec3(eye.position)) * frame / eye.right.w, camera.forward * frame,
+          box_of(eye, world_to_clip, size)};
+}
 
 EyeCache::EyeCache() : tissues_(tissue_levels()) {}
 
@@ -80,16 +81,15 @@ int EyeCache::first_caustic_of(const EyeShape& shape) {
   return first;
 }
 
-void EyeCache::add(const FurFrame& frame, MarchScene& scene) {
+EyeOptics EyeCache::of(const FurFrame& frame) {
   assert(!frame.eyes.empty() && frame.eyes.size() <= max_eyes);
   if (shapes_.size() + frame.eyes.size() > max_shapes) shapes_.clear(), caustics_.clear();
-  EyeOptics& eyes = scene.optics.eyes;
+  EyeOptics eyes;
   eyes.block.surroundings = {frame.background_colour, 1};
-  for (std::size_t k = 0; k < frame.eyes.size(); ++k) {
+  for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     eyes.block.eyes[k] = make_eye_entry(frame.eyes[k], frame, first_caustic_of(shape_of(frame.eyes[k])));
-    scene.eyes.push_back(camera_of(eyes.block.eyes[k], scene));
-  }
   eyes.steps = frame.knobs.eye_steps, eyes.tissues = &tissues_, eyes.caustics = caustics_;
+  return eyes;
 }
 
 }  // namespace pelage

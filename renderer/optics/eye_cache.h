@@ -1,0 +1,38 @@
+// Eyes of a frame as they are drawn: what is kept between frames, made when the first one is drawn.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "renderer/eye/optics.h"
+#include "renderer/input/picture.h"
+#include "renderer/optics/eye_optics.h"
+
+namespace pelage {
+
+/// The camera in the frame of an eye.
+struct EyeCamera {
+  glm::vec3 viewer{0};   // radii of the eye
+  glm::vec3 forward{0};  // unit
+  PixelBox box;          // that the eye may touch
+};
+
+/// On a picture of `size` pixels.
+EyeCamera eye_camera(const EyeEntry& eye, const FurCamera& camera, const glm::mat4& world_to_clip, glm::ivec2 size);
+
+class EyeCache {
+ public:
+  EyeCache();
+
+  /// Of a frame's eyes, 1 to 8. Views into this object, until the next call.
+  EyeOptics of(const FurFrame& frame);
+
+ private:
+  int first_caustic_of(const EyeShape& shape);
+
+  TissueLevels tissues_;
+  std::vector<EyeShape> shapes_;  // whose caustics are kept, in this order
+  std::vector<float> caustics_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,90 @@
+// Eyes between the skin and the strands of a tile: what they hide, and their light behind the strands.
+#if defined(PELAGE_RASTER_EYES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PELAGE_RASTER_EYES_INL_H_
+#undef PELAGE_RASTER_EYES_INL_H_
+#else
+#define PELAGE_RASTER_EYES_INL_H_
+#endif
+
+#include "renderer/optics/eye-inl.h"
+#include "renderer/raster/kernels.h"
+#include "renderer/raster/pixel_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pelage::HWY_NAMESPACE {
+
+HWY_INLINE EyeHit eye_hit(const RasterScene& scene, std::size_t number, Vec3 way) {
+  const EyeEntry& eye = scene.optics.eyes.block.eyes[number];
+  return meet_eye(eye, scene.eyes[number].viewer, in_eye_frame(eye, way), scene.optics.frame.viewpoint.w);
+}
+
+/// The ray of each pixel of a block of the tile whose left upper corner is given.
+HWY_INLINE Vec3 block_rays(const RasterScene& scene, int left, int top, int block) {
+  const Vec2 at = block_pixels(block);
+  return ray_through(scene.camera, at.x + static_cast<float>(left), at.y + static_cast<float>(top));
+}
+
+/// Where the eye is nearer than what is there already.
+HWY_INLINE void meet_in_block(const RasterScene& scene, std::size_t number, Vec3 way, float* ends,
+                              std::int8_t* numbers) {
+  const EyeEntry& eye = scene.optics.eyes.block.eyes[number];
+  const EyeCamera& camera = scene.eyes[number];
+  const EyeHit hit = eye_hit(scene, number, way);
+  const Real distance = eye.right.w * dot(hit.nearest - Vec3(camera.viewer), Vec3(camera.forward));
+  const Real inverse = 1.0f / max(distance, 1e-12f), before = load(ends);
+  const Mask nearer = hit.there & (distance > near_distance) & (inverse >= before);
+  store(select(nearer, inverse, before), ends);
+  for (std::uint32_t lanes = bits_of(nearer); lanes != 0; lanes &= lanes - 1)
+    numbers[std::countr_zero(lanes)] = static_cast<std::int8_t>(number);
+}
+
+HWY_INLINE void meet_all(const RasterScene& scene, int left, int top, float* ends, std::int8_t* numbers) {
+  for (std::size_t number = 0; number < scene.eyes.size(); ++number) {
+    const PixelBox& box = scene.eyes[number].box;
+    if (box.left >= left + tile_side || box.top >= top + tile_side || box.right <= left || box.bottom <= top) continue;
+    for (int block = 0; block < block_columns * block_rows; ++block)
+      meet_in_block(scene, number, block_rays(scene, left, top, block), ends + block * lane_count,
+                    numbers + block * lane_count);
+  }
+}
+
+/// Bit k: eye k is seen in the block.
+HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
+  std::uint32_t seen = 0;
+  for (int i = 0; i < lane_count; ++i)
+    if (numbers[i] >= 0) seen |= 1u << numbers[i];
+  return seen;
+}
+
+HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way, const std::int8_t* numbers,
+                          std::size_t at, TileSums& sums) {
+  float mine[lane_count];
+  for (int i = 0; i < lane_count; ++i) mine[i] = numbers[i] == static_cast<std::int8_t>(number) ? 1.0f : 0.0f;
+  EyeHit hit = eye_hit(scene, number, way);
+  const Real through = load(sums.through + at);
+  hit.there = hit.there & (load(mine) > 0.5f) & (through > shown);
+  if (!any(hit.there)) return;
+  const Real weight = select(hit.there, through * hit.covered, 0.0f);
+  const Vec3 light = eye_light(scene.optics, scene.optics.eyes.block.eyes[number], hit, scene.optics.lights);
+  store(mul_add(light.x, weight, load(sums.red + at)), sums.red + at);
+  store(mul_add(light.y, weight, load(sums.green + at)), sums.green + at);
+  store(mul_add(light.z, weight, load(sums.blue + at)), sums.blue + at);
+  store(through - weight, sums.through + at);
+}
+
+HWY_INLINE void light_eyes_of(const RasterScene& scene, int left, int top, const std::int8_t* numbers, TileSums& sums) {
+  for (int block = 0; block < block_columns * block_rows; ++block) {
+    const int at = block * lane_count;
+    std::uint32_t seen = eyes_of_block(numbers + at);
+    if (seen == 0) continue;
+    const Vec3 way = block_rays(scene, left, top, block);
+    for (; seen != 0; seen &= seen - 1)
+      light_eye(scene, static_cast<std::size_t>(std::countr_zero(seen)), way, numbers + at,
+                static_cast<std::size_t>(at), sums);
+  }
+}
+
+}  // namespace pelage::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
