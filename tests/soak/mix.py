@@ -119,8 +119,8 @@ def keep_busy(server, temporary, clients, began, minutes):
 def rest(server, temporary):
     """Fills what the server keeps (coats, the last traced picture) the same way each time, waits until the rest is dropped, and reads."""
     scene = server.new_scene("creature", 3000)
-    for request in ({"quality": "detailed"}, {"quality": "reference", "traced": {"max_passes": 1}}):
-        answer = scene.post("frames", {"width": 128, "height": 128, **request})
+    for quality in ("detailed", {"method": "strands", "trace": {"passes": 1}}):
+        answer = scene.post("frames", {"width": 128, "height": 128, "quality": quality})
         assert answer.status == 200, answer
     server.call("DELETE", scene.path)
     time.sleep(REST_SECONDS)
