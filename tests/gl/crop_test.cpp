@@ -111,19 +111,19 @@ class MarchedCropsAfterStrokes : public MarchedFrames {};
 TEST_F(MarchedCropsAfterStrokes, HaveTheBitsOfTheWhole) {
   FurredModel model = furred({Builtin::creature, 2000});
   Renderer renderer(RendererOptions{.threads = 2}), fresh(RendererOptions{.threads = 2});
-  FrameRequest request = frame_at(1);
-  request.crop = {40, 30, 37, 41};
+  FrameRequest asked = frame_at(1);
+  asked.crop = {40, 30, 37, 41};
   sync_scene(renderer, model.view(), {});
-  ASSERT_TRUE(renderer.draw(make_frame(model.view(), request)).ok());
+  ASSERT_TRUE(renderer.draw(make_frame(model.view(), asked)).ok());
   for (int k = 0; k < 4; ++k) {
     std::vector<VertexRange> ranges;
     for (const DirtyRange& range : stroke(model)) ranges.push_back({range.begin, range.end});
     sync_scene(renderer, model.view(), ranges);
-    FurFrame frame = make_frame(model.view(), request);
+    FurFrame frame = make_frame(model.view(), asked);
     const Image again = renderer.draw(frame).value();
     sync_scene(fresh, model.view(), ranges);
     frame.crop.reset();
-    EXPECT_TRUE(again.rgba == crop_of(fresh.draw(frame).value(), *request.crop).rgba) << k;
+    EXPECT_TRUE(again.rgba == crop_of(fresh.draw(frame).value(), *asked.crop).rgba) << k;
   }
 }
 
