@@ -57,7 +57,7 @@ PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 
     const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(size);
     low = glm::min(low, at), high = glm::max(high, at);
   }
-  const auto held = [](float at, int most) { return clamped_index(at, 0, most); };
+  const auto held = [](float at, int max) { return clamped_index(at, 0, max); };
   return {held(std::floor(low.x) - 1, size.x), held(std::floor(low.y) - 1, size.y), held(std::ceil(high.x) + 1, size.x),
           held(std::ceil(high.y) + 1, size.y)};
 }

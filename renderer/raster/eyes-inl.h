@@ -62,7 +62,7 @@ HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way
   for (int i = 0; i < lane_count; ++i) mine[i] = numbers[i] == static_cast<std::int8_t>(number) ? 1.0f : 0.0f;
   EyeHit hit = eye_hit(scene, number, way);
   const Real through = load(sums.through + at);
-  hit.there = hit.there & (load(mine) > 0.5f) & (through > shown);
+  hit.there = hit.there & (load(mine) > 0.5f) & (through > min_shown);
   if (!any(hit.there)) return;
   const Real weight = select(hit.there, through * hit.covered, 0.0f);
   const Vec3 light = eye_light(scene.optics, scene.optics.eyes.block.eyes[number], hit, scene.optics.lights);

@@ -61,7 +61,7 @@ inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_s
 void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums);
 
 /// What shows less of a pixel than this shows nothing.
-inline constexpr float shown = 1e-3f;
+inline constexpr float min_shown = 1e-3f;
 
 /// Eyes in a tile whose left upper corner is given. `ends` has one over the distance of what ends the view of strands:
 /// that of an eye where it is nearest, whose number goes to `numbers`.

@@ -148,7 +148,7 @@ void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
   for (int i = 0; i < tile_pixels; ++i) {
     const int x = i % tile_side, y = i / tile_side, pixel = pixel_in_tile(x, y);
     if (!(inverse[pixel] > 0)) continue;
-    if (sums.through[pixel] < shown) sums.through[pixel] = 0;
+    if (sums.through[pixel] < min_shown) sums.through[pixel] = 0;
     if (sums.through[pixel] == 0) continue;
     seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
     seen.inverse[count] = inverse[pixel], seen.piece[count] = piece[pixel], pixels[count++] = pixel;

@@ -2,9 +2,9 @@
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/mix.py [MINUTES] [CSV]
 
-Six times the clients stop, and memory is read at rest: what they made is gone, and what the server keeps by design is in one state. While they work it
-says little, as it is made of what happens to be drawn at once. Prints a line a minute, writes all readings to CSV where it is given, and ends with 1 where
-memory at rest grows by more than a tenth after the second rest, where temporary files are left, or where a request fails.
+Six times the clients stop, and memory is read at rest: what they made is gone, and what the server keeps by design is in one state. Prints a line a minute,
+writes all readings to CSV where it is given, and ends with 1 where memory still grows by more than a tenth, in the second half of the work or at rest after
+the second time, where temporary files are left, or where a request fails.
 """
 import http.client
 import os
@@ -23,7 +23,7 @@ from support.server import Server, comb
 READING_SECONDS = 10
 RESTS = 6
 REST_SECONDS = 35  # a progressive picture that nobody asks for lives for 30 s
-MAX_GROWTH = 0.1  # of memory at rest, from the second rest to any later one: by then each kind of work has been done often
+MAX_GROWTH = 0.1  # of memory: of its mean from the third quarter to the last, and at rest from the second time to any later one
 BINARY = {"Content-Type": "application/octet-stream"}
 
 
@@ -127,10 +127,13 @@ def rest(server, temporary):
     return reading(server, temporary)
 
 
-def faults_of(server, temporary, at_rest, clients):
+def faults_of(server, temporary, readings, at_rest, clients):
     faults = [failure for client in clients for failure in client.failures]
     if server.process.poll() is not None:
         return [*faults, f"the server is gone: {server.printed()[-2000:]}"]
+    third, last = numpy.array_split(numpy.array(readings)[:, 1], 4)[2:]
+    if last.mean() > (1 + MAX_GROWTH) * third.mean():
+        faults.append(f"memory grew from {third.mean():.0f} to {last.mean():.0f} MB in the second half")
     memory = [megabytes for megabytes, *_ in at_rest]
     if max(memory[1:]) > (1 + MAX_GROWTH) * memory[1]:
         faults.append(f"memory at rest grew from {memory[1]:.0f} to {max(memory[1:]):.0f} MB")
@@ -154,7 +157,7 @@ def main():
             print("at rest: {:.0f} MB, data {:.1f} MB, {} temporary files, {} open files".format(*at_rest[-1]), flush=True)
         if len(sys.argv) > 2:
             numpy.savetxt(sys.argv[2], readings, "%.3f", ",", header="minutes,memory_mb,data_mb,temporary_files,open_files", comments="")
-        faults = faults_of(server, temporary, at_rest, clients)
+        faults = faults_of(server, temporary, readings, at_rest, clients)
         print("\n".join(faults) or "no faults")
         return 1 if faults else 0
     finally:
