@@ -1,6 +1,7 @@
 #include "renderer/coat/slices.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <numbers>
@@ -90,17 +91,19 @@ Slices bake_slices(const Coat& coat, int finest, const std::function<bool()>& go
   const std::vector<Strand> strands = make_strands(coat);
   const StackLight light = light_from_above(coat, strands);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
+  std::atomic<bool> stopped = false;  // whatever `go_on` says later: a slice is missing then
   // Slices do not depend on each other, so the split changes no bit. Two threads: others draw meanwhile.
   for_each_in_parallel(
       slice_count,
       [&](std::uint32_t i) {
-        if (go_on && !go_on()) return;
+        if (go_on && !go_on()) stopped = true;
+        if (stopped) return;
         stack[i] = bake_slice(coat, strands, static_cast<int>(i));
         set_light(light.cells[i], stack[i]);
         for (int level = 0; level < finest; ++level) stack[i] = halved(coat, stack[i], slice_texels >> level);
       },
       2);
-  if (go_on && !go_on()) return {};
+  if (stopped || (go_on && !go_on())) return {};
   return {build_levels(coat, strands, finest, std::move(stack)), finest, light.depth_above};
 }
 

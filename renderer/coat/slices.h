@@ -38,7 +38,7 @@ struct Slices {
 
 /// Deterministic in the coat alone: a level is the same whatever `finest`, in [0, slice_levels), is. A fraction of a
 /// second for 10,000 strands, of which levels that nobody looks at take half. `go_on` is asked on several threads for
-/// each slice; once it is false the work ends, without levels.
+/// each slice; once it has answered false the work ends, without levels, whatever it answers later.
 Slices bake_slices(const Coat& coat, int finest = 0, const std::function<bool()>& go_on = {});
 
 /// The slices without their texels, for who keeps those elsewhere: scales and depths.

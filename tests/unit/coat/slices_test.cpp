@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -255,6 +256,12 @@ TEST(Slices, SameBitsAgain) {
     ASSERT_EQ(first.levels[i].shape, again.levels[i].shape);
     ASSERT_EQ(first.levels[i].colour, again.levels[i].colour);
   }
+}
+
+TEST(Slices, OnceToldToStopTheyStopThoughSomebodyWaitsAgain) {
+  std::atomic<int> asked{0};
+  const Slices slices = bake_slices(thin_coat(), slice_levels - 1, [&] { return ++asked != 2; });
+  EXPECT_TRUE(slices.levels.empty()) << "a slice is missing";
 }
 
 TEST(Slices, ALevelIsTheSameWhateverIsTheFinest) {
