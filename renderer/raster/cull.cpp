@@ -18,8 +18,9 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
   return {0.5f * (part.low + part.high) - scene.camera.position, 0.5f * glm::length(part.high - part.low)};
 }
 
-/// Of all strands of a part, (0, 1].
+/// Of all strands of a part, (0, 1]. Each curve is there on purpose.
 double kept_share(const RasterScene& scene, const GrownPart& part) {
+  if (part.role == StrandRole::curve) return 1;
   const Ball ball = ball_around(scene, part);
   const double distance =
       std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{near_distance});

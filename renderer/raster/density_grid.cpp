@@ -17,7 +17,7 @@ constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 GridPlace place_around(std::span<const GrownPart> parts) {
   glm::vec3 low(1e9f), high(-1e9f);
   for (const GrownPart& part : parts) {
-    if (part.strands->count() == 0) continue;
+    if (part.role != StrandRole::coat || part.strands->count() == 0) continue;
     low = glm::min(low, part.low), high = glm::max(high, part.high);
   }
   if (low.x > high.x) return {};
@@ -53,7 +53,7 @@ void add_segment(const GridPlace& place, const StrandPoint& a, const StrandPoint
 /// Whether anything has changed.
 bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   std::vector<std::uint64_t> states;
-  for (const GrownPart& part : parts) states.push_back(part.state);
+  for (const GrownPart& part : parts) states.push_back(part.role == StrandRole::coat ? part.state : 0);
   const GridPlace around = place_around(parts);
   if (states == states_ && around == place_ && !density_.empty()) return false;
   states_ = std::move(states), place_ = around;
@@ -61,6 +61,7 @@ bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   for_each_in_parallel(
       static_cast<std::uint32_t>(parts.size()),
       [&](std::uint32_t p) {
+        if (parts[p].role != StrandRole::coat) return;
         const StrandSet& set = *parts[p].strands;
         const auto knots = static_cast<std::size_t>(set.segments) + 1;
         for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
@@ -73,6 +74,7 @@ bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
 void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights,
                          int threads) {
   const bool grown = add_fur(parts, threads), changed = grown || model.id != model_;
+  if (changed) ++changes_;
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
     if (changed || i >= lights_.size() || !(lights_[i] == lights[i])) moved.push_back(i);

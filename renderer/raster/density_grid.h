@@ -17,11 +17,15 @@ using CrossedByTwo = std::array<Crossed, 2>;
 
 class DensityGrid {
  public:
-  /// Brings the grid up to date: fur where parts have changed, light where fur or lights have. Deterministic for any
-  /// number of threads.
+  /// Brings the grid up to date: fur where parts have changed, light where fur or lights have. Curves cast no shadow:
+  /// they are too thin for cells. Deterministic for any number of threads.
   void update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights, int threads);
 
   const GridPlace& place() const { return place_; }
+  /// Of each cell, without curves.
+  std::span<const CellDensity> density() const { return density_; }
+  /// How often the fur in it was another so far.
+  std::uint64_t changes() const { return changes_; }
   /// Of each cell, of lights 2 pair and 2 pair + 1.
   const std::vector<CrossedByTwo>& crossed(std::size_t pair) const { return crossed_[pair]; }
   std::size_t bytes() const;
@@ -32,7 +36,7 @@ class DensityGrid {
   GridPlace place_;
   std::vector<CellDensity> density_;
   std::vector<std::uint64_t> states_;  // of the parts that are in it
-  std::uint64_t model_ = 0;
+  std::uint64_t model_ = 0, changes_ = 0;
   std::vector<FurLight> lights_;  // that have been followed
   std::vector<std::vector<CrossedByTwo>> crossed_;
 };

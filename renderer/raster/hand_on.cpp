@@ -15,8 +15,9 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
                                std::size_t first, PlacedStrands& placed) {
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
-  const std::uint32_t own = (ids.back() + static_cast<std::uint32_t>(scene.quality.lit_of)) /
-                            static_cast<std::uint32_t>(scene.quality.lit_of);
+  const bool single = part.role == StrandRole::curve;
+  const auto lit_of = static_cast<std::uint32_t>(single ? 1 : scene.quality.lit_of);
+  const std::uint32_t own = (ids.back() + lit_of) / lit_of;
   place_.assign(own, none), lit_.clear(), of_.clear();
   for (const std::uint32_t id : ids) {
     std::uint32_t from = id;
@@ -25,8 +26,8 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   }
   for (std::uint32_t from = 0; from < own; ++from)
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
-  const auto whole =
-      static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), whole_strands(ids.back())) - lit_.begin());
+  const std::uint32_t deep = single ? own : whole_strands(ids.back());  // those before it are drawn from the root on
+  const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
   light_.resize(lit_.size());
   light_strands(scene, part, std::span(lit_).first(whole), true, std::span(light_).first(whole));
   light_strands(scene, part, std::span(lit_).subspan(whole), false, std::span(light_).subspan(whole));

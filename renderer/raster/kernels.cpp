@@ -10,6 +10,7 @@
 
 #include "renderer/raster/blend-inl.h"
 #include "renderer/raster/eyes-inl.h"
+#include "renderer/raster/ground-inl.h"
 #include "renderer/raster/hand_on-inl.h"
 #include "renderer/raster/place-inl.h"
 #include "renderer/raster/skin_light-inl.h"
@@ -49,6 +50,8 @@ void LightSkin(const RasterScene& scene, SkinSeen& seen) {
   for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
 }
 
+void DarkenGround(const RasterScene& scene, int left, int top, TileSums& sums) { darken_all(scene, left, top, sums); }
+
 const char* Name() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace pelage::HWY_NAMESPACE
@@ -64,6 +67,7 @@ HWY_EXPORT(BlendSegments);
 HWY_EXPORT(MeetEyes);
 HWY_EXPORT(LightEyes);
 HWY_EXPORT(LightSkin);
+HWY_EXPORT(DarkenGround);
 HWY_EXPORT(Name);
 
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
@@ -94,6 +98,10 @@ void light_eyes(const RasterScene& scene, int left, int top, std::span<const std
 }
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }
+
+void darken_ground(const RasterScene& scene, int left, int top, TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(DarkenGround)(scene, left, top, sums);
+}
 
 const char* raster_instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }
 

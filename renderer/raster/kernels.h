@@ -79,6 +79,9 @@ struct SkinSeen {
 };
 void light_skin(const RasterScene& scene, SkinSeen& seen);
 
+/// Darkens what shows the scene's ground of a tile, after all that stands before it: it is black with an alpha.
+void darken_ground(const RasterScene& scene, int left, int top, TileSums& sums);
+
 /// The instruction set in use, as "AVX2".
 const char* raster_instruction_set();
 

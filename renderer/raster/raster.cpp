@@ -122,6 +122,7 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   blend_segments(segments, left, top, scene.quality.min_width, sums);
   if (!skin.eyes.empty()) light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
+  if (scene.ground) darken_ground(scene, left, top, sums);
   write(left, top, sums);
 }
 
@@ -231,6 +232,15 @@ void draw_box(const RasterScene& scene, const PixelBox& box, int threads, FloatI
 struct Raster::Kept {
   RasterOptics optics;
   DensityGrid grid;
+  std::uint64_t sky_of = 0;  // changes of the grid
+  float sky_height = 0;
+  SkyOverGround sky;
+
+  void update_sky(const FurModel& model, float height, int threads) {
+    if (sky_of == grid.changes() && sky_height == height) return;
+    sky = sky_over_ground(grid.place(), grid.density(), model, height, threads);
+    sky_of = grid.changes(), sky_height = height;
+  }
 };
 
 Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
@@ -243,6 +253,7 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   {
     const Lap lap(spent.grid);
     kept_->grid.update(model, fur.parts(), frame.lights, threads_);
+    if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   }
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model.has_colours);
@@ -250,7 +261,10 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
                                     {frame.width, frame.height}));
+  for (std::size_t i = 0; i < frame.lights.size(); ++i) scene.light_sizes[i] = size_of(frame.lights[i]);
   scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid;
+  if (frame.ground && frame.ground->height < frame.camera.position.y)
+    scene.ground = frame.ground, scene.sky = &kept_->sky;
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
@@ -53,6 +54,15 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
   if (!frame.eyes.empty()) optics.eyes = eyes_->of(frame);
   optics.paint.wetness = static_cast<float>(frame.coat.wetness);
   return optics;
+}
+
+LightSize size_of(const FurLight& light) {
+  constexpr float widest = 1.4f;  // radians
+  switch (light.kind) {
+    case LightKind::directional: return {std::tan(std::min(light.angle, widest)), true};
+    case LightKind::area: return {std::sqrt(light.extent.x * light.extent.y / std::numbers::pi_v<float>), false};
+    default: return {light.radius, false};
+  }
 }
 
 PictureCamera picture_camera(const FurFrame& frame) {

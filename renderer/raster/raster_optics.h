@@ -29,5 +29,6 @@ class RasterOptics {
 };
 
 PictureCamera picture_camera(const FurFrame& frame);
+LightSize size_of(const FurLight& light);
 
 }  // namespace pelage

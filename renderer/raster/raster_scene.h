@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
+#include "renderer/raster/sky_over_ground.h"
 #include "renderer/strands/grown_fur.h"
 
 namespace pelage {
@@ -41,6 +43,12 @@ struct RasterQuality {
   float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
 };
 
+/// How wide a light is from a place: a far one the same from all.
+struct LightSize {
+  float radius = 0;  // sizes; of a far light the tangent of its half angle
+  bool far = true;
+};
+
 struct RasterScene {
   FrameOptics optics;
   PictureCamera camera;
@@ -49,6 +57,9 @@ struct RasterScene {
   std::span<const GrownPart> parts;
   const DensityGrid* grid = nullptr;
   std::vector<EyeCamera> eyes;  // of optics.eyes
+  std::optional<FurGround> ground;
+  const SkyOverGround* sky = nullptr;  // over the ground
+  std::array<LightSize, 8> light_sizes{};
 };
 
 /// A knot of a strand on the picture.

@@ -43,33 +43,44 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   const Coat& coat = recipe.coat;
   if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
   chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
-  parts_.clear();
-  for (const StrandChunk& chunk : chunks_) {
-    GrownPart part;
-    part.strands = std::make_shared<const StrandSet>(), part.area = area_of(model, chunk);
-    parts_.push_back(std::move(part));
-  }
+  parts_.clear(), curves_.clear();
+  const auto none = std::make_shared<const StrandSet>();
+  for (const StrandChunk& chunk : chunks_) parts_.push_back({.strands = none, .area = area_of(model, chunk)});
+  parts_.push_back({.role = StrandRole::curve, .strands = none, .crowding = 0});
   model_ = model.id, count_ = coat.count, tile_ = coat.tile, share_ = recipe.share;
 }
 
-std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads) {
+/// Gives the strands that were grown.
+std::size_t GrownFur::grow_part(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk) {
+  GrownPart& part = parts_[chunk];
+  const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
+  if (part.state == state) return 0;
+  part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[chunk]));
+  part.state = state;
+  find_bounds(part);
+  const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
+  part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
+  return part.strands->count();
+}
+
+std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
+  if (std::equal(curves.begin(), curves.end(), curves_.begin(), curves_.end())) return 0;
+  curves_.assign(curves.begin(), curves.end());
+  GrownPart& part = parts_.back();
+  part.strands = std::make_shared<const StrandSet>(grow_curves(curves));
+  ++part.state;
+  find_bounds(part);
+  return part.strands->count();
+}
+
+std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
+                             std::span<const FurCurves> curves) {
   divide(model, recipe);
   const Grower grower(model, fields, recipe);
-  std::atomic<std::size_t> grown{0};
+  std::atomic<std::size_t> grown{set_curves(curves)};
   for_each_in_parallel(
       static_cast<std::uint32_t>(chunks_.size()),
-      [&](std::uint32_t i) {
-        GrownPart& part = parts_[i];
-        const std::uint64_t state = grower.fingerprint(chunks_[i]);
-        if (part.state == state) return;
-        part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[i]));
-        part.state = state;
-        find_bounds(part);
-        const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
-        part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
-        grown += part.strands->count();
-      },
-      threads);
+      [&](std::uint32_t chunk) { grown += grow_part(grower, recipe, chunk); }, threads);
   return grown;
 }
 

@@ -1,9 +1,10 @@
-// The strands of a whole coat as they stand, in parts that grow again only where something changed.
+// The strands of a whole coat and its curves as they stand, in parts that grow again only where something changed.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
@@ -11,20 +12,27 @@
 
 namespace pelage {
 
+enum class StrandRole {
+  coat,
+  curve,  // a whisker, a lash, a hair of a brow: single, and clear of the coat
+};
+
 /// Strands that stand together.
 struct GrownPart {
+  StrandRole role = StrandRole::coat;
   std::shared_ptr<const StrandSet> strands;  // never null
   glm::vec3 low{0}, high{0};                 // around all of them with their thickness, sizes
   float longest = 0;                         // of them, sizes
   double area = 0;                           // of the skin that they stand on, sizes^2
-  float crowding = 1;                        // strands over those of the whole coat on that area
+  float crowding = 1;                        // strands over those of the whole coat on that area; 0 for curves
   std::uint64_t state = 0;                   // the same while the strands are
 };
 
 class GrownFur {
  public:
   /// Grows what is not as it was, on up to `threads`. Gives the strands that were grown. The views are not kept.
-  std::size_t update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads);
+  std::size_t update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
+                     std::span<const FurCurves> curves = {});
 
   const std::vector<GrownPart>& parts() const { return parts_; }
   std::size_t count() const;
@@ -32,11 +40,14 @@ class GrownFur {
 
  private:
   void divide(const FurModel& model, const GrowRecipe& recipe);
+  std::size_t grow_part(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
+  std::size_t set_curves(std::span<const FurCurves> curves);
 
   std::uint64_t model_ = 0;
   double count_ = 0, tile_ = 0, share_ = 0;  // of the recipe that the surface was divided for
   std::vector<StrandChunk> chunks_;
-  std::vector<GrownPart> parts_;  // of each chunk
+  std::vector<FurCurves> curves_;
+  std::vector<GrownPart> parts_;  // of each chunk, then that of the curves
 };
 
 }  // namespace pelage

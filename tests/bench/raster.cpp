@@ -1,8 +1,8 @@
 // Rasterized strands beside marched shells, against the traced truth: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
 // PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try
-// A_PIXEL,LIT_OF,SEEN_DEPTH,MIN_WIDTH,TWICE] Views: creature, mohawk, close, far, torus. The truth is kept in the
-// folder of pictures and read from there.
+// A_PIXEL,LIT_OF,SEEN_DEPTH,MIN_WIDTH,TWICE] Views: creature, ground, mohawk, close, far, torus. The truth is kept in
+// the folder of pictures and read from there.
 #include "renderer/raster/raster.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ testing::FurredModel model_of(const Setup& setup) {
       testing::furred({setup.view == "torus" ? Builtin::torus : Builtin::creature, setup.triangles});
   model.model.name = setup.view == "torus" ? "torus" : "creature";  // eyes and bare skin go by it
   model.settings = first_settings(model.model);
-  model.settings.curves.clear();  // whiskers are not drawn yet
+  model.settings.ground.visible = setup.view == "ground";
   if (setup.view == "mohawk") add_mohawk(model);
   return model;
 }
@@ -218,7 +218,8 @@ int run(const Setup& setup) {
   GrownFur fur;
   const Cost grown = measure([&] {
     fur.update(fur_model, make_fields(model.view(), frame.skin, {}),
-               {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1);
+               {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1,
+               frame.curves);
   });
   std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", raster_instruction_set(), setup.view.c_str(),
               fur.count(), static_cast<double>(fur.bytes()) / 1e6, grown.cpu);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,11 @@ double mean(const FloatImage& image, std::size_t channel) {
   double sum = 0;
   for (std::size_t i = channel; i < image.rgba.size(); i += 4) sum += double{image.rgba[i]};
   return sum / static_cast<double>(image.rgba.size() / 4);
+}
+
+glm::vec4 pixel(const FloatImage& image, int x, int y) {
+  const float* at = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
+  return {at[0], at[1], at[2], at[3]};
 }
 
 TEST(Raster, HasTheSameBitsForAnyThreads) {
@@ -108,6 +114,31 @@ TEST(Raster, CurlsAreDrawn) {
   EXPECT_NEAR(mean(few, 3), mean(all, 3), 0.02 * mean(all, 3));
 }
 
+TEST(Raster, CurvesAreDrawnWholeHoweverFewStrandsAre) {
+  Stage stage;
+  std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
+  FurCurves whiskers;
+  whiskers.guides = {{.points = {{0.1, 0.2, 0.01}, {0.3, 0.2, 0.01}}, .skin = {0.1, 0.2, 0}, .normal = {0, 0, 1}}};
+  whiskers.width_root = whiskers.width_tip = 0.02, whiskers.root_colour = whiskers.tip_colour = glm::vec3(1, 0, 0);
+  const auto red = [&](const RasterQuality& quality) {
+    const FloatImage image = stage.draw(quality);
+    EXPECT_TRUE(is_sound(image));
+    int count = 0;
+    for (int i = 0; i < image.width * image.height; ++i) {
+      const glm::vec4 of = pixel(image, i % image.width, i / image.width);
+      count += of.r > 10 * of.g ? 1 : 0;
+    }
+    return count;
+  };
+  stage.grow();
+  EXPECT_EQ(red({1, 1, 6, 0}), 0);
+  stage.fur.update(stage.patch.model(), stage.patch.fields(), stage.recipe, 2, std::array{whiskers});
+  const int all = red({1000, 1, 6, 0});
+  EXPECT_GT(all, 50) << "29 pixels long and 3 wide";
+  EXPECT_LT(all, 130);
+  EXPECT_EQ(red({0.001, 8, 1, 0}), all);
+}
+
 TEST(Raster, SkinHidesStrandsBehindIt) {
   Stage stage;
   RasterCounts open, hidden;
@@ -127,11 +158,6 @@ TEST(Raster, SkinHidesStrandsBehindIt) {
   EXPECT_EQ(hidden.strands, open.strands);
   EXPECT_EQ(hidden.placed, 0u);
   EXPECT_EQ(mean(ceiling, 3), 1);
-}
-
-glm::vec4 pixel(const FloatImage& image, int x, int y) {
-  const float* at = &image.rgba[4 * static_cast<std::size_t>(y * image.width + x)];
-  return {at[0], at[1], at[2], at[3]};
 }
 
 TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
@@ -175,6 +201,51 @@ TEST(Raster, BareSkinHasTheColourOfItsRegion) {
   EXPECT_NEAR(furred.r, furred.g, 0.7f * furred.r);
   EXPECT_GT(middle.r, 8 * middle.g);
   EXPECT_EQ(middle.a, 1);
+}
+
+/// The lawn as a wall on the ground, seen from above.
+struct Wall : Stage {
+  Wall() {
+    look_from({0.2f, 3, 0.001f}, {0.2f, 0, 0});
+    frame.ground = FurGround{.height = 0, .shadow = 1, .contact = 1};
+    frame.lights.resize(1), frame.lights[0].direction = glm::normalize(glm::vec3(0, -1, -1));
+  }
+  float dark(const FloatImage& image, glm::vec3 place) const {
+    const FurCamera& camera = frame.camera;
+    const glm::vec3 apart = place - camera.position;
+    const float scale = 0.5f * static_cast<float>(frame.height) / camera.tan_half_fov / glm::dot(apart, camera.forward);
+    return pixel(image, frame.width / 2 + static_cast<int>(glm::dot(apart, camera.right) * scale),
+                 frame.height / 2 - static_cast<int>(glm::dot(apart, camera.up) * scale))
+        .a;
+  }
+};
+
+TEST(Raster, TheGroundIsDarkWhereLightIsMissing) {
+  Wall wall;
+  wall.frame.look.ambient = 0;
+  const FloatImage image = wall.draw();
+  EXPECT_TRUE(is_sound(image));
+  EXPECT_GT(wall.dark(image, {0.2f, 0, -0.2f}), 0.9f) << "behind the wall, which is as high as its shadow is long";
+  EXPECT_LT(wall.dark(image, {0.2f, 0, 0.3f}), 0.02f) << "before it";
+  EXPECT_LT(wall.dark(image, {0.2f, 0, -0.6f}), 0.02f) << "beyond its shadow";
+  EXPECT_LT(wall.dark(image, {0.6f, 0, -0.2f}), 0.02f) << "beside it";
+  wall.frame.lights[0].angle = 0.2f;
+  const FloatImage soft = wall.draw();
+  EXPECT_GT(wall.dark(soft, {0.2f, 0, -0.1f}), 0.9f);
+  EXPECT_NEAR(wall.dark(soft, {0.2f, 0, -0.4f}), 0.5f, 0.2f) << "half of the light is past the edge";
+  EXPECT_EQ(soft.rgba, wall.draw({}, 7).rgba);
+  wall.look_from({0.2f, -3, 0.001f}, {0.2f, 0, 0});
+  EXPECT_EQ(wall.dark(wall.draw(), {0.2f, 0, -0.2f}), 0) << "from below there is no ground";
+}
+
+TEST(Raster, AWallHidesTheSky) {
+  Wall wall;
+  wall.frame.lights.clear();
+  wall.frame.width = wall.frame.height = 480;
+  const FloatImage image = wall.draw();
+  EXPECT_NEAR(wall.dark(image, {0.2f, 0, -0.03f}), 0.44f, 0.06f) << "of rays to a matt sky";
+  EXPECT_NEAR(wall.dark(image, {0.2f, 0, -0.2f}), 0.19f, 0.03f);
+  EXPECT_EQ(wall.dark(image, {0.2f, 0, -0.7f}), 0);
 }
 
 }  // namespace

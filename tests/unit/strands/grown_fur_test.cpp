@@ -56,12 +56,29 @@ TEST(GrownFur, GrowsAgainOnlyWhatChanged) {
   EXPECT_GT(kept, before.size() / 2);
 }
 
+TEST(GrownFur, CurvesAreAPartOfTheirOwn) {
+  const FurPatch patch(0.6, 12);
+  const GrowRecipe recipe{plain_coat()};
+  GrownFur fur;
+  fur.update(patch.model(), patch.fields(), recipe, 2);
+  const std::size_t furred = fur.count();
+  FurCurves brows;
+  brows.guides = {{.points = {{0, 0, 0}, {0, 0, 1}}}, {.points = {{0.1, 0, 0}, {0.1, 0, 1}}}};
+  EXPECT_EQ(fur.update(patch.model(), patch.fields(), recipe, 2, std::array{brows}), 2u);
+  EXPECT_EQ(fur.count(), furred + 2);
+  EXPECT_EQ(fur.parts().back().role, StrandRole::curve);
+  EXPECT_EQ(fur.update(patch.model(), patch.fields(), recipe, 2, std::array{brows}), 0u);
+  EXPECT_EQ(fur.update(patch.model(), patch.fields(), recipe, 2), 0u);
+  EXPECT_EQ(fur.count(), furred);
+}
+
 TEST(GrownFur, KnowsWhereItsPartsAre) {
   const FurPatch patch(0.6, 12);
   GrownFur fur;
   fur.update(patch.model(), patch.fields(), {plain_coat()}, 1);
   double area = 0;
   for (const GrownPart& part : fur.parts()) {
+    if (part.role != StrandRole::coat) continue;
     area += part.area;
     EXPECT_NEAR(part.crowding, 1, 0.1f);
     EXPECT_LE(part.longest, 0.0301f);

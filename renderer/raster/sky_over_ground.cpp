@@ -1,0 +1,140 @@
+#include "renderer/raster/sky_over_ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "protocol/base/parallel.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr float reach = 0.3f;    // of the map beyond the model, sizes
+constexpr float finest = 0.02f;  // of the map, sizes
+constexpr int max_places = 128;  // of it along each side
+constexpr float opaque = 0.5f;   // strands in a cell
+constexpr int ways = 48;         // of a place's light
+constexpr float none = std::numeric_limits<float>::max();
+
+/// From where to where something stands, sizes; nothing where low is above high.
+struct Column {
+  float low = none, high = -none;
+  void add(float bottom, float top) { low = std::min(low, bottom), high = std::max(high, top); }
+};
+
+class Columns {
+ public:
+  Columns(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model)
+      : place_(place), columns_(static_cast<std::size_t>(place.size.x) * static_cast<std::size_t>(place.size.z)) {
+    add_fur(density);
+    for (const glm::uvec3& t : model.triangles)
+      add_skin(model.positions[t.x], model.positions[t.y], model.positions[t.z]);
+    for (const Column& column : columns_) top_ = std::max(top_, column.high);
+  }
+
+  float top() const { return top_; }
+
+  /// Whether a ray from a place meets anything.
+  bool stop(glm::vec3 from, glm::vec3 way) const {
+    const glm::vec3 low = place_.low, high = low + place_.cell * glm::vec3(place_.size);
+    float begin = 0, end = (top_ - from.y) / way.y;
+    for (const int axis : {0, 2}) {
+      const float over = 1 / (std::abs(way[axis]) > 1e-6f ? way[axis] : 1e-6f);
+      const float a = (low[axis] - from[axis]) * over, b = (high[axis] - from[axis]) * over;
+      begin = std::max(begin, std::min(a, b)), end = std::min(end, std::max(a, b));
+    }
+    const float step = 2 * place_.cell;
+    for (float t = begin + 0.5f * step; t < end; t += step) {
+      const glm::vec3 at = from + t * way;
+      const Column& column = columns_[column_of(at)];
+      if (at.y >= column.low && at.y <= column.high) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::size_t column_of(glm::vec3 at) const {
+    const glm::vec3 cell = glm::clamp((at - place_.low) / place_.cell, glm::vec3(0), glm::vec3(place_.size) - 0.5f);
+    return static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(place_.size.x) +
+           static_cast<std::size_t>(cell.x);
+  }
+
+  void add_fur(std::span<const CellDensity> density) {
+    std::size_t at = 0;
+    for (int z = 0; z < place_.size.z; ++z) {
+      for (int y = 0; y < place_.size.y; ++y) {
+        const float bottom = place_.low.y + place_.cell * static_cast<float>(y);
+        for (int x = 0; x < place_.size.x; ++x, ++at) {
+          if (static_cast<float>(density[at].sum[0]) < opaque * CellDensity::one) continue;
+          columns_[static_cast<std::size_t>(z) * static_cast<std::size_t>(place_.size.x) + static_cast<std::size_t>(x)]
+              .add(bottom, bottom + place_.cell);
+        }
+      }
+    }
+  }
+
+  void add_skin(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    const float longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    if (longest > 1.5f * place_.cell) {
+      const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
+      add_skin(a, ab, ca), add_skin(ab, b, bc), add_skin(ca, bc, c), add_skin(ab, bc, ca);
+      return;
+    }
+    const glm::vec3 middle = (a + b + c) / 3.0f;
+    columns_[column_of(middle)].add(middle.y, middle.y);
+  }
+
+  const GridPlace& place_;
+  std::vector<Column> columns_;  // rows by z
+  float top_ = -none;
+};
+
+/// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
+std::array<glm::vec3, ways> sky_ways() {
+  std::array<glm::vec3, ways> all;
+  for (int i = 0; i < ways; ++i) {
+    const float square = (static_cast<float>(i) + 0.5f) / ways, angle = 2.399963f * static_cast<float>(i);
+    all[static_cast<std::size_t>(i)] = {std::sqrt(square) * std::cos(angle), std::sqrt(1 - square),
+                                        std::sqrt(square) * std::sin(angle)};
+  }
+  return all;
+}
+
+SkyOverGround empty_map(const GridPlace& place) {
+  const glm::vec2 low(place.low.x, place.low.z), room(place.cell * glm::vec2(place.size.x, place.size.z));
+  SkyOverGround map;
+  map.low = low - reach;
+  map.cell = std::max(finest, (std::max(room.x, room.y) + 2 * reach) / (max_places - 1));
+  map.size = glm::ivec2(glm::ceil((room + 2 * reach) / map.cell)) + 1;
+  map.hidden.resize(static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y));
+  return map;
+}
+
+}  // namespace
+
+SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+                              float height, int threads) {
+  const Columns columns(place, density, model);
+  if (!(columns.top() > height)) return {};
+  const std::array<glm::vec3, ways> all = sky_ways();
+  SkyOverGround map = empty_map(place);
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(map.size.y),
+      [&](std::uint32_t row) {
+        for (int i = 0; i < map.size.x; ++i) {
+          const glm::vec2 at = map.low + map.cell * glm::vec2(i, row);
+          const auto stopped = std::count_if(all.begin(), all.end(), [&](const glm::vec3& way) {
+            return columns.stop({at.x, height, at.y}, way);
+          });
+          map.hidden[row * static_cast<std::size_t>(map.size.x) + static_cast<std::size_t>(i)] =
+              static_cast<float>(stopped) / ways;
+        }
+      },
+      threads);
+  return map;
+}
+
+}  // namespace pelage
