@@ -256,13 +256,13 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
     if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   }
   RasterScene scene;
-  scene.optics = kept_->optics.of(frame, model.has_colours);
+  scene.optics = kept_->optics.of(frame, model);
   scene.camera = picture_camera(frame), scene.quality = quality;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
                                     {frame.width, frame.height}));
   for (std::size_t i = 0; i < frame.lights.size(); ++i) scene.light_sizes[i] = size_of(frame.lights[i]);
-  scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid;
+  scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid, scene.skin = fur.skin();
   if (frame.ground && frame.ground->height < frame.camera.position.y)
     scene.ground = frame.ground, scene.sky = &kept_->sky;
   FloatImage picture;

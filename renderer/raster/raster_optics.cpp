@@ -33,7 +33,7 @@ std::array<float, slice_count> strands_above(const Coat& coat) {
   return above;
 }
 
-FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
+FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
   if (!coat_ || !same_strands(*coat_, frame.coat)) coat_ = frame.coat, above_ = strands_above(frame.coat);
   const Look look = wet_look(frame.coat, frame.look);
   if (look_ != look) {
@@ -41,7 +41,7 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
     scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
   }
   FrameOptics optics;
-  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), 0, above_}, model_has_colours,
+  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), 0, above_}, model.has_colours,
                                   frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
@@ -52,6 +52,10 @@ FrameOptics RasterOptics::of(const FurFrame& frame, bool model_has_colours) {
   if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
   if (!frame.eyes.empty() && !eyes_) eyes_.emplace();
   if (!frame.eyes.empty()) optics.eyes = eyes_->of(frame);
+  if (optics.model_colours && !model.images.empty()) {
+    if (!images_ || pictured_ != model.id) images_.emplace(model.images), pictured_ = model.id;
+    optics.images = &*images_;
+  }
   optics.paint.wetness = static_cast<float>(frame.coat.wetness);
   return optics;
 }

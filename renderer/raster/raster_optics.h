@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "renderer/optics/eye_cache.h"
@@ -13,11 +14,11 @@ namespace pelage {
 /// (Slices::depth_above, from the strands themselves).
 std::array<float, slice_count> strands_above(const Coat& coat);
 
-/// Made once for a look or a coat.
+/// Made once for a look, a coat or a model.
 class RasterOptics {
  public:
   /// Views into this object, until the next call.
-  FrameOptics of(const FurFrame& frame, bool model_has_colours);
+  FrameOptics of(const FurFrame& frame, const FurModel& model);
 
  private:
   std::optional<Coat> coat_;
@@ -26,6 +27,8 @@ class RasterOptics {
   ScatteringBlock scattering_{};
   std::optional<EyeCache> eyes_;  // none before the first eye
   AzimuthalFit azimuthal_;
+  std::uint64_t pictured_ = 0;  // the model of the pictures
+  std::optional<BaseImages> images_;
 };
 
 PictureCamera picture_camera(const FurFrame& frame);

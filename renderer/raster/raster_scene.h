@@ -55,6 +55,7 @@ struct RasterScene {
   RasterQuality quality;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
+  std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   const DensityGrid* grid = nullptr;
   std::vector<EyeCamera> eyes;  // of optics.eyes
   std::optional<FurGround> ground;

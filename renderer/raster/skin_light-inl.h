@@ -6,7 +6,10 @@
 #define PELAGE_RASTER_SKIN_LIGHT_INL_H_
 #endif
 
+#include <cstddef>
+
 #include "renderer/optics/bare_skin-inl.h"
+#include "renderer/optics/colours-inl.h"
 #include "renderer/raster/pixel_rays-inl.h"
 #include "renderer/raster/strand_light-inl.h"
 
@@ -17,24 +20,66 @@ HWY_INLINE Vec3 gather_vec3(const float* from, Int index) {
   return {gather(from, index), gather(from + 1, index), gather(from + 2, index)};
 }
 
+/// Numbers of the three corners of each lane's piece, which lie `stride` floats apart, and how they are mixed there.
+struct PieceCorners {
+  Int piece;
+  Real b, c;  // shares of the second and the third
+
+  HWY_INLINE Real mix(const float* first, int stride) const {
+    const Int at = hn::Mul(piece, whole(3 * stride));
+    const Real a = gather(first, at);
+    return a + b * (gather(first + stride, at) - a) + c * (gather(first + 2 * stride, at) - a);
+  }
+  HWY_INLINE Vec3 mix3(const float* first, int stride) const {
+    return {mix(first, stride), mix(first + 1, stride), mix(first + 2, stride)};
+  }
+};
+
 /// The skin where it is seen.
 struct SkinLanes {
-  Vec3 place, normal, colour, to_camera;
+  Vec3 place, normal, to_camera;
+  Vec3 colour;  // of what no fur hides
+  Vec3 under;   // under fur
+  Real grown, bare, wetness;
   Real pixel;  // size of one there, sizes
 };
 
+inline constexpr int corner_stride = sizeof(FurCorner) / sizeof(float), look_stride = sizeof(SkinLook) / sizeof(float);
+
+HWY_INLINE const float* corner_floats(const FurModel& model, std::size_t offset) {
+  return reinterpret_cast<const float*>(reinterpret_cast<const char*>(model.corners.data()) + offset);
+}
+
+/// The model's own colour; `pixel` is the size of one there, sizes, and `area` twice that of the piece.
+HWY_INLINE Vec3 own_colour(const RasterScene& scene, const PieceCorners& corners, Real pixel, Real area) {
+  const FrameOptics& optics = scene.optics;
+  if (!optics.model_colours) return Vec3(optics.frame.skin);
+  const FurModel& model = *scene.model;
+  const Vec3 colour = max(corners.mix3(corner_floats(model, offsetof(FurCorner, colour)), corner_stride), 0.0f);
+  if (!optics.images) return colour;
+  const float* uv = corner_floats(model, offsetof(FurCorner, image_uv));
+  const Int at = hn::Mul(corners.piece, whole(3 * corner_stride));
+  const auto side = [&](int k, int axis)
+                        HWY_ATTR { return gather(uv + k * corner_stride + axis, at) - gather(uv + axis, at); };
+  const Real on_image = abs(side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0));
+  const auto* image = reinterpret_cast<const std::int32_t*>(corner_floats(model, offsetof(FurCorner, image)));
+  const Vec3 where{corners.mix(uv, corner_stride), corners.mix(uv + 1, corner_stride), to_real(gather(image, at))};
+  return colour * image_colour(*optics.images, where, pixel * sqrt(on_image / max(area, 1e-20f)));
+}
+
 HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, int at) {
   const FurModel& model = *scene.model;
-  const Int piece = hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(seen.piece + at));
-  const Int corners = hn::Mul(piece, whole(3));
+  PieceCorners corners;
+  corners.piece = hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(seen.piece + at));
+  const Int first = hn::Mul(corners.piece, whole(3));
   const auto* vertices = reinterpret_cast<const std::int32_t*>(model.triangles.data());
-  Vec3 place[3], normal[3], colour[3];
-  constexpr int stride = sizeof(FurCorner) / sizeof(float), colour_at = offsetof(FurCorner, colour) / sizeof(float);
+  Vec3 place[3], normal[3];
   for (int k = 0; k < 3; ++k) {
-    const Int vertex = hn::Mul(gather(vertices + k, corners), whole(3));
+    const Int vertex = hn::Mul(gather(vertices + k, first), whole(3));
     place[k] = gather_vec3(&model.positions[0].x, vertex), normal[k] = gather_vec3(&model.normals[0].x, vertex);
-    const float* first = reinterpret_cast<const float*>(&model.corners[0][0]) + k * stride + colour_at;
-    colour[k] = gather_vec3(first, hn::Mul(corners, whole(stride)));
+    const float* shading = corner_floats(model, offsetof(FurCorner, normal)) + k * corner_stride;
+    const Vec3 other = gather_vec3(shading, hn::Mul(corners.piece, whole(3 * corner_stride)));
+    normal[k] = select(dot(other, other) > 0.0f, other, normal[k]);
   }
   const Vec3 way = ray_through(scene.camera, load(seen.x + at), load(seen.y + at));
   const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(way);
@@ -43,31 +88,24 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   skin.pixel = scene.optics.frame.viewpoint.w * distance * size;
   const Vec3 across = cross(place[1] - place[0], place[2] - place[0]);
   const Real square = max(dot(across, across), 1e-30f);
-  const Real b = clamp(dot(cross(skin.place - place[0], place[2] - place[0]), across) / square, 0.0f, 1.0f);
-  const Real c = clamp(dot(cross(place[1] - place[0], skin.place - place[0]), across) / square, 0.0f, 1.0f - b);
-  skin.normal = unit(normal[0] + b * (normal[1] - normal[0]) + c * (normal[2] - normal[0]));
+  corners.b = clamp(dot(cross(skin.place - place[0], place[2] - place[0]), across) / square, 0.0f, 1.0f);
+  corners.c = clamp(dot(cross(place[1] - place[0], skin.place - place[0]), across) / square, 0.0f, 1.0f - corners.b);
+  skin.normal = unit(normal[0] + corners.b * (normal[1] - normal[0]) + corners.c * (normal[2] - normal[0]));
   skin.normal = select(dot(across, way) > 0.0f, -skin.normal, skin.normal);
-  skin.colour = colour[0] + b * (colour[1] - colour[0]) + c * (colour[2] - colour[0]);
+  skin.colour = own_colour(scene, corners, skin.pixel, sqrt(square));
+  static_assert(sizeof(SkinLook) == 6 * sizeof(float));
+  const float* look = &scene.skin[0][0].under.x;
+  skin.under = corners.mix3(look, look_stride), skin.grown = corners.mix(look + 3, look_stride);
+  skin.bare = corners.mix(look + 4, look_stride), skin.wetness = corners.mix(look + 5, look_stride);
   return skin;
-}
-
-/// Under fur a matt surface with the colour of its roots.
-HWY_INLINE Vec3 colour_under_fur(const FrameOptics& optics, const SkinLanes& skin) {
-  const FrameBlock& frame = optics.frame;
-  Vec3 colour(frame.ramp_root);
-  if (optics.model_colours) {
-    const Real lightness = luminance(colour) * (1 / frame.tile.w);
-    colour = max(skin.colour, 0.0f) * (0.36f + 0.84f * lightness);
-  }
-  return colour;
 }
 
 /// What grows fur and what is bare, each by its share.
 HWY_INLINE Vec3 skin_light(const RasterScene& scene, const SkinLanes& skin) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
-  const Vec3 colour = colour_under_fur(optics, skin);
-  Bare bare = not_bare();
+  const Vec3 colour = mix(skin.colour, skin.under, skin.grown);
+  Bare bare = painted_bare(skin.colour, skin.bare, skin.wetness);
   if (optics.skin.count.x > 0) bare = bare_over(optics.skin, bare, skin.place, skin.normal, skin.pixel);
   const bool shows_bare = any(bare.share > 0.0f);
   const SkinSurface surface = skin_surface(bare, skin.place, skin.normal, skin.to_camera, skin.pixel);

@@ -249,6 +249,19 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   return set;
 }
 
+std::array<SkinLook, 3> Grower::skin(std::uint32_t piece) const {
+  constexpr float covering = 0.008f;  // length of fur that hides the skin, sizes
+  std::array<SkinLook, 3> corners;
+  for (int k = 0; k < 3; ++k) {
+    const FurVertex& vertex = impl_->vertices[impl_->model.triangles[piece][k]];
+    const RootFields root = corner_fields(impl_->model, impl_->vertices, piece, k);
+    const float thin = 1 - std::clamp(vertex.density, 0.0f, 1.0f);
+    const float grown = glm::smoothstep(0.0f, covering, vertex.length) * (1 - thin * thin * thin);
+    corners[static_cast<std::size_t>(k)] = {impl_->colours.under(root), grown, vertex.bare, vertex.wetness};
+  }
+  return corners;
+}
+
 std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {
   Hash hash;
   hash.add(impl_->whole_hash);

@@ -2,6 +2,7 @@
 // slices, fields, tufts, patterns and paint (renderer/shaders), strands have as geometry.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -36,6 +37,13 @@ std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, do
 /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
 double expected_strands(const FurModel& model, const Coat& coat);
 
+/// A corner of a piece of skin, as it looks between strands.
+struct SkinLook {
+  glm::vec3 under{0};           // colour under fur, linear
+  float grown = 0;              // share that has that colour, [0, 1]; the rest has the model's own
+  float bare = 0, wetness = 0;  // painted, [0, 1]
+};
+
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +
 /// 28 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
@@ -54,7 +62,9 @@ class Grower {
   /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
   /// where strands have no width.
   StrandSet grow(const StrandChunk& chunk, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
-  /// Of all that `grow(chunk)` depends on: the same while it would give the same strands. 64 bits.
+  /// Of the corners of a piece.
+  std::array<SkinLook, 3> skin(std::uint32_t piece) const;
+  /// Of all that `grow(chunk)` and `skin` of its pieces depend on: the same while they would give the same. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
 
  private:

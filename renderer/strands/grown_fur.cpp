@@ -43,7 +43,7 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   const Coat& coat = recipe.coat;
   if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
   chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
-  parts_.clear(), curves_.clear();
+  parts_.clear(), curves_.clear(), skin_.assign(model.triangles.size(), {});
   const auto none = std::make_shared<const StrandSet>();
   for (const StrandChunk& chunk : chunks_) parts_.push_back({.strands = none, .area = area_of(model, chunk)});
   parts_.push_back({.role = StrandRole::curve, .strands = none, .crowding = 0});
@@ -56,6 +56,7 @@ std::size_t GrownFur::grow_part(const Grower& grower, const GrowRecipe& recipe, 
   const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
   if (part.state == state) return 0;
   part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[chunk]));
+  for (const std::uint32_t piece : chunks_[chunk]) skin_[piece] = grower.skin(piece);
   part.state = state;
   find_bounds(part);
   const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
@@ -93,7 +94,7 @@ std::size_t GrownFur::count() const {
 std::size_t GrownFur::bytes() const {
   std::size_t sum = 0;
   for (const GrownPart& part : parts_) sum += part.strands->bytes();
-  return sum;
+  return sum + skin_.size() * sizeof(skin_[0]);
 }
 
 }  // namespace pelage

@@ -1,6 +1,7 @@
 // The strands of a whole coat and its curves as they stand, in parts that grow again only where something changed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -35,6 +36,8 @@ class GrownFur {
                      std::span<const FurCurves> curves = {});
 
   const std::vector<GrownPart>& parts() const { return parts_; }
+  /// Of each piece of the model.
+  const std::vector<std::array<SkinLook, 3>>& skin() const { return skin_; }
   std::size_t count() const;
   std::size_t bytes() const;
 
@@ -48,6 +51,7 @@ class GrownFur {
   std::vector<StrandChunk> chunks_;
   std::vector<FurCurves> curves_;
   std::vector<GrownPart> parts_;  // of each chunk, then that of the curves
+  std::vector<std::array<SkinLook, 3>> skin_;
 };
 
 }  // namespace pelage

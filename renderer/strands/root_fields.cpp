@@ -69,9 +69,24 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
     const float length = fields.length[v] * static_cast<float>(skin) * (1 - value_of(paint.bare, v, 0));
     vertices[v] = {fields.direction[v],         std::max(length, 0.0f),        value_of(paint.density, v, 1),
                    value_of(paint.width, v, 1), value_of(paint.wetness, v, 0), value_of(paint.curl, v, 0),
-                   value_of(paint.clump, v, 0), covered(paint.root_colour, v), covered(paint.tip_colour, v)};
+                   value_of(paint.clump, v, 0), value_of(paint.bare, v, 0),    covered(paint.root_colour, v),
+                   covered(paint.tip_colour, v)};
   }
   return vertices;
+}
+
+RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner) {
+  const std::uint32_t v = model.triangles[index][corner];
+  const FurCorner& of_piece = model.corners[index][static_cast<std::size_t>(corner)];
+  const bool moved = !model.rest_positions.empty();
+  RootFields root;
+  root.place = model.positions[v], root.normal = model.normals[v];
+  root.rest.place = moved ? model.rest_positions[v] : root.place;
+  root.rest.normal = moved ? model.rest_normals[v] : root.normal;
+  root.length = vertices[v].length, root.wetness = vertices[v].wetness;
+  root.root_paint = vertices[v].root_paint, root.tip_paint = vertices[v].tip_paint;
+  root.image_uv = of_piece.image_uv, root.colour = of_piece.colour, root.image = of_piece.image;
+  return root;
 }
 
 FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,

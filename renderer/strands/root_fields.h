@@ -46,9 +46,10 @@ struct FurVertex {
   glm::vec2 direction{0};  // in (tangent, bitangent)
   float length = 0;        // as bare skin and paint leave it, sizes
   float density = 1, width = 1, wetness = 0, curl = 0, clump = 0;
+  float bare = 0;                         // painted
   glm::vec4 root_paint{0}, tip_paint{0};  // times its cover, cover
 };
-static_assert(sizeof(FurVertex) == 16 * sizeof(float));
+static_assert(sizeof(FurVertex) == 17 * sizeof(float));
 
 /// Of all vertices. What is not painted is at rest.
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
@@ -65,6 +66,9 @@ struct RootFields {
   glm::vec3 colour{1};
   int image = -1;
 };
+
+/// The fields at a corner of a piece, but for what strands alone need: axes of the tile, curl and clump.
+RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner);
 
 /// A piece of fur with what its strands share.
 class FurPiece {

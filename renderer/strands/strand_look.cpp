@@ -140,6 +140,7 @@ StrandColours::StrandColours(const FurModel& model, const GrowRecipe& recipe, co
     : model_(model),
       tile_(tile),
       model_colours_(recipe.model_colours),
+      ramp_root_(ramp_colour(recipe.coat, 0)),
       own_wetness_(static_cast<float>(recipe.coat.wetness)),
       over_largest_(1 / largest_luminance(recipe.coat)) {
   if (has_pattern(recipe.coat)) pattern_ = make_pattern_block(recipe.coat);
@@ -158,23 +159,36 @@ float StrandColours::wet_exponent(float wetness) const {
   return (1 + 0.8f * std::min(own_wetness_ + wetness, 1.0f)) / (1 + 0.8f * own_wetness_);
 }
 
+struct StrandColours::Shared {
+  glm::vec3 model{0};
+  RootPattern pattern;
+  bool is_painted = false;
+};
+
+StrandColours::Shared StrandColours::shared_at(const RootFields& root) const {
+  return {model_colours_ ? model_colour(root) : glm::vec3(0), pattern_ ? pattern_at(*pattern_, root) : RootPattern{},
+          root.root_paint.a > 0 || root.tip_paint.a > 0};
+}
+
+/// At the height s in the fur, of what would be `own` without model, pattern, paint and water.
+glm::vec3 StrandColours::colour(const Shared& shared, const RootFields& root, glm::vec3 own, float s) const {
+  glm::vec3 colour = model_colours_ ? shared.model * (0.36f + 0.84f * luminance(own) * over_largest_) : own;
+  if (pattern_) colour = with_weights(*pattern_, shared.pattern.weights, colour) * shared.pattern.varied;
+  if (shared.is_painted)
+    colour = painted(colour, glm::mix(root.root_paint, root.tip_paint, s), luminance(own), tile_.mean_luminance(s));
+  if (root.wetness > 0) colour = glm::pow(glm::max(colour, 0.0f), glm::vec3(wet_exponent(root.wetness)));
+  return colour;
+}
+
 void StrandColours::write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const {
-  const glm::vec3 model = model_colours_ ? model_colour(root) : glm::vec3(0);
-  const RootPattern pattern = pattern_ ? pattern_at(*pattern_, root) : RootPattern{};
-  const bool is_painted = root.root_paint.a > 0 || root.tip_paint.a > 0;
+  const Shared shared = shared_at(root);
   const auto reach = static_cast<float>(tile_[strand].length_share);
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const int k = static_cast<int>(i);
-    const glm::vec3 own = tile_.colour(strand, k);
-    glm::vec3 colour = model_colours_ ? model * (0.36f + 0.84f * luminance(own) * over_largest_) : own;
-    if (pattern_) colour = with_weights(*pattern_, pattern.weights, colour) * pattern.varied;
-    if (is_painted) {
-      const float s = tile_.along(k) * reach;
-      colour = painted(colour, glm::mix(root.root_paint, root.tip_paint, s), luminance(own), tile_.mean_luminance(s));
-    }
-    if (root.wetness > 0) colour = glm::pow(glm::max(colour, 0.0f), glm::vec3(wet_exponent(root.wetness)));
-    knots[i] = pack_colour(colour);
+    knots[i] = pack_colour(colour(shared, root, tile_.colour(strand, k), tile_.along(k) * reach));
   }
 }
+
+glm::vec3 StrandColours::under(const RootFields& root) const { return colour(shared_at(root), root, ramp_root_, 0); }
 
 }  // namespace pelage

@@ -53,14 +53,20 @@ class StrandColours {
 
   /// Linear colours of a strand's knots, packed.
   void write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const;
+  /// That of the mean strand at its root, which the skin under fur has; linear.
+  glm::vec3 under(const RootFields& root) const;
 
  private:
+  struct Shared;  // by all of a strand
+  Shared shared_at(const RootFields& root) const;
+  glm::vec3 colour(const Shared& shared, const RootFields& root, glm::vec3 own, float s) const;
   glm::vec3 model_colour(const RootFields& root) const;
   float wet_exponent(float wetness) const;
 
   const FurModel& model_;
   const TileStrands& tile_;
   bool model_colours_;
+  glm::vec3 ramp_root_;
   float own_wetness_;
   float over_largest_;  // 1 / the largest luminance of the ramp
   std::optional<PatternBlock> pattern_;

@@ -187,6 +187,40 @@ TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
   EXPECT_GT(green, 200u);
 }
 
+TEST(Raster, SkinWithoutFurShowsTheModelsPicture) {
+  constexpr std::array<std::uint8_t, 8> red_and_blue{255, 0, 0, 255, 0, 0, 255, 255};
+  Stage stage;
+  std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
+  stage.patch.images = {{2, 1, red_and_blue}};
+  for (auto& corners : stage.patch.corners)
+    for (FurCorner& corner : corners) corner.image = 0, corner.image_uv.x *= 2.5f;  // once over the lawn
+  FurModel model = stage.patch.model();
+  model.has_colours = true;
+  stage.recipe.model_colours = true;
+  stage.fur.update(model, stage.patch.fields(), stage.recipe, 2);
+  Raster raster(2);
+  const FloatImage image = raster.draw(model, stage.fur, stage.frame, {});
+  EXPECT_GT(pixel(image, 33, 40).r, 10 * pixel(image, 33, 40).b) << "in the middle of a texel";
+  EXPECT_GT(pixel(image, 62, 40).b, 10 * pixel(image, 62, 40).r);
+}
+
+TEST(Raster, WhatIsPaintedBareIsSkin) {
+  Stage stage;
+  const double covered = mean(stage.draw(), 1);
+  const std::vector<float> bare(stage.patch.positions.size(), 1);
+  stage.patch.paint.bare = bare;
+  stage.grow();
+  EXPECT_EQ(stage.fur.count(), 0u);
+  const FloatImage skin = stage.draw();
+  EXPECT_TRUE(is_sound(skin));
+  std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
+  stage.patch.paint.bare = {};
+  stage.grow();
+  const FloatImage bald = stage.draw();
+  EXPECT_GT(std::abs(pixel(skin, 48, 40).g - pixel(bald, 48, 40).g), 0.01f) << "it shines, and is not matt";
+  EXPECT_GT(std::abs(covered - mean(skin, 1)), 0.01);
+}
+
 TEST(Raster, BareSkinHasTheColourOfItsRegion) {
   Stage stage;
   std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
