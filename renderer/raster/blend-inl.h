@@ -72,7 +72,19 @@ HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, 
   return blocks;
 }
 
+/// Adds what is at a distance to sums, by its weight of what got through so far.
+template <Shown shown>
+HWY_INLINE void add_distance(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
+  const Real before = load(sums.red + at);
+  if constexpr (shown == Shown::distance) {
+    store(mul_add(weight, 1.0f / max(inverse, 1e-12f), before), sums.red + at);
+  } else {
+    store(select((through >= 0.5f) & (through - weight < 0.5f), inverse, before), sums.red + at);
+  }
+}
+
 /// Blends over lanes of a block; whether anything gets through them still.
+template <Shown shown>
 HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
@@ -82,16 +94,25 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
   const Real alpha = min(covered * within * (half / max(drawn, 1e-6f)), 1.0f);
   const Real through = load(sums.through + at);
-  const Mask in_front = mul_add(share, s.more_inverse, s.inverse) > load(sums.behind + at);
+  const Real inverse = mul_add(share, s.more_inverse, s.inverse);
+  const Mask in_front = inverse > load(sums.behind + at);
   const Real weight = select(in_front, alpha, 0.0f) * through, left_over = through - weight;
   store(left_over, sums.through + at);
+  if constexpr (!sends(shown)) {
+    add_distance<shown>(inverse, weight, through, at, sums);
+    return any(left_over > min_through);
+  }
   store(mul_add(weight, mul_add(share, s.more_light[0], s.light[0]), load(sums.red + at)), sums.red + at);
   store(mul_add(weight, mul_add(share, s.more_light[1], s.light[1]), load(sums.green + at)), sums.green + at);
   store(mul_add(weight, mul_add(share, s.more_light[2], s.light[2]), load(sums.blue + at)), sums.blue + at);
   return any(left_over > min_through);
 }
 
-HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
+/// `shown` is light for all that strands send.
+template <Shown shown>
+HWY_INLINE void blend_all(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
+                          TileSums& sums) {
+  const float min_width = scene.quality.min_width;
   const Vec2 first = block_pixels(0);
   const auto tile_left = static_cast<float>(left), tile_top = static_cast<float>(top);
   std::uint64_t full = 0;
@@ -104,7 +125,7 @@ HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int t
       const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
       const Real x = first.x + (static_cast<float>(block_width * bx) - flat.x);
       const Real y = first.y + (static_cast<float>(block_height * by) - flat.y);
-      if (!blend_lanes(flat, x, y, static_cast<std::size_t>(block * lane_count), sums))
+      if (!blend_lanes<shown>(flat, x, y, static_cast<std::size_t>(block * lane_count), sums))
         full |= std::uint64_t{1} << block;
     }
   }

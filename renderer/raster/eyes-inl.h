@@ -56,30 +56,56 @@ HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
   return seen;
 }
 
+/// What the scene shows of an eye. Lids and cornea count as what reflects, not as shadow: all of the lights' share is
+/// left.
+HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const EyeHit& hit, Real inverse) {
+  const FrameOptics& optics = scene.optics;
+  const auto direct = [&]() HWY_ATTR {
+    return max(eye_light(optics, eye, hit, optics.lights) - eye_light(optics, eye, hit, 0), 0.0f);
+  };
+  const Real none = 0.0f;
+  switch (scene.shown) {
+    case Shown::albedo: return eye_surface(optics, eye, hit).albedo;
+    case Shown::normal: return eye_surface(optics, eye, hit).normal;
+    case Shown::tangent: return {none, none, none};
+    case Shown::direct: return direct();
+    case Shown::shadow: {
+      const Real sent = luminance(direct());
+      return {sent, sent, none};
+    }
+    case Shown::distance: return {1.0f / max(inverse, 1e-12f), none, none};
+    case Shown::depth: return {inverse, none, none};
+    default: return eye_light(optics, eye, hit, optics.lights);
+  }
+}
+
 HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way, const std::int8_t* numbers,
-                          std::size_t at, TileSums& sums) {
+                          const float* ends, std::size_t at, TileSums& sums) {
   float mine[lane_count];
   for (int i = 0; i < lane_count; ++i) mine[i] = numbers[i] == static_cast<std::int8_t>(number) ? 1.0f : 0.0f;
   EyeHit hit = eye_hit(scene, number, way);
   const Real through = load(sums.through + at);
   hit.there = hit.there & (load(mine) > 0.5f) & (through > min_shown);
   if (!any(hit.there)) return;
-  const Real weight = select(hit.there, through * hit.covered, 0.0f);
-  const Vec3 light = eye_light(scene.optics, scene.optics.eyes.block.eyes[number], hit, scene.optics.lights);
+  Real weight = select(hit.there, through * hit.covered, 0.0f);
+  const Real left_over = through - weight;
+  if (scene.shown == Shown::depth) weight = select((through >= 0.5f) & (left_over < 0.5f), 1.0f, 0.0f);
+  const Vec3 light = shown_of(scene, scene.optics.eyes.block.eyes[number], hit, load(ends + at));
   store(mul_add(light.x, weight, load(sums.red + at)), sums.red + at);
   store(mul_add(light.y, weight, load(sums.green + at)), sums.green + at);
   store(mul_add(light.z, weight, load(sums.blue + at)), sums.blue + at);
-  store(through - weight, sums.through + at);
+  store(left_over, sums.through + at);
 }
 
-HWY_INLINE void light_eyes_of(const RasterScene& scene, int left, int top, const std::int8_t* numbers, TileSums& sums) {
+HWY_INLINE void light_eyes_of(const RasterScene& scene, int left, int top, const std::int8_t* numbers,
+                              const float* ends, TileSums& sums) {
   for (int block = 0; block < block_columns * block_rows; ++block) {
     const int at = block * lane_count;
     std::uint32_t seen = eyes_of_block(numbers + at);
     if (seen == 0) continue;
     const Vec3 way = block_rays(scene, left, top, block);
     for (; seen != 0; seen &= seen - 1)
-      light_eye(scene, static_cast<std::size_t>(std::countr_zero(seen)), way, numbers + at,
+      light_eye(scene, static_cast<std::size_t>(std::countr_zero(seen)), way, numbers + at, ends,
                 static_cast<std::size_t>(at), sums);
   }
 }

@@ -16,7 +16,8 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
   const bool single = part.role == StrandRole::curve;
-  const auto lit_of = static_cast<std::uint32_t>(single ? 1 : scene.quality.lit_of);
+  const bool shares = !single && scene.shown == Shown::light;
+  const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
   const std::uint32_t own = (ids.back() + lit_of) / lit_of;
   place_.assign(own, none), lit_.clear(), of_.clear();
   for (const std::uint32_t id : ids) {

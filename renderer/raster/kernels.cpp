@@ -34,16 +34,21 @@ void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, con
   hand_on(set, id, from, light, along.data(), knots.data(), static_cast<int>(knots.size()));
 }
 
-void BlendSegments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
-  blend_all(segments, left, top, min_width, sums);
+void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
+  switch (scene.shown) {
+    case Shown::distance: return blend_all<Shown::distance>(scene, segments, left, top, sums);
+    case Shown::depth: return blend_all<Shown::depth>(scene, segments, left, top, sums);
+    default: return blend_all<Shown::light>(scene, segments, left, top, sums);
+  }
 }
 
 void MeetEyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
   meet_all(scene, left, top, ends.data(), numbers.data());
 }
 
-void LightEyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums) {
-  light_eyes_of(scene, left, top, numbers.data(), sums);
+void LightEyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
+               std::span<const float> ends, TileSums& sums) {
+  light_eyes_of(scene, left, top, numbers.data(), ends.data(), sums);
 }
 
 void LightSkin(const RasterScene& scene, SkinSeen& seen) {
@@ -85,16 +90,18 @@ void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, c
   HWY_DYNAMIC_DISPATCH(HandOnLight)(set, id, from, light, along, knots);
 }
 
-void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums) {
-  HWY_DYNAMIC_DISPATCH(BlendSegments)(segments, left, top, min_width, sums);
+void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
+                    TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(BlendSegments)(scene, segments, left, top, sums);
 }
 
 void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
   HWY_DYNAMIC_DISPATCH(MeetEyes)(scene, left, top, ends, numbers);
 }
 
-void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums) {
-  HWY_DYNAMIC_DISPATCH(LightEyes)(scene, left, top, numbers, sums);
+void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
+                std::span<const float> ends, TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(LightEyes)(scene, left, top, numbers, ends, sums);
 }
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }

@@ -27,7 +27,8 @@ void place_strands(const RasterScene& scene, const GrownPart& part, const PixelB
 inline constexpr std::uint32_t deep_of = 8;  // strands that one stands for
 inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
-/// Light that a strand sends to the camera from some points of it, evenly from `from` in [0, 1) to the tip.
+/// Light that a strand sends to the camera, or what else is shown of it, from some points of it, evenly from `from` in
+/// [0, 1) to the tip.
 struct LitStrandPoints {
   static constexpr int max = 16;
   float from = 0;
@@ -58,7 +59,7 @@ struct TileSums {
 inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_side) + y * 4 + (x & 3); }
 
 /// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through.
-void blend_segments(std::span<const TileSegment> segments, int left, int top, float min_width, TileSums& sums);
+void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums);
 
 /// What shows less of a pixel than this shows nothing.
 inline constexpr float min_shown = 1e-3f;
@@ -66,10 +67,12 @@ inline constexpr float min_shown = 1e-3f;
 /// Eyes in a tile whose left upper corner is given. `ends` has one over the distance of what ends the view of strands:
 /// that of an eye where it is nearest, whose number goes to `numbers`.
 void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers);
-/// Adds their light by what gets through to them; the skin beside an eye's edge still gets the rest.
-void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers, TileSums& sums);
+/// Adds their light, or what else is shown, by what gets through to them; the skin beside an eye's edge still gets the
+/// rest. `ends` as meet_eyes left it.
+void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
+                std::span<const float> ends, TileSums& sums);
 
-/// Some pixels that show skin, and its light there.
+/// Some pixels that show skin, and its light there, or what else is shown.
 struct SkinSeen {
   static constexpr int count = 16;     // as many as the widest registers hold
   float x[count] = {}, y[count] = {};  // pixels of the picture

@@ -81,6 +81,7 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
       const Lap lap(batch.times.place);
       place_strands(scene, part, box, hidden, kept, batch.placed);
     }
+    if (!sends(scene.shown)) continue;
     const Lap lap(batch.times.light);
     batch.lit += light.light(scene, part, kept.ids, before, batch.placed);
   }
@@ -119,10 +120,12 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
     }
   }
   const Lap lap(times.blend);
-  blend_segments(segments, left, top, scene.quality.min_width, sums);
-  if (!skin.eyes.empty()) light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels), sums);
+  blend_segments(scene, segments, left, top, sums);
+  if (!skin.eyes.empty())
+    light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
+               std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
-  if (scene.ground) darken_ground(scene, left, top, sums);
+  if (scene.ground && scene.shown == Shown::light) darken_ground(scene, left, top, sums);
   write(left, top, sums);
 }
 
@@ -133,7 +136,8 @@ void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen&
   light_skin(scene, seen);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int pixel = pixels[i];
-    const float through = std::exchange(sums.through[pixel], 0.0f);
+    float through = std::exchange(sums.through[pixel], 0.0f);
+    if (scene.shown == Shown::depth) through = through >= 0.5f ? 1.0f : 0.0f;
     sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
     sums.blue[pixel] += through * seen.blue[i];
   }
@@ -247,7 +251,7 @@ Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>())
 Raster::~Raster() = default;
 
 FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                        RasterTimes* times, RasterCounts* counts) {
+                        RasterTimes* times, RasterCounts* counts, Shown shown) {
   RasterTimes spent;
   RasterCounts counted;
   {
@@ -257,7 +261,7 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   }
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model);
-  scene.camera = picture_camera(frame), scene.quality = quality;
+  scene.camera = picture_camera(frame), scene.quality = quality, scene.shown = shown;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
                                     {frame.width, frame.height}));

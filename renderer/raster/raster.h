@@ -31,9 +31,10 @@ class Raster {
   explicit Raster(int threads);
   ~Raster();
 
-  /// Premultiplied linear light of the skin and its strands: alpha is what they cover.
+  /// Premultiplied linear light of the skin and its strands, or what else is shown: alpha is what they cover, and of
+  /// light also what the ground darkens.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr);
+                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr, Shown shown = Shown::light);
 
  private:
   struct Kept;  // from frame to frame

@@ -43,6 +43,20 @@ struct RasterQuality {
   float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
 };
 
+/// What a picture shows of strands, skin and eyes: means over each pixel, premultiplied.
+enum class Shown {
+  light,
+  albedo,
+  normal,    // of the skin below
+  tangent,   // of strands, towards the tip
+  direct,    // what lights add
+  shadow,    // red: the luminance of that, green: what it would be without shadows
+  distance,  // red: along the view
+  depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
+};
+/// Whether strands send something of their own, from knot to knot.
+constexpr bool sends(Shown shown) { return shown != Shown::distance && shown != Shown::depth; }
+
 /// How wide a light is from a place: a far one the same from all.
 struct LightSize {
   float radius = 0;  // sizes; of a far light the tangent of its half angle
@@ -53,6 +67,7 @@ struct RasterScene {
   FrameOptics optics;
   PictureCamera camera;
   RasterQuality quality;
+  Shown shown = Shown::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model

@@ -100,21 +100,35 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   return skin;
 }
 
-/// What grows fur and what is bare, each by its share.
-HWY_INLINE Vec3 skin_light(const RasterScene& scene, const SkinLanes& skin) {
+/// What of the skin grows fur, and what is bare.
+struct SkinLooks {
+  Vec3 furred;  // colour
+  Bare bare;
+
+  HWY_INLINE Vec3 albedo() const { return mix(furred, bare.colour, bare.share); }
+};
+
+HWY_INLINE SkinLooks skin_looks(const FrameOptics& optics, const SkinLanes& skin) {
+  SkinLooks looks{mix(skin.colour, skin.under, skin.grown), painted_bare(skin.colour, skin.bare, skin.wetness)};
+  if (optics.skin.count.x > 0) looks.bare = bare_over(optics.skin, looks.bare, skin.place, skin.normal, skin.pixel);
+  return looks;
+}
+
+template <bool unshadowed>
+HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin, const SkinLooks& looks) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
-  const Vec3 colour = mix(skin.colour, skin.under, skin.grown);
-  Bare bare = painted_bare(skin.colour, skin.bare, skin.wetness);
-  if (optics.skin.count.x > 0) bare = bare_over(optics.skin, bare, skin.place, skin.normal, skin.pixel);
+  const Bare& bare = looks.bare;
   const bool shows_bare = any(bare.share > 0.0f);
   const SkinSurface surface = skin_surface(bare, skin.place, skin.normal, skin.to_camera, skin.pixel);
   const Real above = frame.depth_above[0].x;
-  const Vec3 crossed = colour * Vec3(frame.colour_above[0]);
+  const Vec3 crossed = looks.furred * Vec3(frame.colour_above[0]);
   const Vec3 stopped = stopped_by_strand(crossed, 1.0f, frame.exponents.w);
-  Vec3 sum = frame.weights.x * colour * environment_light(optics, skin.normal) *
-             ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, frame.exponents.w));
-  if (shows_bare) sum = mix(sum, sky_on_skin(optics, bare, surface), bare.share);
+  SentLight sum;
+  sum.ambient = frame.weights.x * looks.furred * environment_light(optics, skin.normal) *
+                ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, frame.exponents.w));
+  sum.direct = sum.unshadowed = Vec3(0.0f);
+  if (shows_bare) sum.ambient = mix(sum.ambient, sky_on_skin(optics, bare, surface), bare.share);
   const GridPlace& grid = scene.grid->place();
   const GridLanes cells = grid_lanes(grid, skin.place + skin.normal * (off_skin * grid.cell));
   Real between[4];
@@ -123,16 +137,34 @@ HWY_INLINE Vec3 skin_light(const RasterScene& scene, const SkinLanes& skin) {
     const Arriving light = light_at(optics, i, skin.place);
     const Real strands = between[2 * (i % 2)], body = between[2 * (i % 2) + 1];
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
-    Vec3 sent = colour * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
+    Vec3 sent = looks.furred * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
     if (shows_bare) sent = mix(sent, light_on_skin(optics, bare, surface, light.to_light), bare.share);
-    sum += light.radiance * through * sent;
+    sum.direct += light.radiance * sent * through;
+    if constexpr (unshadowed) sum.unshadowed += light.radiance * sent;
   }
   return sum;
 }
 
+/// What the scene shows of the skin.
+HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real inverse) {
+  if (!sends(scene.shown))
+    return {scene.shown == Shown::depth ? inverse : 1.0f / max(inverse, 1e-12f), Real(0.0f), Real(0.0f)};
+  if (scene.shown == Shown::normal) return skin.normal;
+  if (scene.shown == Shown::tangent) return Vec3(0.0f);
+  const SkinLooks looks = skin_looks(scene.optics, skin);
+  switch (scene.shown) {
+    case Shown::albedo: return looks.albedo();
+    case Shown::direct: return skin_light<false>(scene, skin, looks).direct;
+    case Shown::shadow: return skin_light<true>(scene, skin, looks).shadow();
+    default: break;
+  }
+  const SentLight light = skin_light<false>(scene, skin, looks);
+  return light.ambient + light.direct;
+}
+
 HWY_INLINE void light_seen(const RasterScene& scene, SkinSeen& seen, int at) {
-  const Vec3 light = skin_light(scene, skin_lanes(scene, seen, at));
-  store(light.x, seen.red + at), store(light.y, seen.green + at), store(light.z, seen.blue + at);
+  const Vec3 shown = shown_of(scene, skin_lanes(scene, seen, at), load(seen.inverse + at));
+  store(shown.x, seen.red + at), store(shown.y, seen.green + at), store(shown.z, seen.blue + at);
 }
 
 }  // namespace pelage::HWY_NAMESPACE

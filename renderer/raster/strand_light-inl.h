@@ -140,13 +140,24 @@ HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera
   return fibre;
 }
 
-HWY_INLINE Vec3 strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
+/// Light that a fibre or a place of the skin sends to the camera.
+struct SentLight {
+  Vec3 ambient, direct;
+  Vec3 unshadowed;  // `direct` as if nothing stopped it; where it is asked for
+
+  HWY_INLINE Vec3 shadow() const { return {luminance(direct), luminance(unshadowed), 0.0f}; }
+};
+
+template <bool unshadowed>
+HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
   const float self_shadow = frame.exponents.w;
   const Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f, self_shadow);
-  Vec3 sum = fibre.colour * ambient *
-             ambient_share(frame, fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f, self_shadow));
+  SentLight sum;
+  sum.ambient = fibre.colour * ambient *
+                ambient_share(frame, fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f, self_shadow));
+  sum.direct = sum.unshadowed = Vec3(0.0f);
   const FibreView view = view_of(frame, fibre);
   const Scattering strand{fibre.tangent, fibre.normal, fibre.to_camera, fibre.colour, fibre.strand, fibre.shine};
   FibreEye eye;
@@ -162,9 +173,25 @@ HWY_INLINE Vec3 strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 
     const Real body = crossed[2 * (i % 2) + 1];
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
-    sum += light.radiance * scattered * through * light_behind(optics.model, facing, frame.exponents.z);
+    const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, frame.exponents.z);
+    sum.direct += sent * through;
+    if constexpr (unshadowed) sum.unshadowed += sent;
   }
   return sum;
+}
+
+/// What the scene shows of a fibre.
+HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
+  switch (scene.shown) {
+    case Shown::albedo: return fibre.colour;
+    case Shown::normal: return fibre.normal;
+    case Shown::tangent: return fibre.tangent;
+    case Shown::direct: return strand_light<false>(scene, fibre, ambient).direct;
+    case Shown::shadow: return strand_light<true>(scene, fibre, ambient).shadow();
+    default: break;
+  }
+  const SentLight light = strand_light<false>(scene, fibre, ambient);
+  return light.ambient + light.direct;
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
@@ -180,7 +207,7 @@ HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::
       light[i + l].count = lit.count;
     }
     for (int p = 0; p < lit.count; ++p) {
-      const Vec3 sent = strand_light(scene, fibre_at(scene.optics, scene.camera, strand, p), strand.ambient);
+      const Vec3 sent = shown_of(scene, fibre_at(scene.optics, scene.camera, strand, p), strand.ambient);
       float red[lane_count], green[lane_count], blue[lane_count];
       store(sent.x, red), store(sent.y, green), store(sent.z, blue);
       for (std::size_t l = 0; l < there; ++l)
