@@ -10,8 +10,6 @@ namespace pelage {
 
 namespace {
 
-constexpr int buckets = 1024;
-
 int tile_of(float pixel, int first, int tiles) {
   const float at = (pixel - static_cast<float>(first)) * (1.0f / tile_side);
   return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(tiles - 1)));
@@ -32,6 +30,12 @@ bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float
   return std::abs(off) > (corner + wide) * std::sqrt(across * across + down * down);
 }
 
+/// Whether two numbers of pixels are in the same row or column of tiles, in the box or beyond it.
+bool same_tiles(float a, float b, int first) {
+  const auto of = [&](float at) { return std::floor((at - static_cast<float>(first)) * (1.0f / tile_side)); };
+  return of(a) == of(b);
+}
+
 /// Calls found(tile, knot, inverse) for each tile that each segment may touch in front of what lies behind.
 template <class Found>
 void each_entry(const PixelBox& box, const TileRows& tiles, const PlacedStrands& strands,
@@ -49,7 +53,7 @@ void each_entry(const PixelBox& box, const TileRows& tiles, const PlacedStrands&
       const int first_x = tile_of(x0, box.left, tiles.across), last_x = tile_of(x1, box.left, tiles.across);
       const int first_y = tile_of(y0, box.top, tiles.down), last_y = tile_of(y1, box.top, tiles.down);
       const float nearest = std::max(a.inverse, b.inverse);
-      const bool one = first_x == last_x && first_y == last_y;
+      const bool one = same_tiles(x0, x1, box.left) && same_tiles(y0, y1, box.top);
       for (int y = first_y; y <= last_y; ++y) {
         for (int x = first_x; x <= last_x; ++x) {
           const int tile = y * tiles.across + x;
@@ -71,14 +75,16 @@ Bins::Bins(const PixelBox& box, std::size_t batches)
   assert(batches <= max_batches);
 }
 
-void Bins::find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest) {
+void Bins::find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest,
+                const DistanceKeys& keys) {
   assert(strands.knots.size() <= max_knots);
   Batch& own = batches_[batch];
   own.next.assign(static_cast<std::size_t>(tiles_.count()), 0);
   own.found.clear(), own.found.reserve(strands.knots.size());
   each_entry(box_, tiles_, strands, furthest, [&](int tile, std::uint32_t knot, float inverse) {
     ++own.next[static_cast<std::size_t>(tile)];
-    own.found.push_back({static_cast<std::uint32_t>(tile), {static_cast<std::uint32_t>(batch), knot, inverse}});
+    own.found.push_back(
+        {static_cast<std::uint32_t>(tile), {static_cast<std::uint32_t>(batch), knot, keys.of(inverse)}});
   });
 }
 
@@ -98,20 +104,24 @@ void Bins::put(std::size_t batch) {
   own.found = {};
 }
 
-void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted) {
-  std::array<std::uint32_t, buckets + 1> at{};
-  float nearest = 0, furthest = 1e30f;
-  for (const BinEntry& entry : entries)
-    nearest = std::max(nearest, entry.inverse), furthest = std::min(furthest, entry.inverse);
-  const float scale = (buckets - 1) / std::max(nearest - furthest, 1e-12f);
-  const auto bucket = [&](const BinEntry& entry) {
-    return static_cast<std::size_t>(
-        std::clamp((nearest - entry.inverse) * scale, 0.0f, static_cast<float>(buckets - 1)));
-  };
-  for (const BinEntry& entry : entries) ++at[bucket(entry) + 1];
-  for (std::size_t i = 0; i < buckets; ++i) at[i + 1] += at[i];
+namespace {
+
+/// By one byte of their keys, stable.
+void sort_by_byte(std::span<const BinEntry> entries, int shift, std::vector<BinEntry>& sorted) {
+  constexpr std::size_t values = 256;
+  std::array<std::uint32_t, values + 1> at{};
+  const auto byte = [&](const BinEntry& entry) { return std::size_t{entry.key >> shift & (values - 1)}; };
+  for (const BinEntry& entry : entries) ++at[byte(entry) + 1];
+  for (std::size_t i = 0; i < values; ++i) at[i + 1] += at[i];
   sorted.resize(entries.size());
-  for (const BinEntry& entry : entries) sorted[at[bucket(entry)]++] = entry;
+  for (const BinEntry& entry : entries) sorted[at[byte(entry)]++] = entry;
+}
+
+}  // namespace
+
+void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& room) {
+  static_assert(DistanceKeys::end == 1 << 16);
+  sort_by_byte(entries, 0, room), sort_by_byte(room, 8, sorted);
 }
 
 }  // namespace pelage

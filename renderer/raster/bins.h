@@ -11,7 +11,7 @@ namespace pelage {
 /// A segment in a tile.
 struct BinEntry {
   std::uint32_t batch : 8, knot : 24;  // its first
-  float inverse;                       // one over the distance of what of it lies nearest to the tile's middle
+  std::uint32_t key;                   // of the distance of what of it lies nearest to the tile's middle (DistanceKeys)
 };
 
 /// Segments by tile: batches are found, then put in their places, each on a thread of its own; the order does not
@@ -23,7 +23,7 @@ class Bins {
   Bins(const PixelBox& box, std::size_t batches);
 
   /// What of a batch falls into tiles in front of what lies behind: `furthest` has one over its distance for each.
-  void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest);
+  void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest, const DistanceKeys& keys);
   /// After all batches were found.
   void make_room();
   void put(std::size_t batch);
@@ -51,7 +51,7 @@ class Bins {
   std::vector<BinEntry> entries_;
 };
 
-/// Sorts a tile's entries by their distance in 1,024 steps, nearest first, stable.
-void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted);
+/// Sorts a tile's entries by their keys, nearest first, stable. `room` is used on the way.
+void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& room);
 
 }  // namespace pelage

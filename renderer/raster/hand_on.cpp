@@ -12,13 +12,13 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 }  // namespace
 
 std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
-                               std::size_t first, PlacedStrands& placed) {
+                               std::uint32_t last, std::size_t first, PlacedStrands& placed) {
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
   const bool single = part.role == StrandRole::curve;
   const bool shares = !single && scene.shown == Shown::light;
   const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
-  const std::uint32_t own = (ids.back() + lit_of) / lit_of;
+  const std::uint32_t own = (last + lit_of) / lit_of;
   place_.assign(own, none), lit_.clear(), of_.clear();
   for (const std::uint32_t id : ids) {
     std::uint32_t from = id;
@@ -27,7 +27,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   }
   for (std::uint32_t from = 0; from < own; ++from)
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
-  const std::uint32_t deep = single ? own : whole_strands(ids.back());  // those before it are drawn from the root on
+  const std::uint32_t deep = single ? own : whole_strands(last);  // those before it are drawn from the root on
   const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
   light_.resize(lit_.size());
   light_strands(scene, part, std::span(lit_).first(whole), true, std::span(light_).first(whole));

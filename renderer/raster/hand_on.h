@@ -12,9 +12,9 @@ namespace pelage {
 class SharedLight {
  public:
   /// Writes the light of the strands `ids` of a part to their knots, which are those of `placed` from strand `first`
-  /// on. Gives how many were lit.
+  /// on. `last` is the last strand that the frame keeps of the part, wherever it shows. Gives how many were lit.
   std::size_t light(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
-                    std::size_t first, PlacedStrands& placed);
+                    std::uint32_t last, std::size_t first, PlacedStrands& placed);
 
  private:
   std::vector<std::uint32_t> lit_, of_, place_;

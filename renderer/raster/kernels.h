@@ -15,10 +15,11 @@ struct KeptStrands {
   std::vector<float> widened;
 };
 
-inline constexpr int hiding_side = 4;  // pixels of the blocks by which skin hides strands
+inline constexpr int hiding_side = 4;                  // pixels of the blocks by which skin hides strands
+inline constexpr int hidden_around = 2 * hiding_side;  // pixels about a block that its number holds for
 
 /// Places strands of a part, without their light, and leaves those in `kept` that touch `box` and are not hidden by the
-/// skin: `hidden` has one over the distance behind which nothing shows, for each block of hiding_side pixels.
+/// skin: `hidden` has one over the distance behind which nothing shows in and around each block of hiding_side pixels.
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 

@@ -31,6 +31,8 @@ struct PlacedLanes {
   Real left, right, top, bottom;
   Real nearest;  // one over a distance
   Real way;      // pixels along the strand
+  Real longest;  // of its segments, pixels
+  Real widest;   // half of it, pixels
   Real length;   // sizes
   Vec3 root, tip;
 };
@@ -40,7 +42,7 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);
   const Real wider = load(widened) * camera.scale;
   const Real far = 1e30f, none = 0.0f;
-  PlacedLanes placed{far, -far, far, -far, none, none, none, Vec3(none), Vec3(none)};
+  PlacedLanes placed{far, -far, far, -far, none, none, none, none, none, Vec3(none), Vec3(none)};
   Real before_x = 0.0f, before_y = 0.0f;
   for (int k = 0; k <= set.segments; ++k) {
     const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
@@ -54,7 +56,12 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     store(x, knots.x[k]), store(y, knots.y[k]), store(half, knots.half_width[k]);
     store(select(seen, inverse, 0.0f), knots.inverse[k]);
     if (k == 0) placed.root = place;
-    if (k > 0) placed.way += length(Vec2{x - before_x, y - before_y}), placed.length += length(place - placed.tip);
+    if (k > 0) {
+      const Real segment = length(Vec2{x - before_x, y - before_y});
+      placed.way += segment, placed.longest = max(placed.longest, segment);
+      placed.length += length(place - placed.tip);
+    }
+    placed.widest = max(placed.widest, half);
     before_x = x, before_y = y, placed.tip = place;
     placed.left = select(seen, min(placed.left, x - half), placed.left);
     placed.right = select(seen, max(placed.right, x + half), placed.right);
@@ -77,30 +84,35 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
   const Vec3 to_camera = unit(Vec3(scene.camera.position) - strand.root), along = unit(strand.tip - strand.root);
   const Real facing = dot(strand.normal, to_camera);
   Real hidden = 0.0f;
+  Mask deep = facing < 2.0f;  // so far: all
   for (int k = 1; k < segments; ++k) {
     const Real height = strand.reach * (static_cast<float>(k) / static_cast<float>(segments));
     const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
     const Real above = gather(&frame.depth_above[0].x, slice) * strand.length * crowding;
     const Real crossed = strands_crossed(above, way_out(height, facing), along, to_camera);
-    const Mask seen = crossed < scene.quality.seen_depth;
-    if (all(seen)) break;
-    hidden = select(seen, hidden, static_cast<float>(k));
+    deep = deep & (crossed >= scene.quality.seen_depth);
+    if (!any(deep)) break;
+    hidden = select(deep, static_cast<float>(k), hidden);
   }
   return hidden;
 }
 
-/// Whether lanes touch the box and any of their knots lies in front of the skin, or on none.
-HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, const PixelBox& box,
-                           std::span<const float> hidden) {
+/// Whether lanes touch the box and may show in it: not where each knot lies in the box behind all skin that is as near
+/// to it on the picture as it is drawn long and wide: two segments may be drawn as one, and what is deep in the fur
+/// `wider`. So what is left out shows nowhere, whatever the box.
+HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, Real wider,
+                           const PixelBox& box, std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
-  const Mask inside = (placed.right > left) & (placed.left < right) & (placed.bottom > top) & (placed.top < bottom);
+  constexpr float edge = 2.75f;  // pixels beside a strand that it is drawn over
+  const Mask inside = (placed.right > left - edge) & (placed.left < right + edge) & (placed.bottom > top - edge) &
+                      (placed.top < bottom + edge);
   if (!any(inside)) return inside;
-  const float longest = static_cast<float>(2 * hiding_side * segments);  // of segments that no block is skipped by
-  Mask seen = placed.way > longest;
+  Mask seen = 2.0f * placed.longest + wider * placed.widest > hidden_around - edge;
   const int across = tiles_of(box).across * (tile_side / hiding_side);
   for (int k = segments; k >= 0 && !all(seen); --k) {
     const Real x = load(knots.x[k]), y = load(knots.y[k]);
+    seen = seen | (x < left) | (x >= right) | (y < top) | (y >= bottom);
     const Real bx = floor((clamp(x, left, right - 1.0f) - left) * (1.0f / hiding_side));
     const Real by = floor((clamp(y, top, bottom - 1.0f) - top) * (1.0f / hiding_side));
     const Real least = gather(hidden.data(), to_int(mul_add(by, static_cast<float>(across), bx)));
@@ -146,13 +158,14 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
   if (placed.first.empty()) placed.first.push_back(0);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
-    float widened[lane_count], way[lane_count], hidden[lane_count];
+    float widened[lane_count], wider[lane_count], way[lane_count], hidden[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
+      wider[l] = ids[l] < last_whole ? static_cast<float>(deep_of) : 1.0f;
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
-    std::uint32_t seen = bits_of(seen_lanes(lanes, knots, set.segments, box, hidden_by_skin));
+    std::uint32_t seen = bits_of(seen_lanes(lanes, knots, set.segments, load(wider), box, hidden_by_skin));
     if (count - i < lane_count) seen &= (1u << (count - i)) - 1;
     if (seen == 0) continue;
     const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);

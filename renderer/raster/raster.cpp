@@ -76,6 +76,8 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
       const Lap lap(batch.times.cull);
       keep_strands(scene, part, kept);
     }
+    if (kept.ids.empty()) continue;
+    const std::uint32_t last = kept.ids.back();
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
     {
       const Lap lap(batch.times.place);
@@ -83,7 +85,7 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
     }
     if (!sends(scene.shown)) continue;
     const Lap lap(batch.times.light);
-    batch.lit += light.light(scene, part, kept.ids, before, batch.placed);
+    batch.lit += light.light(scene, part, kept.ids, last, before, batch.placed);
   }
 }
 
@@ -96,13 +98,17 @@ struct TileDrawer {
   std::span<const Batch> batches;
   FloatImage& picture;
 
-  void draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileSegment>& segments, RasterTimes& times) const;
+  /// What a thread uses again from tile to tile.
+  struct Room {
+    std::vector<BinEntry> sorted, sorting;
+    std::vector<TileSegment> segments;
+  };
+  void draw(int tile, Room& room, RasterTimes& times) const;
   void add_skin(int tile, int left, int top, TileSums& sums) const;
   void write(int left, int top, const TileSums& sums) const;
 };
 
-void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileSegment>& segments,
-                      RasterTimes& times) const {
+void TileDrawer::draw(int tile, Room& room, RasterTimes& times) const {
   const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
             top = box.top + tile / across * tile_side;
   TileSums sums;
@@ -112,15 +118,15 @@ void TileDrawer::draw(int tile, std::vector<BinEntry>& sorted, std::vector<TileS
   std::copy_n(&skin.ends()[first_pixel], tile_pixels, sums.behind);
   {
     const Lap lap(times.sort);
-    sort_by_distance(bins.tile(tile), sorted);
-    segments.clear();
-    for (const BinEntry& entry : sorted) {
+    sort_by_distance(bins.tile(tile), room.sorted, room.sorting);
+    room.segments.clear();
+    for (const BinEntry& entry : room.sorted) {
       const PlacedKnot* knot = &batches[entry.batch].placed.knots[entry.knot];
-      segments.push_back({knot, knot + 1});
+      room.segments.push_back({knot, knot + 1});
     }
   }
   const Lap lap(times.blend);
-  blend_segments(scene, segments, left, top, sums);
+  blend_segments(scene, room.segments, left, top, sums);
   if (!skin.eyes.empty())
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
                std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
@@ -183,7 +189,7 @@ void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixe
       [&](std::uint32_t i) {
         place_batch(scene, box, skin.hidden, batches[i]);
         const Lap lap(batches[i].times.bin);
-        bins.find(i, batches[i].placed, skin.furthest);
+        bins.find(i, batches[i].placed, skin.furthest, scene.keys);
       },
       threads);
   bins.make_room();
@@ -200,10 +206,9 @@ void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& t
   std::atomic<int> next{0};
   std::mutex mutex;
   run_on_threads(threads, [&] {
-    std::vector<BinEntry> sorted;
-    std::vector<TileSegment> segments;
+    TileDrawer::Room room;
     RasterTimes own;
-    for (int tile = next++; tile < count; tile = next++) drawer.draw(tile, sorted, segments, own);
+    for (int tile = next++; tile < count; tile = next++) drawer.draw(tile, room, own);
     const std::lock_guard lock(mutex);
     add(times, own);
   });
@@ -229,6 +234,34 @@ void draw_box(const RasterScene& scene, const PixelBox& box, int threads, FloatI
   }
   for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
   counts.bytes = std::max(counts.bytes, bytes);
+}
+
+/// Of all that its parts may show.
+DistanceKeys keys_of(const RasterScene& scene) {
+  float nearest = near_distance, furthest = 2 * near_distance;
+  bool any = false;
+  for (const GrownPart& part : scene.parts) {
+    if (part.strands->count() == 0) continue;
+    const float radius = 0.5f * glm::length(part.high - part.low);
+    const float middle = glm::dot(0.5f * (part.low + part.high) - scene.camera.position, scene.camera.forward);
+    nearest = any ? std::min(nearest, middle - radius) : middle - radius, any = true;
+    furthest = std::max(furthest, middle + radius);
+  }
+  return {1 / furthest, 1 / std::clamp(nearest, near_distance, furthest)};
+}
+
+/// Of what is drawn of the frame, by whole tiles.
+std::vector<PixelBox> boxes_of(const FurFrame& frame) {
+  PixelBox all{0, 0, frame.width, frame.height};
+  if (const std::optional<Crop>& crop = frame.crop)
+    all = {crop->left / tile_side * tile_side, crop->top / tile_side * tile_side,
+           std::min((crop->left + crop->width + tile_side - 1) / tile_side * tile_side, frame.width),
+           std::min((crop->top + crop->height + tile_side - 1) / tile_side * tile_side, frame.height)};
+  const int rows = std::max(box_pixels / (all.right - all.left) / tile_side, 1) * tile_side;
+  std::vector<PixelBox> boxes;
+  for (int top = all.top; top < all.bottom; top += rows)
+    boxes.push_back({all.left, top, all.right, std::min(top + rows, all.bottom)});
+  return boxes;
 }
 
 }  // namespace
@@ -269,12 +302,11 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid, scene.skin = fur.skin();
   if (frame.ground && frame.ground->height < frame.camera.position.y)
     scene.ground = frame.ground, scene.sky = &kept_->sky;
+  scene.keys = keys_of(scene);
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  const int rows = std::max(box_pixels / frame.width / tile_side, 1) * tile_side;
-  for (int top = 0; top < frame.height; top += rows)
-    draw_box(scene, {0, top, frame.width, std::min(top + rows, frame.height)}, threads_, picture, spent, counted);
+  for (const PixelBox& box : boxes_of(frame)) draw_box(scene, box, threads_, picture, spent, counted);
   counted.strands = fur.count();
   if (times) *times = spent;
   if (counts) *counts = counted;

@@ -32,7 +32,8 @@ class Raster {
   ~Raster();
 
   /// Premultiplied linear light of the skin and its strands, or what else is shown: alpha is what they cover, and of
-  /// light also what the ground darkens.
+  /// light also what the ground darkens. Of a frame with a crop the picture has the frame's size, and the bits that the
+  /// whole frame has where the crop is.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                   RasterTimes* times = nullptr, RasterCounts* counts = nullptr, Shown shown = Shown::light);
 

@@ -1,7 +1,9 @@
 // What one frame of rasterized strands is drawn from: plain arrays that threads read.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -63,6 +65,25 @@ struct LightSize {
   bool far = true;
 };
 
+/// Distances along the view in steps of about their share, for the whole of a frame: the order of two segments does not
+/// depend on what else is drawn.
+struct DistanceKeys {
+  static constexpr std::uint32_t end = 1 << 16;
+  std::uint32_t furthest = 0;  // bits of one over it
+  int shift = 0;
+
+  DistanceKeys() = default;
+  /// One over the distances, above 0, between which all lies.
+  DistanceKeys(float far, float near) : furthest(std::bit_cast<std::uint32_t>(far)) {
+    while ((std::bit_cast<std::uint32_t>(near) - furthest) >> shift >= end) ++shift;
+  }
+  /// Below `end`, nearest first.
+  std::uint32_t of(float inverse) const {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(inverse);
+    return end - 1 - std::min((bits - std::min(furthest, bits)) >> shift, end - 1);
+  }
+};
+
 struct RasterScene {
   FrameOptics optics;
   PictureCamera camera;
@@ -70,6 +91,7 @@ struct RasterScene {
   Shown shown = Shown::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
+  DistanceKeys keys;                              // of what the parts lie between
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   const DensityGrid* grid = nullptr;
   std::vector<EyeCamera> eyes;  // of optics.eyes

@@ -191,6 +191,24 @@ float* SkinPixels::add_eyes(const RasterScene& scene, std::uint32_t tile, int le
   return ends.data();
 }
 
+/// Each block's number becomes the furthest around it, along both axes.
+void SkinPixels::spread_hidden(int across, int down) {
+  constexpr int reach = hidden_around / hiding_side;
+  const auto spread = [](const float* from, std::ptrdiff_t step, int count, float* to) {
+    for (int i = 0; i < count; ++i) {
+      float around = i < reach || i + reach >= count ? 0.0f : std::numeric_limits<float>::max();
+      for (int k = std::max(i - reach, 0); k <= std::min(i + reach, count - 1); ++k)
+        around = std::min(around, from[k * step]);
+      to[i * step] = around;
+    }
+  };
+  std::vector<float> along(hidden.size());
+  for (int y = 0; y < down; ++y)
+    spread(&hidden[static_cast<std::size_t>(y * across)], 1, across, &along[static_cast<std::size_t>(y * across)]);
+  for (int x = 0; x < across; ++x)
+    spread(&along[static_cast<std::size_t>(x)], across, down, &hidden[static_cast<std::size_t>(x)]);
+}
+
 SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int threads) {
   constexpr int blocks = tile_side / hiding_side;
   const TileRows tiles = tiles_of(box);
@@ -216,6 +234,7 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
     }
   };
   for_each_in_parallel(static_cast<std::uint32_t>(count), raster_tile, threads);
+  spread_hidden(tiles.across * blocks, tiles.down * blocks);
 }
 
 }  // namespace pelage

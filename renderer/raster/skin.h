@@ -16,7 +16,8 @@ struct SkinPixels {
   std::vector<std::uint32_t> piece;  // triangle of the model
   std::vector<std::int8_t> eyes;     // number of the eye before it, -1 for none; empty without eyes
   std::vector<float> furthest;       // of each tile, one over the distance: 0 where any pixel of it is empty
-  std::vector<float> hidden;         // the same of blocks of hiding_side pixels, row by row of the box
+  std::vector<float> hidden;         // the same of all within hidden_around of each block of hiding_side pixels, row by
+                                     // row; 0 where that reaches out of the box
 
   /// Of the scene's model.
   SkinPixels(const RasterScene& scene, const PixelBox& box, int threads);
@@ -27,6 +28,8 @@ struct SkinPixels {
  private:
   /// Gives what ends strands there.
   float* add_eyes(const RasterScene& scene, std::uint32_t tile, int left, int top);
+
+  void spread_hidden(int across, int down);
 
   std::vector<float> with_eyes_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 namespace pelage {
 namespace {
@@ -18,7 +19,7 @@ PlacedStrands one_strand(const std::vector<PlacedKnot>& knots) {
 
 Bins binned(const std::vector<PlacedStrands>& batches, const std::vector<float>& furthest = std::vector<float>(12)) {
   Bins bins(box, batches.size());
-  for (std::size_t i = batches.size(); i-- > 0;) bins.find(i, batches[i], furthest);
+  for (std::size_t i = batches.size(); i-- > 0;) bins.find(i, batches[i], furthest, {0.25f, 2});
   bins.make_room();
   for (std::size_t i = batches.size(); i-- > 0;) bins.put(i);
   return bins;
@@ -62,16 +63,35 @@ TEST(Bins, HoldNumbersOfAnySize) {
   }
 }
 
+TEST(DistanceKeys, GoByDistanceInStepsOfItsShare) {
+  for (const auto& [far, near] : {std::pair(0.4f, 0.7f), std::pair(0.01f, 1e4f)}) {
+    const DistanceKeys keys(far, near);
+    const double octaves = std::log2(double{near} / double{far});
+    std::uint32_t before = keys.of(near);
+    for (double at = 0; at < 1; at += 0.001) {
+      const auto inverse = static_cast<float>(double{near} * std::pow(double{far} / double{near}, at));
+      ASSERT_GE(keys.of(inverse), before);
+      before = keys.of(inverse);
+      ASSERT_LT(keys.of(inverse), DistanceKeys::end);
+      const auto further = static_cast<float>(double{inverse} * (1 - octaves * 2e-4));
+      ASSERT_LT(keys.of(inverse), keys.of(further)) << far;
+    }
+    EXPECT_LE(keys.of(2 * near), keys.of(near)) << "nearer than all";
+    EXPECT_EQ(keys.of(far / 2), DistanceKeys::end - 1);
+  }
+}
+
 TEST(Bins, SortNearestFirstAndStable) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform(0.5f, 2);
-  std::vector<BinEntry> entries, sorted;
-  for (std::uint32_t i = 0; i < 5000; ++i) entries.push_back({0, i, i % 3 ? uniform(random) : 1.0f});
-  sort_by_distance(entries, sorted);
+  const DistanceKeys keys(0.5f, 2);
+  std::vector<BinEntry> entries, sorted, room;
+  for (std::uint32_t i = 0; i < 5000; ++i) entries.push_back({0, i, keys.of(i % 3 ? uniform(random) : 1.0f)});
+  sort_by_distance(entries, sorted, room);
   ASSERT_EQ(sorted.size(), entries.size());
   for (std::size_t i = 1; i < sorted.size(); ++i) {
-    EXPECT_GE(sorted[i - 1].inverse, sorted[i].inverse - 1.6f / 1023);
-    if (sorted[i - 1].inverse == sorted[i].inverse) {
+    EXPECT_LE(sorted[i - 1].key, sorted[i].key);
+    if (sorted[i - 1].key == sorted[i].key) {
       EXPECT_LT(sorted[i - 1].knot, sorted[i].knot);
     }
   }

@@ -63,6 +63,32 @@ TEST(Raster, HasTheSameBitsForAnyThreads) {
     EXPECT_EQ(stage.draw(quality, 1).rgba, stage.draw(quality, 7).rgba);
 }
 
+/// Where pictures differ inside a crop.
+int other_pixels(const FloatImage& whole, const FloatImage& image, const Crop& crop) {
+  int count = 0;
+  for (int y = crop.top; y < crop.top + crop.height; ++y)
+    for (int x = crop.left; x < crop.left + crop.width; ++x) count += pixel(whole, x, y) != pixel(image, x, y) ? 1 : 0;
+  return count;
+}
+
+TEST(Raster, ACropHasTheBitsOfTheWhole) {
+  Stage stage;
+  stage.frame.width = 320, stage.frame.height = 280;
+  std::fill(stage.patch.length.begin() + 20, stage.patch.length.begin() + 50, 0.2f);
+  for (std::size_t i = 0; i < stage.patch.positions.size(); ++i)  // a hill, with fur behind it
+    stage.patch.positions[i].z = 0.2f * std::exp(-40 * std::pow(stage.patch.positions[i].y - 0.2f, 2.0f));
+  stage.frame.ground = FurGround{.height = -0.4f, .shadow = 1, .contact = 1};
+  stage.grow();
+  for (const RasterQuality& quality : {RasterQuality{1000, 1, 6, 0}, RasterQuality{1, 4, 3, 2}}) {
+    stage.frame.crop.reset();
+    const FloatImage whole = stage.draw(quality);
+    for (const Crop& crop : {Crop{37, 50, 90, 61}, Crop{160, 130, 1, 1}, Crop{0, 96, 320, 16}, Crop{5, 5, 310, 270}}) {
+      stage.frame.crop = crop;
+      EXPECT_EQ(other_pixels(whole, stage.draw(quality), crop), 0) << crop.left;
+    }
+  }
+}
+
 TEST(Raster, FewStrandsCoverAndShineAsAll) {
   const Stage stage;
   const FloatImage all = stage.draw({1000, 1, 100, 0});
