@@ -35,7 +35,7 @@ struct View {
 // What a frame request says: the size, the camera and the quality.
 
 enum class Tier { draft, interactive, detailed, reference };
-enum class Method { shells, strands };  // strands: every strand of the coat, ray traced
+enum class Method { shells, raster, strands };  // raster: strands, rasterized; strands: all of them, ray traced
 /// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
 /// whole paths that scatter from strand to strand.
 enum class Transport { transmittance, paths };
@@ -103,6 +103,14 @@ struct Tracing {
   bool operator==(const Tracing&) const = default;
 };
 
+/// Which strands are rasterized, and how they are lit.
+struct Rasterizing {
+  double strands = 1.5;  // kept of those that stand on a pixel of skin seen from above, the others wider, [0.01, 1000]
+  int light_of = 2;      // strands that share the light of one, 1, 2, 4 or 8
+
+  bool operator==(const Rasterizing&) const = default;
+};
+
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
   int shells = 16;  // [1, 1024], where the view needs most
@@ -118,7 +126,8 @@ struct Knobs {
   FragmentOrder order = FragmentOrder::shells;  // in which fur is blended
   int guard_hairs = 0;                          // single hairs over the model, [0, 100000]; drawn near silhouettes
   Method method = Method::shells;
-  Tracing trace = {};  // of method strands
+  Rasterizing raster = {};  // of method raster
+  Tracing trace = {};       // of method strands
 
   bool operator==(const Knobs&) const = default;
 };

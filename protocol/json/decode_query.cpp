@@ -52,7 +52,8 @@ class QueryMembers {
   void object(MemberName name, const std::optional<Look>&, const char* = "") {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
-  void object(MemberName, const Tracing&, const char* = "") {}  // strands are traced for POST alone
+  void object(MemberName, const Rasterizing&, const char* = "") {}  // for POST alone, as Tracing
+  void object(MemberName, const Tracing&, const char* = "") {}
   void object(MemberName name, const std::optional<Crop>&, const char* = "") { add(name, Kind::crop); }
   void object(MemberName name, const Camera&, const char* = "") {
     for (const Camera& form : {Camera{}, Camera{.automatic = AutoView::none}}) add_below(name, form);

@@ -45,16 +45,28 @@ void members(V& v, Visited<V, Tracing>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, Rasterizing>& c) {
+  v.type("Rasterizing", "Which strands are rasterized, and how they are lit.");
+  v.number(
+      "strands", c.strands, {0.01, 1000, "strands"},
+      "Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much "
+      "wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands "
+      "as many are drawn.");
+  v.integer("light_of", c.light_of, {1, 8},
+            "Neighbouring strands that share the light of one of them: 1, 2, 4 or 8. More is faster and smoother.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Knobs>& c) {
   v.type("Knobs", "What a frame is drawn with. What is not given is as in the interactive tier.");
-  v.name("method", c.method, json_names::methods,
-         "How fur is drawn. strands: every strand of the coat, ray traced; of the other knobs it takes `trace`, "
-         "`eye_steps` and `guard_hairs`.");
+  v.name(
+      "method", c.method, json_names::methods,
+      "How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU; of the "
+      "other knobs it takes `raster`, `scale`, `eye_steps` and `guard_hairs`. strands: every strand of the coat, ray "
+      "traced; of the other knobs it takes `trace`, `eye_steps` and `guard_hairs`.");
   if (v.shows(c.method == Method::shells)) {
     v.integer("shells", c.shells, {1, limits::shells}, "Number of shells where the view needs most.");
     v.integer("steps", c.steps, {1, 16}, "Texture steps inside each slab.");
-    v.number("scale", c.scale, {0.25, 2, "factor"},
-             "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
     v.integer("min_radius", c.min_radius, {0, 8192, "pixels"},
               "Smallest radius of the ball about the model's box, in rendered pixels: where a scale below 1 gives "
               "fewer, the scale is larger, up to 1, so that what is small on the picture keeps its form. The answer's "
@@ -69,6 +81,9 @@ void members(V& v, Visited<V, Knobs>& c) {
            "slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it "
            "makes beauty and alpha; the others stay in the order of shells.");
   }
+  if (v.shows(c.method != Method::strands))
+    v.number("scale", c.scale, {0.25, 2, "factor"},
+             "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
   v.integer(
       "eye_steps", c.eye_steps, {0, 64},
       "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray marching "
@@ -77,6 +92,8 @@ void members(V& v, Visited<V, Knobs>& c) {
       "guard_hairs", c.guard_hairs, {0, 100000},
       "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "
       "strands about as many stand so.");
+  if (v.shows(c.method == Method::raster))
+    v.object("raster", c.raster, "Which strands are rasterized; with method raster only.");
   if (v.shows(c.method == Method::strands))
     v.object("trace", c.trace, "How strands are traced; with method strands only.");
 }

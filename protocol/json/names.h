@@ -123,7 +123,8 @@ inline constexpr std::array<Name<Tier>, 4> tiers{{{"draft", Tier::draft},
                                                   {"interactive", Tier::interactive},
                                                   {"detailed", Tier::detailed},
                                                   {"reference", Tier::reference}}};
-inline constexpr std::array<Name<Method>, 2> methods{{{"shells", Method::shells}, {"strands", Method::strands}}};
+inline constexpr std::array<Name<Method>, 3> methods{
+    {{"shells", Method::shells}, {"raster", Method::raster}, {"strands", Method::strands}}};
 inline constexpr std::array<Name<Transport>, 2> transports{
     {{"transmittance", Transport::transmittance}, {"paths", Transport::paths}}};
 inline constexpr std::array<Name<StrandScattering>, 2> strand_scatterings{

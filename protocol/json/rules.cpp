@@ -17,8 +17,8 @@ void check_strands(const Value& value, const FrameRequest& request) {
   const Overlay overlay = request.overlay;
   const bool of_shells = overlay == Overlay::shell_count || overlay == Overlay::light_depth ||
                          overlay == Overlay::light_occlusion || overlay == Overlay::shadow_width;
-  if ((strands || request.progressive) && of_shells) {
-    value.refuse_below("overlay", "Traced strands have no such map.", "a field, or method shells without progressive");
+  if ((request.knobs.method != Method::shells || request.progressive) && of_shells) {
+    value.refuse_below("overlay", "Strands have no such map.", "a field, or method shells without progressive");
   }
 }
 
@@ -91,14 +91,19 @@ void check_overlay(const Value& value, const FrameRequest& request) {
   }
 }
 
-/// Of shells alone, or of strands alone.
+/// Of one method alone.
 void check_method(const Value& value, const Knobs& knobs) {
-  const bool strands = knobs.method == Method::strands;
-  for (const char* name : {"shells", "shell_policy", "steps", "scale", "min_radius", "self_shadow", "shadow_maps",
-                           "shadow_resolution", "order"}) {
-    if (strands && given(value, name)) value.refuse_below(name, "Traced strands have no shells.", "method shells");
+  const bool traced = knobs.method == Method::strands;
+  for (const char* name :
+       {"shells", "shell_policy", "steps", "min_radius", "self_shadow", "shadow_maps", "shadow_resolution", "order"}) {
+    if (knobs.method != Method::shells && given(value, name))
+      value.refuse_below(name, "Strands have no shells.", "method shells");
   }
-  if (!strands && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
+  if (traced && given(value, "scale"))
+    value.refuse_below("scale", "Strands are traced at the asked size.", "method shells or raster");
+  if (!traced && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
+  if (knobs.method != Method::raster && given(value, "raster"))
+    value.refuse_below("raster", "Nothing is rasterized.", "method raster");
 }
 
 }  // namespace
@@ -121,6 +126,11 @@ void check(const Value& value, const FrameRequest& request) {
 }
 
 void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }
+
+void check(const Value& value, const Rasterizing& raster) {
+  if ((raster.light_of & (raster.light_of - 1)) != 0)
+    value.refuse_below("light_of", "Strands share their light by twos.", "1, 2, 4 or 8");
+}
 
 void settle(const Value& value, Tracing& tracing) {
   if (tracing.transport == Transport::paths && !given(value, "scattering"))

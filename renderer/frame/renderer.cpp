@@ -40,8 +40,13 @@ UploadCount Renderer::add(const FurModel& model, const FurFields& fields) {
   return gl_ ? gl_->add(model, fields) : taken;
 }
 
+UploadCount Renderer::add_strands(const FurModel& model, const FurFields& fields) {
+  return {raster_.add(model, fields), 1};
+}
+
 UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
   const UploadCount taken = marched_.update(model, fields);
+  if (raster_.has(model)) raster_.update(model, fields);
   return gl_ ? gl_->update(model, fields) : taken;
 }
 
@@ -69,7 +74,22 @@ Result<Picture> Renderer::draw_by_gl(const FurFrame& frame, DrawTimes* times, co
   return picture;
 }
 
+template <class Picture, class Finish>
+Result<Picture> Renderer::draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause,
+                                      const Finish& finish) {
+  DrawTimes taken, finishing;
+  const Result<std::vector<FloatImage>> light = raster_.draw(frame, std::array{Aov::beauty}, taken, pause);
+  if (!light) return light.status();
+  Result<Picture> picture = finish(light->front(), &finishing);
+  add_times(taken, finishing);
+  if (times) *times = taken;
+  return picture;
+}
+
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  if (frame.knobs.method == Method::raster)
+    return draw_raster<Image>(frame, times, pause,
+                              [&](const FloatImage& light, DrawTimes* taken) { return finish(frame, light, taken); });
   if (!gl_) return crop_of(frame, marched_.draw(frame, times, pause));
   return draw_by_gl<Image>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
     return crop_of(frame, gl_->draw(frame, overlay, drawn, pause));
@@ -77,6 +97,10 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Paus
 }
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
+  if (frame.knobs.method == Method::raster)
+    return draw_raster<Image16>(frame, times, pause, [&](const FloatImage& light, DrawTimes* taken) {
+      return finish_deep(frame, light, taken);
+    });
   if (!gl_) return crop_of(frame, marched_.draw_deep(frame, times, pause));
   return draw_by_gl<Image16>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
     return crop_of(frame, gl_->draw_deep(frame, overlay, drawn, pause));
@@ -85,7 +109,11 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, con
 
 Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                                     const Pause& pause) {
-  auto images = gl_ ? gl_->draw_aovs(frame, aovs, times, pause) : marched_.draw_aovs(frame, aovs, times, pause);
+  DrawTimes taken;
+  auto images = frame.knobs.method == Method::raster ? raster_.draw(frame, aovs, taken, pause)
+                : gl_                                ? gl_->draw_aovs(frame, aovs, &taken, pause)
+                                                     : marched_.draw_aovs(frame, aovs, &taken, pause);
+  if (times) *times = taken;
   if (!images || !frame.crop) return images;
   for (FloatImage& image : *images) image = crop_of(frame, std::move(image));
   return images;
@@ -106,16 +134,16 @@ Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& l
 void Renderer::clear_view_cache() { marched_.clear_view_cache(); }
 
 std::size_t Renderer::bytes_of(std::uint64_t original) const {
-  return (gl_ ? gl_->bytes_of(original) : 0) + marched_.bytes_of(original);
+  return (gl_ ? gl_->bytes_of(original) : 0) + marched_.bytes_of(original) + raster_.bytes_of(original);
 }
 
 void Renderer::forget(std::uint64_t original) {
-  marched_.forget(original);
+  marched_.forget(original), raster_.forget(original);
   if (gl_) gl_->forget(original);
 }
 
 void Renderer::forget_all() {
-  marched_.forget_all();
+  marched_.forget_all(), raster_.forget_all();
   if (gl_) gl_->forget_all();
 }
 

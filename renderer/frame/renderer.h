@@ -1,4 +1,4 @@
-// Frames, whoever draws them: the one door in front of the GL passes and of the marcher.
+// Frames, whoever draws them: the one door in front of the GL passes, the marcher and the raster.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "protocol/base/status.h"
 #include "renderer/frame/gl_renderer.h"
 #include "renderer/frame/marched_renderer.h"
+#include "renderer/frame/raster_renderer.h"
 
 namespace pelage {
 
@@ -20,20 +21,24 @@ struct RendererOptions {
   CoatSource coats = bake_here;                          // where slices come from
 };
 
-/// Draws frames by a GL where it has one, else on the CPU. Of a frame with a crop all pictures have the crop's size,
-/// and the bits that the whole frame has there; light that is to be finished, and backplates, are of the whole. What
-/// traced strands stand on, and their finished picture, are made on the CPU in any case. Belongs to the thread and the
-/// context that it was made on.
+/// Draws shells by a GL where it has one, else on the CPU, and rasterized strands on the CPU. Of a frame with a crop
+/// all pictures have the crop's size, and the bits that the whole frame has there; light that is to be finished, and
+/// backplates, are of the whole. What traced strands stand on, and their finished picture, are made on the CPU in any
+/// case. Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
   /// By a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
   /// On the CPU.
-  explicit Renderer(const RendererOptions& options) : marched_(options.threads, options.coats) {}
+  explicit Renderer(const RendererOptions& options)
+      : marched_(options.threads, options.coats), raster_(options.threads) {}
 
   bool has(std::uint64_t model) const { return marched_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
   UploadCount add(const FurModel& model, const FurFields& fields);
+  /// Whether it can also rasterize the strands of a model that it has, and taking what that needs.
+  bool rasterizes(std::uint64_t model) const { return raster_.has(model); }
+  UploadCount add_strands(const FurModel& model, const FurFields& fields);
   /// Takes over the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
@@ -65,6 +70,7 @@ class Renderer {
   void clear_view_cache();
   /// What the frame reads of its coat and the renderer does not have yet: it gets it from its source once it draws.
   std::optional<CoatNeed> missing_coat(const FurFrame& frame) const {
+    if (frame.knobs.method == Method::raster) return {};
     return gl_ ? gl_->missing_coat(frame) : marched_.missing_coat(frame);
   }
   /// What the coats take that are kept in memory.
@@ -85,8 +91,13 @@ class Renderer {
   template <class Picture, class Draw>
   Result<Picture> draw_by_gl(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
 
+  /// Rasterized light, finished as traced light is: finish(light, times).
+  template <class Picture, class Finish>
+  Result<Picture> draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Finish& finish);
+
   std::unique_ptr<GlRenderer> gl_;  // null: there is none
   MarchedRenderer marched_;
+  RasterRenderer raster_;
 };
 
 }  // namespace pelage

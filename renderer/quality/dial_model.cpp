@@ -18,8 +18,21 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
           view.triangles * knobs.shells / hundred_thousand};
 }
 
+namespace {
+
+/// Of pixels, and of strands that are kept, of which the drawing is half and the light of one the rest.
+double raster_cost(const ViewFeatures& view, const Knobs& knobs) {
+  constexpr double million_pixels = 60, strand = 6e-4, light = 6e-4;  // milliseconds
+  const double scale = knobs.scale * knobs.scale;
+  const double kept = std::min(view.strands, 1.3 * knobs.raster.strands * view.area * scale);
+  return million_pixels * view.pixels * scale / 1e6 + kept * (strand + light / knobs.raster.light_of);
+}
+
+}  // namespace
+
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs) {
   constexpr double min_cost = 1e-3;
+  if (knobs.method == Method::raster) return std::max(raster_cost(view, knobs), min_cost);
   const std::array<double, cost_terms> terms = cost_terms_of(view, knobs);
   double sum = 0;
   for (std::size_t i = 0; i < cost_terms; ++i) sum += model.prices[i] * terms[i];

@@ -39,7 +39,8 @@ Knobs dial_knobs(int shells, int steps, double scale);
 /// thousand triangles of shells.
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs);
 
-/// By the default prices: milliseconds above 0, without what eyes, curves, the ground and shadow maps add.
+/// By the default prices: milliseconds above 0, without what eyes, curves, the ground and shadow maps add. Of a raster
+/// by docs/notes/2026-11-27-strand-raster.md, without what grows anew.
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs);
 
 /// Mean FLIP of half of the views like this, (0, 1].

@@ -29,12 +29,13 @@ class Looker {
 
  private:
   glm::dvec3 seen(std::uint32_t vertex, double length) const;
-  void spread(const std::array<glm::dvec3, 3>& corners, double area, double length);
+  void spread(const std::array<glm::dvec3, 3>& corners, double area, double length, double on_skin);
 
   const FurFrame& frame_;
   const FurredSkin& skin_;
   double focal_ = 1;  // pixels
   double triangles_ = 0, area_ = 0, fur_ = 0;
+  double seen_skin_ = 0;  // sizes^2
 };
 
 /// Column and row in pixels, and the depth; the middle of the fur's height.
@@ -58,11 +59,11 @@ void Looker::look(const glm::uvec3& t) {
   const std::array<glm::dvec3, 3> corners{seen(t.x, length), seen(t.y, length), seen(t.z, length)};
   if (std::max({corners[0].z, corners[1].z, corners[2].z}) <= nearest) return;
   const glm::dvec2 first(corners[1] - corners[0]), second(corners[2] - corners[0]);
-  spread(corners, std::abs(first.x * second.y - first.y * second.x) / 2, length);
+  spread(corners, std::abs(first.x * second.y - first.y * second.x) / 2, length, glm::length(normal) / 2);
 }
 
 /// Counts the parts of a triangle that lie in the picture, the middles of n x n equal triangles.
-void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, double length) {
+void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, double length, double on_skin) {
   const double place = std::sqrt(double(frame_.width) * frame_.height) / places_across;
   const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / place), 1.0, max_parts));
   const double part = area / (n * n);
@@ -72,7 +73,7 @@ void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, doubl
       const double u = (i + third) / n, v = (j / 2 + third) / n;
       const glm::dvec3 at = corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v;
       if (!(at.x >= 0 && at.x < frame_.width && at.y >= 0 && at.y < frame_.height)) continue;
-      area_ += part, fur_ += part * length * focal_ / at.z;
+      area_ += part, fur_ += part * length * focal_ / at.z, seen_skin_ += on_skin / (n * n);
     }
   }
 }
@@ -84,6 +85,8 @@ ViewFeatures Looker::features(double times) const {
   view.area = std::min(area_ * times * skin_.pieces, max_depth_complexity * view.pixels);
   view.fur_pixels = area_ > 0 ? std::min(fur_ / area_, max_fur) : 0;
   view.lights = static_cast<double>(frame_.lights.size());
+  const Coat& coat = frame_.coat;
+  view.strands = seen_skin_ * times * coat.count / (coat.tile * coat.tile);
   return view;
 }
 

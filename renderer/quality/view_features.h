@@ -23,6 +23,7 @@ struct ViewFeatures {
   double area = 0;        // pixels that those pieces cover inside the picture, one over the other
   double fur_pixels = 0;  // length of the fur where it is seen
   double lights = 0;
+  double strands = 0;  // of the coat, that stand on the skin of `area`
 };
 
 /// At most some ten thousand triangles are looked at, evenly through the list. Deterministic.

@@ -72,19 +72,21 @@ HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, 
   return blocks;
 }
 
-/// Adds what is at a distance to sums, by its weight of what got through so far.
-template <Shown shown>
-HWY_INLINE void add_distance(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
+/// Adds a segment that sends nothing to sums, by its weight of what got through so far.
+template <RasterOutput shown>
+HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
   const Real before = load(sums.red + at);
-  if constexpr (shown == Shown::distance) {
+  if constexpr (shown == RasterOutput::distance) {
     store(mul_add(weight, 1.0f / max(inverse, 1e-12f), before), sums.red + at);
+  } else if constexpr (shown == RasterOutput::count) {
+    store(before + select(weight > 0.0f, 1.0f, 0.0f), sums.red + at);
   } else {
     store(select((through >= 0.5f) & (through - weight < 0.5f), inverse, before), sums.red + at);
   }
 }
 
 /// Blends over lanes of a block; whether anything gets through them still.
-template <Shown shown>
+template <RasterOutput shown>
 HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
@@ -99,7 +101,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
   const Real weight = select(in_front, alpha, 0.0f) * through, left_over = through - weight;
   store(left_over, sums.through + at);
   if constexpr (!sends(shown)) {
-    add_distance<shown>(inverse, weight, through, at, sums);
+    add_place<shown>(inverse, weight, through, at, sums);
     return any(left_over > min_through);
   }
   store(mul_add(weight, mul_add(share, s.more_light[0], s.light[0]), load(sums.red + at)), sums.red + at);
@@ -109,7 +111,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
 }
 
 /// `shown` is light for all that strands send.
-template <Shown shown>
+template <RasterOutput shown>
 HWY_INLINE void blend_all(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
                           TileSums& sums) {
   const float min_width = scene.quality.min_width;

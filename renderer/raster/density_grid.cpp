@@ -12,6 +12,7 @@ namespace {
 
 constexpr float finest_cell = 0.008f;  // sizes
 constexpr double max_cells = 1 << 20;
+constexpr double cells_a_step = 4;
 constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 
 GridPlace place_around(std::span<const GrownPart> parts) {
@@ -23,20 +24,23 @@ GridPlace place_around(std::span<const GrownPart> parts) {
   if (low.x > high.x) return {};
   const glm::dvec3 room(high - low);
   const double cell = std::max(double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells));
-  const glm::dvec3 first = glm::floor(glm::dvec3(low) / cell) - 1.0, last = glm::floor(glm::dvec3(high) / cell) + 1.0;
-  return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first) + 1};
+  // In steps of some cells, so that a stroke seldom moves it.
+  const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
+  const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
+  return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
 }
 
-/// To sums that several threads add to.
-void add(CellDensity& density, float covered, glm::vec3 way) {
+/// To sums that several threads add to: `sign` is -1 for what goes.
+void add(CellDensity& density, float covered, glm::vec3 way, int sign) {
   const std::array values{covered, way.x, way.y, way.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto fixed = static_cast<std::int32_t>(std::lround(values[i] * CellDensity::one));
-    std::atomic_ref(density.sum[i]).fetch_add(fixed, std::memory_order_relaxed);
+    std::atomic_ref(density.sum[i]).fetch_add(sign * fixed, std::memory_order_relaxed);
   }
 }
 
-void add_segment(const GridPlace& place, const StrandPoint& a, const StrandPoint& b, std::vector<CellDensity>& cells) {
+void add_segment(const GridPlace& place, const StrandPoint& a, const StrandPoint& b, int sign,
+                 std::vector<CellDensity>& cells) {
   const glm::vec3 way = b.place - a.place;
   const float length = glm::length(way);
   const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length / place.cell), 1e6f)), 1, max_steps);
@@ -44,31 +48,38 @@ void add_segment(const GridPlace& place, const StrandPoint& a, const StrandPoint
   for (int s = 0; s < steps; ++s) {
     const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
     const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place.low) / place.cell), glm::ivec3(0), place.size - 1);
-    add(cells[place.index(cell)], width * length, width * way);
+    add(cells[place.index(cell)], width * length, width * way, sign);
   }
+}
+
+void add_strands(const GridPlace& place, const StrandSet& set, int sign, std::vector<CellDensity>& cells) {
+  const auto knots = static_cast<std::size_t>(set.segments) + 1;
+  for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
+    if (k % knots + 1 < knots) add_segment(place, set.points[k], set.points[k + 1], sign, cells);
 }
 
 }  // namespace
 
-/// Whether anything has changed.
+/// Sums are whole numbers, so that taking strands out leaves what would be there without them.
 bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
-  std::vector<std::uint64_t> states;
-  for (const GrownPart& part : parts) states.push_back(part.role == StrandRole::coat ? part.state : 0);
   const GridPlace around = place_around(parts);
-  if (states == states_ && around == place_ && !density_.empty()) return false;
-  states_ = std::move(states), place_ = around;
-  density_.assign(place_.count(), {});
+  if (!(around == place_) || held_.size() != parts.size()) {
+    place_ = around;
+    density_.assign(place_.count(), {}), held_.assign(parts.size(), nullptr);
+  }
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t p = 0; p < parts.size(); ++p)
+    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p]) changed.push_back(p);
   for_each_in_parallel(
-      static_cast<std::uint32_t>(parts.size()),
-      [&](std::uint32_t p) {
-        if (parts[p].role != StrandRole::coat) return;
-        const StrandSet& set = *parts[p].strands;
-        const auto knots = static_cast<std::size_t>(set.segments) + 1;
-        for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
-          if (k % knots + 1 < knots) add_segment(place_, set.points[k], set.points[k + 1], density_);
+      static_cast<std::uint32_t>(changed.size()),
+      [&](std::uint32_t i) {
+        auto& held = held_[changed[i]];
+        if (held) add_strands(place_, *held, -1, density_);
+        held = parts[changed[i]].strands;
+        add_strands(place_, *held, 1, density_);
       },
       threads);
-  return true;
+  return !changed.empty();
 }
 
 void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights,

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,11 +32,12 @@ class DensityGrid {
   std::size_t bytes() const;
 
  private:
+  /// Whether anything has changed.
   bool add_fur(std::span<const GrownPart> parts, int threads);
 
   GridPlace place_;
   std::vector<CellDensity> density_;
-  std::vector<std::uint64_t> states_;  // of the parts that are in it
+  std::vector<std::shared_ptr<const StrandSet>> held_;  // strands that are in it, by part; null for none
   std::uint64_t model_ = 0, changes_ = 0;
   std::vector<FurLight> lights_;  // that have been followed
   std::vector<std::vector<CrossedByTwo>> crossed_;

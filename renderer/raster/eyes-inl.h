@@ -65,16 +65,17 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const Ey
   };
   const Real none = 0.0f;
   switch (scene.shown) {
-    case Shown::albedo: return eye_surface(optics, eye, hit).albedo;
-    case Shown::normal: return eye_surface(optics, eye, hit).normal;
-    case Shown::tangent: return {none, none, none};
-    case Shown::direct: return direct();
-    case Shown::shadow: {
+    case RasterOutput::albedo: return eye_surface(optics, eye, hit).albedo;
+    case RasterOutput::normal: return eye_surface(optics, eye, hit).normal;
+    case RasterOutput::tangent:
+    case RasterOutput::count: return {none, none, none};
+    case RasterOutput::direct: return direct();
+    case RasterOutput::shadow: {
       const Real sent = luminance(direct());
       return {sent, sent, none};
     }
-    case Shown::distance: return {1.0f / max(inverse, 1e-12f), none, none};
-    case Shown::depth: return {inverse, none, none};
+    case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
+    case RasterOutput::depth: return {inverse, none, none};
     default: return eye_light(optics, eye, hit, optics.lights);
   }
 }
@@ -89,7 +90,7 @@ HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way
   if (!any(hit.there)) return;
   Real weight = select(hit.there, through * hit.covered, 0.0f);
   const Real left_over = through - weight;
-  if (scene.shown == Shown::depth) weight = select((through >= 0.5f) & (left_over < 0.5f), 1.0f, 0.0f);
+  if (scene.shown == RasterOutput::depth) weight = select((through >= 0.5f) & (left_over < 0.5f), 1.0f, 0.0f);
   const Vec3 light = shown_of(scene, scene.optics.eyes.block.eyes[number], hit, load(ends + at));
   store(mul_add(light.x, weight, load(sums.red + at)), sums.red + at);
   store(mul_add(light.y, weight, load(sums.green + at)), sums.green + at);

@@ -16,7 +16,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
   const bool single = part.role == StrandRole::curve;
-  const bool shares = !single && scene.shown == Shown::light;
+  const bool shares = !single && scene.shown == RasterOutput::light;
   const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
   const std::uint32_t own = (last + lit_of) / lit_of;
   place_.assign(own, none), lit_.clear(), of_.clear();

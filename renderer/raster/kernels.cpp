@@ -36,9 +36,10 @@ void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, con
 
 void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
   switch (scene.shown) {
-    case Shown::distance: return blend_all<Shown::distance>(scene, segments, left, top, sums);
-    case Shown::depth: return blend_all<Shown::depth>(scene, segments, left, top, sums);
-    default: return blend_all<Shown::light>(scene, segments, left, top, sums);
+    case RasterOutput::distance: return blend_all<RasterOutput::distance>(scene, segments, left, top, sums);
+    case RasterOutput::depth: return blend_all<RasterOutput::depth>(scene, segments, left, top, sums);
+    case RasterOutput::count: return blend_all<RasterOutput::count>(scene, segments, left, top, sums);
+    default: return blend_all<RasterOutput::light>(scene, segments, left, top, sums);
   }
 }
 

@@ -1,7 +1,9 @@
 #include "renderer/raster/light_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace pelage {
 
@@ -50,24 +52,99 @@ std::vector<int> order_from(float light, int size) {
   return order;
 }
 
-class LightThrough {
- public:
-  LightThrough(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
-               const FurLight& light)
-      : place_(place),
-        density_(density),
-        skin_(skin_facing_away(place, model, light)),
-        far_(light.kind == LightKind::directional) {
-    source_ = far_ ? -light.direction : (light.position - place.low) / place.cell;
+void add(Crossed& sum, const Crossed& part, float share) {
+  sum.strands += share * part.strands, sum.body += share * part.body;
+}
+
+/// Cells beside one that light comes to it through, and how much each of them counts; nothing lies outside the grid.
+template <std::size_t count>
+struct Stencil {
+  struct Tap {
+    glm::ivec3 off{0};
+    std::ptrdiff_t index = 0;  // of it, from the cell's
+    float share = 0;
+  };
+  std::array<Tap, count> taps;
+
+  void set(const GridPlace& place, std::size_t i, glm::ivec3 off, float share) {
+    taps[i] = {off, (static_cast<std::ptrdiff_t>(off.z) * place.size.y + off.y) * place.size.x + off.x, share};
+  }
+  Crossed sum(const GridPlace& place, glm::ivec3 cell, const Crossed* at) const {
+    Crossed sum;
+    for (const Tap& tap : taps)
+      if (place.has(cell + tap.off)) add(sum, at[tap.index], tap.share);
+    return sum;
+  }
+  /// Adds the sums of all cells of a row, times `times`, but for what lies in the row itself: a tap after the other, so
+  /// that several cells are summed at once.
+  void add_other_rows(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, float times,
+                      Crossed* row) const {
+    for (const Tap& tap : taps)
+      if (tap.off.y != 0 || tap.off.z != 0) add_tap(place, y, z, cells, tap, times, row);
+  }
+  void add_rows(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, Crossed* row) const {
+    for (const Tap& tap : taps) add_tap(place, y, z, cells, tap, 1, row);
   }
 
-  std::vector<Crossed> all() const {
-    const std::vector<Crossed> swept = sweep();
-    std::vector<Crossed> crossed;
-    crossed.reserve(place_.count());
+ private:
+  static void add_tap(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, const Tap& tap,
+                      float times, Crossed* row) {
+    if (!place.has({0, y + tap.off.y, z + tap.off.z})) return;
+    const int begin = std::max(-tap.off.x, 0), end = place.size.x - std::max(tap.off.x, 0);
+    const Crossed* from = &cells[place.index({0, y + tap.off.y, z + tap.off.z})] + tap.off.x;
+    const float share = tap.share * times;
+    for (int x = begin; x < end; ++x) add(row[x], from[x], share);
+  }
+};
+
+/// The way to a light in cells.
+struct Way {
+  Stencil<4> before;  // cells next to one, on its side of the light
+  float longer = 1;   // of the way to them over that along an axis
+  Stencil<near_steps> near;
+  Stencil<8> beyond;  // about where those end
+
+  Way(const GridPlace& place, glm::vec3 to_light) {
+    const glm::vec3 size = glm::abs(to_light);
+    const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
+    const glm::ivec3 step(glm::sign(to_light));
+    longer = 1 / std::max(size[a], 0.5f);
+    const float off_b = size[b] * longer, off_c = size[c] * longer;
+    for (int k = 0; k < 4; ++k) {
+      glm::ivec3 off(0);
+      off[a] = step[a];
+      if (k & 1) off[b] = step[b];
+      if (k & 2) off[c] = step[c];
+      const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
+      before.set(place, static_cast<std::size_t>(k), off, off == glm::ivec3(0) ? 0.0f : share);
+    }
+    for (int s = 1; s <= near_steps; ++s)
+      near.set(place, static_cast<std::size_t>(s - 1), glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))),
+               s < near_steps ? 1.0f : 0.5f);
+    const glm::vec3 end = to_light * static_cast<float>(near_steps), low = glm::floor(end), part = end - low;
+    for (int k = 0; k < 8; ++k) {
+      const glm::ivec3 off(k & 1, k >> 1 & 1, k >> 2);
+      const glm::vec3 share = glm::mix(1.0f - part, part, glm::vec3(off));
+      beyond.set(place, static_cast<std::size_t>(k), glm::ivec3(low) + off, share.x * share.y * share.z);
+    }
+  }
+};
+
+class LightThrough {
+ public:
+  LightThrough(const GridPlace& place, const FurLight& light)
+      : place_(place),
+        far_(light.kind == LightKind::directional),
+        source_(far_ ? -light.direction : (light.position - place.low) / place.cell),
+        same_(place, way_from(glm::vec3(0))) {}
+
+  std::vector<Crossed> all(std::span<const CellDensity> density, const std::vector<float>& skin) {
+    find_local(density, skin);
+    swept_.resize(place_.count());
+    each_row_from_light([&](int y, int z, const std::vector<int>& along) { sweep_row(y, z, along); });
+    std::vector<Crossed> crossed(place_.count());
     for (int z = 0; z < place_.size.z; ++z)
-      for (int y = 0; y < place_.size.y; ++y)
-        for (int x = 0; x < place_.size.x; ++x) crossed.push_back(along_ray({x, y, z}, swept));
+      for (int y = 0; y < place_.size.y; ++y) follow_row(y, z, &crossed[place_.index({0, y, z})]);
     return crossed;
   }
 
@@ -77,98 +154,92 @@ class LightThrough {
     const glm::vec3 apart = source_ - place;
     return apart / std::max(glm::length(apart), 1e-3f);
   }
+  Way way_of(int x, int y, int z) const { return {place_, way_from(glm::vec3(x, y, z) + 0.5f)}; }
+  template <class Use>
+  void each_row_from_light(const Use& use) const;
 
-  /// What light crosses in a cell on a way of its width.
-  Crossed in_cell(std::size_t at, glm::vec3 to_light) const {
-    const CellDensity& density = density_[at];
-    if (density.sum[0] <= 0) return {0, skin_depth * skin_[at]};
-    const glm::vec3 way(density.sum[1], density.sum[2], density.sum[3]);
-    const float whole = static_cast<float>(density.sum[0]), along = glm::dot(way, to_light) / whole;
-    return {whole / CellDensity::one * std::sqrt(std::max(1 - (1 - spread) * along * along, 0.0f)),
-            skin_depth * skin_[at]};
-  }
-
-  std::vector<Crossed> sweep() const;
-  Crossed from_neighbours(glm::ivec3 cell, const std::vector<Crossed>& middle) const;
-  Crossed along_ray(glm::ivec3 cell, const std::vector<Crossed>& swept) const;
-  Crossed between(const std::vector<Crossed>& cells, glm::vec3 at) const;
+  void find_local(std::span<const CellDensity> density, const std::vector<float>& skin);
+  void sweep_row(int y, int z, const std::vector<int>& along);
+  void follow_row(int y, int z, Crossed* row) const;
 
   const GridPlace& place_;
-  std::span<const CellDensity> density_;
-  std::vector<float> skin_;
   bool far_;
   glm::vec3 source_;  // the light's place, in cells; of a far one the way to it
+  Way same_;          // of a far light
+  std::vector<Crossed> local_, swept_;
 };
 
-void add(Crossed& sum, const Crossed& part, float share) {
-  sum.strands += share * part.strands, sum.body += share * part.body;
+/// What light crosses in each cell on a way of its width.
+void LightThrough::find_local(std::span<const CellDensity> density, const std::vector<float>& skin) {
+  local_.resize(place_.count());
+  for (std::size_t at = 0; at < local_.size(); ++at) {
+    const CellDensity& fur = density[at];
+    local_[at].body = skin_depth * skin[at];
+    if (fur.sum[0] <= 0) continue;
+    const auto width = static_cast<std::size_t>(place_.size.x), height = static_cast<std::size_t>(place_.size.y);
+    const glm::vec3 middle = glm::vec3(at % width, at / width % height, at / (width * height)) + 0.5f;
+    const glm::vec3 way(fur.sum[1], fur.sum[2], fur.sum[3]);
+    const float whole = static_cast<float>(fur.sum[0]), along = glm::dot(way, way_from(middle)) / whole;
+    local_[at].strands = whole / CellDensity::one * std::sqrt(std::max(1 - (1 - spread) * along * along, 0.0f));
+  }
+}
+
+/// use(y, z, x in the order that light comes in).
+template <class Use>
+void LightThrough::each_row_from_light(const Use& use) const {
+  const glm::vec3 start = far_ ? glm::sign(source_) * 1e9f : source_;
+  const std::vector<int> along = order_from(start.x, place_.size.x), down = order_from(start.y, place_.size.y);
+  for (const int z : order_from(start.z, place_.size.z))
+    for (const int y : down) use(y, z, along);
 }
 
 /// Up to each cell's middle by short characteristics (Kunasz and Auer 1988): a cell gets what comes through the four
 /// cells next to it on its side of the light. Light spreads a little from cell to cell: what is far has a soft edge.
-std::vector<Crossed> LightThrough::sweep() const {
-  const glm::vec3 start = far_ ? glm::sign(source_) * 1e9f : source_;
-  const std::array order{order_from(start.x, place_.size.x), order_from(start.y, place_.size.y),
-                         order_from(start.z, place_.size.z)};
-  std::vector<Crossed> middle(place_.count());
-  for (const int z : order[2])
-    for (const int y : order[1])
-      for (const int x : order[0]) middle[place_.index({x, y, z})] = from_neighbours({x, y, z}, middle);
-  return middle;
-}
-
-Crossed LightThrough::from_neighbours(glm::ivec3 cell, const std::vector<Crossed>& middle) const {
-  const glm::vec3 to_light = way_from(glm::vec3(cell) + 0.5f), size = glm::abs(to_light);
-  const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
-  const glm::ivec3 step(glm::sign(to_light));
-  const float longer = 1 / std::max(size[a], 0.5f), off_b = size[b] * longer, off_c = size[c] * longer;
-  Crossed sum;
-  add(sum, in_cell(place_.index(cell), to_light), 0.5f * longer);
-  for (int k = 0; k < 4; ++k) {
-    glm::ivec3 from = cell;
-    from[a] += step[a];
-    if (k & 1) from[b] += step[b];
-    if (k & 2) from[c] += step[c];
-    const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
-    if (!place_.has(from) || from == cell) continue;
-    const std::size_t of = place_.index(from);
-    add(sum, middle[of], share), add(sum, in_cell(of, to_light), 0.5f * longer * share);
+void LightThrough::sweep_row(int y, int z, const std::vector<int>& along) {
+  const std::size_t first = place_.index({0, y, z});
+  Crossed* row = &swept_[first];
+  if (far_) {
+    same_.before.add_other_rows(place_, y, z, swept_, 1, row);
+    same_.before.add_other_rows(place_, y, z, local_, 0.5f * same_.longer, row);
   }
-  return sum;
+  for (const int x : along) {
+    const std::size_t at = first + static_cast<std::size_t>(x);
+    const auto add_before = [&](const Way& way, const auto& wanted) {
+      add(row[x], local_[at], 0.5f * way.longer);
+      for (const auto& tap : way.before.taps) {
+        if (!wanted(tap.off) || !place_.has(glm::ivec3(x, y, z) + tap.off)) continue;
+        add(row[x], swept_[at + static_cast<std::size_t>(tap.index)], tap.share);
+        add(row[x], local_[at + static_cast<std::size_t>(tap.index)], tap.share * 0.5f * way.longer);
+      }
+    };
+    if (far_)
+      add_before(same_, [](glm::ivec3 off) { return off.y == 0 && off.z == 0; });
+    else
+      add_before(way_of(x, y, z), [](glm::ivec3) { return true; });
+  }
 }
 
 /// Near a cell along the ray itself, so that shadows of what is near are sharp; from there on what was swept.
-Crossed LightThrough::along_ray(glm::ivec3 cell, const std::vector<Crossed>& swept) const {
-  const glm::vec3 middle = glm::vec3(cell) + 0.5f, to_light = way_from(middle);
-  Crossed sum;
-  add(sum, in_cell(place_.index(cell), to_light), 0.5f);
-  for (int s = 1; s <= near_steps; ++s) {
-    const glm::ivec3 at(glm::floor(middle + to_light * static_cast<float>(s)));
-    if (!place_.has(at)) return sum;
-    add(sum, in_cell(place_.index(at), to_light), s < near_steps ? 1.0f : 0.5f);
+void LightThrough::follow_row(int y, int z, Crossed* row) const {
+  const std::size_t first = place_.index({0, y, z});
+  for (int x = 0; x < place_.size.x; ++x) add(row[x], local_[first + static_cast<std::size_t>(x)], 0.5f);
+  if (far_) {
+    same_.near.add_rows(place_, y, z, local_, row), same_.beyond.add_rows(place_, y, z, swept_, row);
+    return;
   }
-  add(sum, between(swept, middle + to_light * static_cast<float>(near_steps)), 1);
-  return sum;
-}
-
-/// Between the middles of eight cells; `at` in cells.
-Crossed LightThrough::between(const std::vector<Crossed>& cells, glm::vec3 at) const {
-  const glm::vec3 held = glm::clamp(at - 0.5f, glm::vec3(0), glm::vec3(place_.size) - 1.001f), low = glm::floor(held);
-  const glm::vec3 part = held - low;
-  Crossed sum;
-  for (int k = 0; k < 8; ++k) {
-    const glm::ivec3 off(k & 1, k >> 1 & 1, k >> 2);
-    const glm::vec3 share = glm::mix(1.0f - part, part, glm::vec3(off));
-    add(sum, cells[place_.index(glm::ivec3(low) + off)], share.x * share.y * share.z);
+  for (int x = 0; x < place_.size.x; ++x) {
+    const Way way = way_of(x, y, z);
+    const glm::ivec3 cell(x, y, z);
+    const std::size_t at = first + static_cast<std::size_t>(x);
+    add(row[x], way.near.sum(place_, cell, &local_[at]), 1), add(row[x], way.beyond.sum(place_, cell, &swept_[at]), 1);
   }
-  return sum;
 }
 
 }  // namespace
 
 std::vector<Crossed> light_cells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
                                  const FurLight& light) {
-  return LightThrough(place, density, model, light).all();
+  return LightThrough(place, light).all(density, skin_facing_away(place, model, light));
 }
 
 }  // namespace pelage

@@ -131,7 +131,7 @@ void TileDrawer::draw(int tile, Room& room, RasterTimes& times) const {
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
                std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
-  if (scene.ground && scene.shown == Shown::light) darken_ground(scene, left, top, sums);
+  if (scene.ground && scene.shown == RasterOutput::light) darken_ground(scene, left, top, sums);
   write(left, top, sums);
 }
 
@@ -143,7 +143,7 @@ void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen&
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int pixel = pixels[i];
     float through = std::exchange(sums.through[pixel], 0.0f);
-    if (scene.shown == Shown::depth) through = through >= 0.5f ? 1.0f : 0.0f;
+    if (scene.shown == RasterOutput::depth) through = through >= 0.5f ? 1.0f : 0.0f;
     sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
     sums.blue[pixel] += through * seen.blue[i];
   }
@@ -214,28 +214,6 @@ void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& t
   });
 }
 
-void draw_box(const RasterScene& scene, const PixelBox& box, int threads, FloatImage& picture, RasterTimes& times,
-              RasterCounts& counts) {
-  std::optional<SkinPixels> skin;
-  {
-    const Lap lap(times.skin);
-    skin.emplace(scene, box, threads);
-  }
-  std::vector<Batch> batches = batches_of(scene.parts);
-  Bins bins(box, batches.size());
-  place_and_bin(scene, box, *skin, threads, batches, bins);
-  const int tiles = tiles_of(box).count();
-  draw_tiles({scene, box, bins, *skin, batches, picture}, tiles, threads, times);
-  std::size_t bytes = bins.bytes();
-  for (const Batch& batch : batches) {
-    add(times, batch.times);
-    counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
-    bytes += batch.placed.bytes();
-  }
-  for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
-  counts.bytes = std::max(counts.bytes, bytes);
-}
-
 /// Of all that its parts may show.
 DistanceKeys keys_of(const RasterScene& scene) {
   float nearest = near_distance, furthest = 2 * near_distance;
@@ -248,20 +226,6 @@ DistanceKeys keys_of(const RasterScene& scene) {
     furthest = std::max(furthest, middle + radius);
   }
   return {1 / furthest, 1 / std::clamp(nearest, near_distance, furthest)};
-}
-
-/// Of what is drawn of the frame, by whole tiles.
-std::vector<PixelBox> boxes_of(const FurFrame& frame) {
-  PixelBox all{0, 0, frame.width, frame.height};
-  if (const std::optional<Crop>& crop = frame.crop)
-    all = {crop->left / tile_side * tile_side, crop->top / tile_side * tile_side,
-           std::min((crop->left + crop->width + tile_side - 1) / tile_side * tile_side, frame.width),
-           std::min((crop->top + crop->height + tile_side - 1) / tile_side * tile_side, frame.height)};
-  const int rows = std::max(box_pixels / (all.right - all.left) / tile_side, 1) * tile_side;
-  std::vector<PixelBox> boxes;
-  for (int top = all.top; top < all.bottom; top += rows)
-    boxes.push_back({all.left, top, all.right, std::min(top + rows, all.bottom)});
-  return boxes;
 }
 
 }  // namespace
@@ -283,15 +247,46 @@ struct Raster::Kept {
 Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
 Raster::~Raster() = default;
 
-FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                        RasterTimes* times, RasterCounts* counts, Shown shown) {
-  RasterTimes spent;
-  RasterCounts counted;
+/// By whole tiles, so that what is drawn does not depend on the boxes.
+std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame) {
+  PixelBox all{0, 0, frame.width, frame.height};
+  if (const std::optional<Crop>& crop = frame.crop)
+    all = {crop->left / tile_side * tile_side, crop->top / tile_side * tile_side,
+           std::min((crop->left + crop->width + tile_side - 1) / tile_side * tile_side, frame.width),
+           std::min((crop->top + crop->height + tile_side - 1) / tile_side * tile_side, frame.height)};
+  const int rows = std::max(box_pixels / (all.right - all.left) / tile_side, 1) * tile_side;
+  std::vector<PixelBox> boxes;
+  for (int top = all.top; top < all.bottom; top += rows)
+    boxes.push_back({all.left, top, all.right, std::min(top + rows, all.bottom)});
+  return boxes;
+}
+
+void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
+                      RasterCounts& counts) const {
+  std::optional<SkinPixels> skin;
   {
-    const Lap lap(spent.grid);
-    kept_->grid.update(model, fur.parts(), frame.lights, threads_);
-    if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
+    const Lap lap(times.skin);
+    skin.emplace(scene, box, threads_);
   }
+  std::vector<Batch> batches = batches_of(scene.parts);
+  Bins bins(box, batches.size());
+  place_and_bin(scene, box, *skin, threads_, batches, bins);
+  const int tiles = tiles_of(box).count();
+  draw_tiles({scene, box, bins, *skin, batches, picture}, tiles, threads_, times);
+  std::size_t bytes = bins.bytes();
+  for (const Batch& batch : batches) {
+    add(times, batch.times);
+    counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
+    bytes += batch.placed.bytes();
+  }
+  for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
+  counts.bytes = std::max(counts.bytes, bytes);
+}
+
+RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
+                             const RasterQuality& quality, RasterOutput shown) {
+  kept_->grid.update(model, fur.parts(), frame.lights, threads_);
+  if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model);
   scene.camera = picture_camera(frame), scene.quality = quality, scene.shown = shown;
@@ -303,10 +298,22 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   if (frame.ground && frame.ground->height < frame.camera.position.y)
     scene.ground = frame.ground, scene.sky = &kept_->sky;
   scene.keys = keys_of(scene);
+  return scene;
+}
+
+FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
+                        RasterTimes* times, RasterCounts* counts, RasterOutput shown) {
+  RasterTimes spent;
+  RasterCounts counted;
+  RasterScene scene;
+  {
+    const Lap lap(spent.grid);
+    scene = scene_of(model, fur, frame, quality, shown);
+  }
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  for (const PixelBox& box : boxes_of(frame)) draw_box(scene, box, threads_, picture, spent, counted);
+  for (const PixelBox& box : boxes_of(frame)) draw_box(scene, box, picture, spent, counted);
   counted.strands = fur.count();
   if (times) *times = spent;
   if (counts) *counts = counted;

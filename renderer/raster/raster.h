@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "renderer/image/float_image.h"
 #include "renderer/raster/raster_scene.h"
@@ -35,7 +36,17 @@ class Raster {
   /// light also what the ground darkens. Of a frame with a crop the picture has the frame's size, and the bits that the
   /// whole frame has where the crop is.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr, Shown shown = Shown::light);
+                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr,
+                  RasterOutput shown = RasterOutput::light);
+
+  /// The same in boxes, for who has other things to do in between: those of a frame, row by row.
+  static std::vector<PixelBox> boxes_of(const FurFrame& frame);
+  /// What a frame is drawn from; views of all that is given and of this object, until the next call.
+  RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
+                       RasterOutput shown);
+  /// Into a picture of the frame's size.
+  void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
+                RasterCounts& counts) const;
 
  private:
   struct Kept;  // from frame to frame

@@ -46,7 +46,7 @@ struct RasterQuality {
 };
 
 /// What a picture shows of strands, skin and eyes: means over each pixel, premultiplied.
-enum class Shown {
+enum class RasterOutput {
   light,
   albedo,
   normal,    // of the skin below
@@ -55,9 +55,12 @@ enum class Shown {
   shadow,    // red: the luminance of that, green: what it would be without shadows
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
+  count      // red: segments of strands that were blended; not premultiplied
 };
 /// Whether strands send something of their own, from knot to knot.
-constexpr bool sends(Shown shown) { return shown != Shown::distance && shown != Shown::depth; }
+constexpr bool sends(RasterOutput shown) {
+  return shown != RasterOutput::distance && shown != RasterOutput::depth && shown != RasterOutput::count;
+}
 
 /// How wide a light is from a place: a far one the same from all.
 struct LightSize {
@@ -88,7 +91,7 @@ struct RasterScene {
   FrameOptics optics;
   PictureCamera camera;
   RasterQuality quality;
-  Shown shown = Shown::light;
+  RasterOutput shown = RasterOutput::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
   DistanceKeys keys;                              // of what the parts lie between

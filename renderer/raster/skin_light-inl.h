@@ -147,15 +147,20 @@ HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin,
 
 /// What the scene shows of the skin.
 HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real inverse) {
-  if (!sends(scene.shown))
-    return {scene.shown == Shown::depth ? inverse : 1.0f / max(inverse, 1e-12f), Real(0.0f), Real(0.0f)};
-  if (scene.shown == Shown::normal) return skin.normal;
-  if (scene.shown == Shown::tangent) return Vec3(0.0f);
+  const Real none = 0.0f;
+  switch (scene.shown) {
+    case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
+    case RasterOutput::depth: return {inverse, none, none};
+    case RasterOutput::normal: return skin.normal;
+    case RasterOutput::tangent:
+    case RasterOutput::count: return Vec3(none);
+    default: break;
+  }
   const SkinLooks looks = skin_looks(scene.optics, skin);
   switch (scene.shown) {
-    case Shown::albedo: return looks.albedo();
-    case Shown::direct: return skin_light<false>(scene, skin, looks).direct;
-    case Shown::shadow: return skin_light<true>(scene, skin, looks).shadow();
+    case RasterOutput::albedo: return looks.albedo();
+    case RasterOutput::direct: return skin_light<false>(scene, skin, looks).direct;
+    case RasterOutput::shadow: return skin_light<true>(scene, skin, looks).shadow();
     default: break;
   }
   const SentLight light = skin_light<false>(scene, skin, looks);

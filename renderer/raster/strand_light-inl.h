@@ -183,11 +183,11 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
 /// What the scene shows of a fibre.
 HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
   switch (scene.shown) {
-    case Shown::albedo: return fibre.colour;
-    case Shown::normal: return fibre.normal;
-    case Shown::tangent: return fibre.tangent;
-    case Shown::direct: return strand_light<false>(scene, fibre, ambient).direct;
-    case Shown::shadow: return strand_light<true>(scene, fibre, ambient).shadow();
+    case RasterOutput::albedo: return fibre.colour;
+    case RasterOutput::normal: return fibre.normal;
+    case RasterOutput::tangent: return fibre.tangent;
+    case RasterOutput::direct: return strand_light<false>(scene, fibre, ambient).direct;
+    case RasterOutput::shadow: return strand_light<true>(scene, fibre, ambient).shadow();
     default: break;
   }
   const SentLight light = strand_light<false>(scene, fibre, ambient);

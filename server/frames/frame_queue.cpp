@@ -19,12 +19,14 @@ std::string drawn_by(const Context* context) {
 }
 
 double expected_cost(const FrameRequest& request) {
-  constexpr double any_frame = 10, shell_pixel = 5e-6, sorted = 4;  // milliseconds; times as much
-  constexpr double usual_shells = 32;                               // that an error takes
+  constexpr double any_frame = 10, shell_pixel = 5e-6, raster_pixel = 2e-4;  // milliseconds
+  constexpr double sorted = 4;                                               // times as much
+  constexpr double usual_shells = 32;                                        // that an error takes
   if (request.budget_ms) return any_frame + *request.budget_ms;
   const Knobs& knobs = request.knobs;
   const double pixels = static_cast<double>(request.width) * request.height * request.drawn_share();
   if (request.max_error) return any_frame + pixels * usual_shells * shell_pixel;
+  if (knobs.method == Method::raster) return any_frame + raster_pixel * pixels * knobs.scale * knobs.scale;
   const double shells = knobs.scale * knobs.scale * knobs.shells;
   return any_frame + pixels * shells * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
 }

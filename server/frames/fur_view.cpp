@@ -193,16 +193,20 @@ FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> ski
 }
 
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
-                       const std::vector<glm::vec2>* moved) {
+                       const std::vector<glm::vec2>* moved, bool strands) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
   const FurFields fields = make_fields(scene, skin, ranges, moved);
   const std::uint64_t copy = copy_id(scene);
-  if (renderer.has(copy)) return renderer.update(copy, fields);
-  renderer.forget(scene.copy_id);  // in other colours
+  const bool known = renderer.has(copy);
+  if (known && (!strands || renderer.rasterizes(copy))) return renderer.update(copy, fields);
+  if (!known) renderer.forget(scene.copy_id);  // in other colours
   const ModelArrays arrays = make_arrays(scene);
-  return renderer.add(make_model(scene, arrays), fields);
+  const FurModel model = make_model(scene, arrays);
+  UploadCount count = known ? renderer.update(copy, fields) : renderer.add(model, fields);
+  if (strands) count.bytes += renderer.add_strands(model, fields).bytes;
+  return count;
 }
 
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {

@@ -24,7 +24,8 @@ Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& re
     shown.moment = moment_of(view, request);
     const MovedFur::Shown moved = fur.show(view, shown.moment);
     const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(mesh.positions.size())}};
-    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get());
+    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get(),
+               request.knobs.method == Method::raster);
     shown.direction = moved.direction;
     comparable = !past.compared || past.compared->model.get() == &view.model;
     if (past.compared && comparable) shown.fur.difference = change_shares(past.compared->fields, view.fields);

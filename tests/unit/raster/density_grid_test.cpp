@@ -93,5 +93,24 @@ TEST(DensityGrid, FollowsFurThatChanges) {
   EXPECT_EQ(at(grid, {0.25, 0.25, 0.02f}).strands, at(fresh, {0.25, 0.25, 0.02f}).strands);
 }
 
+TEST(DensityGrid, TakesOutWhatWasThereToTheLastBit) {
+  Lawn lawn;
+  const std::vector<FurLight> lights{from({1, 0.2f, 1}), from({-0.3f, 1, 0.4f})};
+  DensityGrid grid, fresh;
+  grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  for (std::size_t i = 0; i < 40; ++i) lawn.patch.direction[i] = {0.3f, 0.5f};
+  ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2), 0u);
+  grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  ASSERT_EQ(grid.place(), fresh.place());
+  for (std::size_t i = 0; i < grid.place().count(); ++i) {
+    ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum) << i;
+    for (const std::size_t light : {0u, 1u}) {
+      ASSERT_EQ(grid.crossed(0)[i][light].strands, fresh.crossed(0)[i][light].strands);
+      ASSERT_EQ(grid.crossed(0)[i][light].body, fresh.crossed(0)[i][light].body);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pelage

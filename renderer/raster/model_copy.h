@@ -1,0 +1,49 @@
+// A model and its fields, kept to grow and draw from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/input/fur_scene.h"
+
+namespace pelage {
+
+class ModelCopy {
+ public:
+  ModelCopy(const FurModel& model, const FurFields& fields);
+  ModelCopy(const ModelCopy&) = delete;  // views lie in it
+  ModelCopy& operator=(const ModelCopy&) = delete;
+
+  /// Takes over the dirty ranges, and all of what is painted or bare where that has changed. Gives the bytes that were
+  /// written.
+  std::size_t update(const FurFields& fields);
+
+  /// Valid until the next update.
+  const FurModel& model() const { return model_; }
+  FurFields fields() const;
+  /// How many updates changed anything.
+  std::uint64_t changes() const { return changes_; }
+  std::uint64_t original() const { return model_.original ? model_.original : model_.id; }
+  std::size_t bytes() const;
+
+ private:
+  struct Paint {
+    std::vector<float> density, width, curl, clump, wetness, bare;
+    std::vector<glm::vec4> root_colour, tip_colour;
+  };
+
+  std::vector<glm::vec3> positions_, normals_, tangents_, rest_positions_, rest_normals_;
+  std::vector<glm::uvec3> triangles_;
+  std::vector<std::array<FurCorner, 3>> corners_;
+  std::vector<std::vector<std::uint8_t>> pixels_;
+  std::vector<ImageView> images_;
+  FurModel model_;
+  std::vector<glm::vec2> direction_;
+  std::vector<float> length_;
+  std::vector<FurSkinRegion> skin_;
+  Paint paint_;
+  std::uint64_t changes_ = 0;
+};
+
+}  // namespace pelage
