@@ -53,7 +53,7 @@ void members(V& v, Visited<V, Rasterizing>& c) {
       "wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands "
       "as many are drawn.");
   v.integer("light_of", c.light_of, {1, 8},
-            "Neighbouring strands that share the light of one of them: 1, 2, 4 or 8. More is faster and smoother.");
+            "Neighbouring strands that share the light of one of them. More is faster and smoother.");
 }
 
 template <class V>

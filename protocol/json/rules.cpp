@@ -127,11 +127,6 @@ void check(const Value& value, const FrameRequest& request) {
 
 void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }
 
-void check(const Value& value, const Rasterizing& raster) {
-  if ((raster.light_of & (raster.light_of - 1)) != 0)
-    value.refuse_below("light_of", "Strands share their light by twos.", "1, 2, 4 or 8");
-}
-
 void settle(const Value& value, Tracing& tracing) {
   if (tracing.transport == Transport::paths && !given(value, "scattering"))
     tracing.scattering = StrandScattering::energy_conserving;

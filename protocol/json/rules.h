@@ -27,7 +27,6 @@ void check(const Value& value, const Stroke& stroke);
 void check(const Value& value, const Coat& coat);
 void check(const Value& value, const Environment& environment);
 void check(const Value& value, const Eye& eye);
-void check(const Value& value, const Rasterizing& raster);
 void check(const Value& value, const Tracing& tracing);
 void check(const Value& value, const Knobs& knobs);
 void check(const Value& value, const FrameRequest& request);

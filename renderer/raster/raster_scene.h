@@ -40,7 +40,7 @@ struct PictureCamera {
 /// Which strands are drawn, and how closely.
 struct RasterQuality {
   double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
-  int lit_of = 1;              // strands share the light of one of so many, 1, 2, 4 or 8
+  int lit_of = 1;              // strands share the light of one of so many, [1, 8]
   float seen_depth = 6;        // strands in front of what is left out as hidden, above 0
   float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
 };

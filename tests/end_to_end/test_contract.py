@@ -218,9 +218,11 @@ class Requests(ServedTest):
                  "noise": 0, "seconds": 0.1, "shutter": 0.02, "filter": True, "seed": 1}
         strands = {"width": 8, "height": 8, "quality": {"method": "strands", "eye_steps": 2, "trace": trace}, "overlay": "length"}
         look = {"width": 8, "height": 8, "quality": {"method": "strands", "trace": {"passes": 1, "scattering": "look", "strands": 100}}}
+        raster = {"width": 8, "height": 8, "overlay": "length",
+                  "quality": {"method": "raster", "scale": 1.0, "eye_steps": 2, "guard_hairs": 100, "raster": {"strands": 2, "light_of": 4}}}
         progressive = {"width": 8, "height": 8, "quality": "draft", "progressive": trace, "overlay": "shell_count"}
         switched = {"width": 8, "height": 8, "quality": "reference", "progressive": False, "overlay": "shell_count"}
-        several = [frame, exr, jpeg, difference, strands, look, {**progressive, "overlay": "mask"}, progressive, {**progressive, "progressive": True},
+        several = [frame, exr, jpeg, difference, strands, look, raster, {**progressive, "overlay": "mask"}, progressive, {**progressive, "progressive": True},
                    switched, past]
         for variation in (v for request in several for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))

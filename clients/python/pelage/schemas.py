@@ -517,12 +517,11 @@ class PickFarthest(_PickFarthestRequired, total=False):
 class Knobs(TypedDict, total=False):
     """What a frame is drawn with. What is not given is as in the interactive tier.
 
-    method: How fur is drawn. strands: every strand of the coat, ray traced; of the other knobs it takes `trace`,
-        `eye_steps` and `guard_hairs`. Default "shells".
+    method: How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU; of the
+        other knobs it takes `raster`, `scale`, `eye_steps` and `guard_hairs`. strands: every strand of the coat, ray
+        traced; of the other knobs it takes `trace`, `eye_steps` and `guard_hairs`. Default "shells".
     shells: Number of shells where the view needs most. 1 to 1024. Default 16.
     steps: Texture steps inside each slab. 1 to 16. Default 2.
-    scale: Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2. 0.25 to 2
-        (factor). Default 1.
     min_radius: Smallest radius of the ball about the model's box, in rendered pixels: where a scale below 1 gives
         fewer, the scale is larger, up to 1, so that what is small on the picture keeps its form. The answer's knobs
         have the scale that came of it; the tier draft has 120. 0 to 8192 (pixels). Default 0.
@@ -534,25 +533,29 @@ class Knobs(TypedDict, total=False):
     order: Order in which fur is blended. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and
         slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it
         makes beauty and alpha; the others stay in the order of shells. Default "shells".
+    scale: Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2. 0.25 to 2
+        (factor). Default 1.
     eye_steps: Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray
         marching through the iris. 0 to 64. Default 8.
     guard_hairs: Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near
         silhouettes; of strands about as many stand so. 0 to 100000. Default 0.
+    raster: Which strands are rasterized; with method raster only.
     trace: How strands are traced; with method strands only.
     """
 
-    method: Literal["shells", "strands"]
+    method: Literal["shells", "raster", "strands"]
     shells: int
     steps: int
-    scale: float
     min_radius: int
     self_shadow: bool
     shadow_maps: bool
     shadow_resolution: int
     shell_policy: Literal["uniform", "adaptive"]
     order: Literal["shells", "sorted"]
+    scale: float
     eye_steps: int
     guard_hairs: int
+    raster: Rasterizing
     trace: Tracing
 
 
@@ -2104,6 +2107,20 @@ class Crop(_CropRequired, total=False):
 
     left: int
     top: int
+
+
+class Rasterizing(TypedDict, total=False):
+    """Which strands are rasterized, and how they are lit.
+
+    strands: Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much
+        wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands as
+        many are drawn. 0.01 to 1000 (strands). Default 1.5.
+    light_of: Neighbouring strands that share the light of one of them. More is faster and smoother. 1 to 8. Default
+        2.
+    """
+
+    strands: float
+    light_of: int
 
 
 class PickRay(TypedDict):
