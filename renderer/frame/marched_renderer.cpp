@@ -22,8 +22,6 @@ constexpr int no_format = 0, kept_format = 8;  // bits of the finished picture's
 /// What a sample of a pixel takes until it was measured.
 constexpr double sample_ms = 1e-5;
 
-Status no_memory_for_light() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
-
 /// Makes light of a frame's size; false where there is no memory for it.
 bool fit(const FurFrame& frame, FloatImage& light) {
   const glm::ivec2 size = Marcher::size_of(frame);
@@ -35,8 +33,6 @@ bool fit(const FurFrame& frame, FloatImage& light) {
   light.width = size.x, light.height = size.y;
   return true;
 }
-
-Status given_up() { return failure(Code::conflict, "the drawing was given up"); }
 
 PixelBox box_of(const Area& area) { return {area.left, area.top, area.left + area.width, area.top + area.height}; }
 
@@ -106,14 +102,15 @@ bool MarchedRenderer::draw_area(const FurFrame& frame, const Area& area, const P
 
 Result<MarchedAovs> MarchedRenderer::draw_kept(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
   MarchedAovs drawn;
-  if (!fit(frame, drawn.light)) return no_memory_for_light();
+  if (!fit(frame, drawn.light)) return no_memory_for_frame();
   try {
     drawn.pixels.resize(drawn.light.rgba.size() / 4);
   } catch (const std::bad_alloc&) {
-    return no_memory_for_light();
+    return no_memory_for_frame();
   }
   const Area whole = drawn_area(frame, {drawn.light.width, drawn.light.height});
-  if (!bake(frame, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels)) return given_up();
+  if (!bake(frame, pause) || !draw_area(frame, whole, pause, times, drawn.light, &drawn.pixels))
+    return drawing_given_up();
   return drawn;
 }
 
@@ -140,12 +137,12 @@ Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format
   View view = views_.take(frame, format);
   if (!fit(frame, view.light)) {
     views_.give_back();
-    return no_memory_for_light();
+    return no_memory_for_frame();
   }
   DrawTimes taken;
   const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
   const std::optional<Area> drawn = draw_changed(frame, shown, pause, taken, view);
-  if (!drawn) return given_up();
+  if (!drawn) return drawing_given_up();
   taken.counters.redrawn = drawn->pixels() / static_cast<double>(view.pixels());
   taken.counters.bytes = std::exchange(taken_bytes_, 0);
   view.shown = {frame, shown ? shown->format : 0, marcher_.changes(frame.model)};
@@ -210,7 +207,7 @@ Result<Backplate> MarchedRenderer::draw_backplate(const FurFrame& asked, DrawTim
     drawn.light = marcher_.draw_bare(backplate_frame(asked), drawn.pixels);
     base = backplate_of(std::move(drawn), threads_);
   } catch (const std::bad_alloc&) {
-    return no_memory_for_light();
+    return no_memory_for_frame();
   }
   if (times) *times = taken;
   return base;

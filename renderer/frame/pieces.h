@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/base/status.h"
 #include "renderer/passes/sorted/sorted_pass.h"
 
 namespace pelage {
@@ -12,6 +13,9 @@ namespace pelage {
 /// Asked between two pieces of a drawing. It may draw other frames with the same renderer meanwhile; false gives the
 /// drawing up. The drawing's model has to be as it was when it answers true.
 using Pause = std::function<bool()>;
+
+inline Status drawing_given_up() { return failure(Code::conflict, "the drawing was given up"); }
+inline Status no_memory_for_frame() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
 
 /// Cuts an area into pieces while they are worked on, so that each takes about as long. What a piece takes is estimated
 /// from its work and the time of a unit of work, as the slowest pieces lately took it.

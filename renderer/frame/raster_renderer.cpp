@@ -21,9 +21,6 @@ namespace {
 constexpr double max_strands = 2e6;            // that grow of a coat; fewer are wider
 constexpr std::size_t max_bytes = 512u << 20;  // of the strands of all models together, but for the one that is drawn
 
-Status given_up() { return failure(Code::conflict, "the drawing was given up"); }
-Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
-
 /// `whole_coats`: how many coats of one strand on a tile of 1 the model's skin has room for.
 GrowRecipe recipe_of(const FurFrame& frame, bool has_colours, double whole_coats) {
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, has_colours)};
@@ -197,7 +194,7 @@ Result<FloatImage> RasterRenderer::draw_shown(const FurFrame& frame, RasterOutpu
   RasterCounts counts;
   const std::vector<PixelBox> boxes = Raster::boxes_of(frame);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (i > 0 && pause && !pause()) return given_up();
+    if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
     Model& model = grown(frame);  // in the pause others may have drawn it in another coat
     const RasterScene scene =
@@ -222,7 +219,7 @@ Result<std::vector<FloatImage>> RasterRenderer::draw(const FurFrame& frame, std:
       if (output_of(aov) == RasterOutput::light) light = std::move(*image);
     }
   } catch (const std::bad_alloc&) {
-    return no_memory();
+    return no_memory_for_frame();
   }
   times.counters.redrawn = 1;
   return pictures;

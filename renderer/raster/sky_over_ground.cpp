@@ -17,11 +17,11 @@ constexpr float finest = 0.02f;  // of the map, sizes
 constexpr int max_places = 128;  // of it along each side
 constexpr float opaque = 0.5f;   // strands in a cell
 constexpr int ways = 48;         // of a place's light
-constexpr float none = std::numeric_limits<float>::max();
+constexpr float nowhere = std::numeric_limits<float>::max();
 
 /// From where to where something stands, sizes; nothing where low is above high.
 struct Column {
-  float low = none, high = -none;
+  float low = nowhere, high = -nowhere;
   void add(float bottom, float top) { low = std::min(low, bottom), high = std::max(high, top); }
 };
 
@@ -89,7 +89,7 @@ class Columns {
 
   const GridPlace& place_;
   std::vector<Column> columns_;  // rows by z
-  float top_ = -none;
+  float top_ = -nowhere;
 };
 
 /// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.

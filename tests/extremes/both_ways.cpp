@@ -55,6 +55,13 @@ bool always() { return true; }
 
 }  // namespace
 
+FrameRequest rasterized(FrameRequest request) {
+  Knobs knobs{.scale = std::min(request.knobs.scale, 1.0), .eye_steps = request.knobs.eye_steps};
+  knobs.method = Method::raster, knobs.guard_hairs = request.knobs.guard_hairs;
+  request.knobs = knobs, request.overlay = Overlay::none, request.overlay_from.reset();
+  return request;
+}
+
 std::string complaint_about(const std::vector<FloatImage>& aovs) {
   for (std::size_t l = 0; l < aovs.size(); ++l) {
     for (std::size_t i = 0; i < aovs[l].rgba.size(); ++i) {
@@ -81,7 +88,7 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   std::optional<FurFrame> frame;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
     const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(view.fields.size())}};
-    sync_scene(renderer_, view, all, moved_of(view, request).get());
+    sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::raster);
     frame = make_frame(view, request);
   });
   renderer_.clear_view_cache();
@@ -148,6 +155,7 @@ Status BothWays::look_at(Scene& scene, const FrameRequest& request, std::string&
   Status status = check(draw(scene, request), "shells", complaint);
   if (status.ok()) status = check(march(scene, request), "marched", complaint);
   if (status.ok()) status = check(draw(scene, sorted_with_all(request)), "sorted shells", complaint);
+  if (status.ok()) status = check(draw(scene, rasterized(request)), "raster", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::transmittance)), "strands", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::paths)), "paths", complaint);
   return status;

@@ -1,4 +1,5 @@
-// A scene drawn by shells, marched and traced as strands, with every number of every layer looked at.
+// A scene drawn by shells, marched, and as strands that are rasterized and traced, with every number of every layer
+// looked at.
 #pragma once
 
 #include <memory>
@@ -14,8 +15,8 @@
 
 namespace pelage::testing {
 
-/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with guard hairs,
-/// and strands in both transports.
+/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with guard hairs, rasterized
+/// strands, and traced ones in both transports.
 class BothWays {
  public:
   explicit BothWays(Renderer& renderer) : renderer_(renderer) {}
@@ -23,7 +24,7 @@ class BothWays {
   /// Refused as drawing and tracing are. `complaint` says which number of which layer is wrong, "" where all are fine.
   Status look_at(Scene& scene, const FrameRequest& request, std::string& complaint);
 
-  /// Layers of shells with the request's own knobs, or of strands.
+  /// Layers of shells or of rasterized strands with the request's own knobs, or of traced ones.
   Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
   /// Light alone, of what can be marched of the request.
   Result<std::vector<FloatImage>> march(Scene& scene, const FrameRequest& request);
@@ -42,6 +43,9 @@ class BothWays {
   Tracer tracer_{2, std::size_t{1} << 28, false};
   std::size_t pictures_ = 0;
 };
+
+/// A request of shells as one of rasterized strands: with its eyes, guard hairs and, up to 1, its scale.
+FrameRequest rasterized(FrameRequest request);
 
 /// What is wrong with the layers of a picture, "" for nothing: all are finite, light is not negative, shares lie in
 /// [0, 1].

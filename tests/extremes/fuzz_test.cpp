@@ -1,5 +1,6 @@
-// Any scene with any knobs, by shells, marched and by strands: finite, or refused with a pointer; and the same picture
-// twice, whatever was drawn in between. More cases: RC_PARAMS="max_success=10000" (tests/extremes/fuzz.sh).
+// Any scene with any knobs, by shells, marched, rasterized and by traced strands: finite, or refused with a pointer;
+// and the same picture twice, whatever was drawn in between. More cases: RC_PARAMS="max_success=10000"
+// (tests/extremes/fuzz.sh).
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -65,14 +66,17 @@ class Worker {
   void look_at(Scene& scene, const std::string& frame, const std::string& tracing, const std::string& other) {
     const std::optional<FrameRequest> asked = request_or_refusal(frame), between = request_or_refusal(other);
     const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
-    std::optional<Layers> shells, marched, strands;
+    std::optional<Layers> shells, marched, raster, strands;
     if (asked) shells = fine("shells", ways_.draw(scene, *asked));
     if (asked) marched = fine("marched", ways_.march(scene, *asked));
+    if (asked) raster = fine("raster", ways_.draw(scene, rasterized(*asked)));
     if (traced) strands = fine_or_too_many(ways_.trace(scene, *traced));
     if (between) fine("shells between", ways_.draw(scene, *between));
     if (between) fine("marched between", ways_.march(scene, *between));
+    if (between) fine("raster between", ways_.draw(scene, rasterized(*between)));
     if (marched) RC_ASSERT(same_bits(*marched, *fine("marched", ways_.march(scene, *asked))));
     if (shells) RC_ASSERT(same_bits(*shells, *fine("shells", ways_.draw(scene, *asked))));
+    if (raster) RC_ASSERT(same_bits(*raster, *fine("raster", ways_.draw(scene, rasterized(*asked)))));
     if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
   }
 

@@ -97,8 +97,8 @@ std::string table() {
   }
   text << "\n"
        << rows << " rows: " << rows - refused << " drawn, each as shells, marched, as sorted shells with guard hairs, "
-       << "as strands and as paths, on both backends (" << 10 * (rows - refused) << " pictures), and " << refused
-       << " refused.\n";
+       << "rasterized, as strands and as paths, on both backends (" << 12 * (rows - refused) << " pictures), and "
+       << refused << " refused.\n";
   return text.str();
 }
 
