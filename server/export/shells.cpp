@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "protocol/base/parallel.h"
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
 #include "server/export/corner_mesh.h"
@@ -47,7 +50,7 @@ class ShellFile {
     add(materials_, fmt::format(R"({{"name":"eyes",{}}})", wet_material));
   }
 
-  void add_layer(int layer, int layers) {
+  void add_layer(int layer, int layers, const std::string& texture) {
     const SliceBin bin = bin_of(layer, layers);
     const std::vector<glm::vec3> places = places_at(scene_, bin.height);
     std::vector<glm::vec3> positions;
@@ -59,7 +62,7 @@ class ShellFile {
       const float density = scene_.fields.number(Field::density, corner.vertex);
       colours.emplace_back(glm::min(lit, 1.0f), corner.weight * density);
     }
-    const int image = file_.add_png(encode_png(LayerTexture(slices_.levels.front(), bin).image(), true));
+    const int image = file_.add_png(texture);
     add(textures_, fmt::format(R"({{"source":{},"sampler":0}})", image));
     add(materials_,
         fmt::format(R"({{"name":"fur {}","alphaMode":"BLEND",{}}})", layer + 1, fmt::format(textured, image)));
@@ -99,6 +102,16 @@ class ShellFile {
   std::string primitives_, materials_, textures_;
 };
 
+/// Of each layer, as PNG: compressing them takes longer than all the rest.
+std::vector<std::string> layer_textures(const Slices& slices, int layers) {
+  std::vector<std::string> textures(static_cast<std::size_t>(layers));
+  for_each_in_parallel(static_cast<std::uint32_t>(layers), [&](std::uint32_t layer) {
+    const SliceBin bin = bin_of(static_cast<int>(layer), layers);
+    textures[layer] = encode_png(LayerTexture(slices.levels.front(), bin).image(), true);
+  });
+  return textures;
+}
+
 }  // namespace
 
 Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
@@ -108,7 +121,8 @@ Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& s
   ShellFile file(scene, shells, colours, slices);
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;
-  for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers);
+  const std::vector<std::string> textures = layer_textures(slices, layers);
+  for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers, textures[static_cast<std::size_t>(layer)]);
   file.add_eyes(make_frame(scene, FrameRequest{}).eyes, layers + 1);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
