@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 constexpr float finest_cell = 0.008f;  // sizes
-constexpr double max_cells = 1 << 20;
+constexpr double max_cells = 1 << 20, max_side = 1 << 10;
 constexpr double cells_a_step = 4;
 constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 
@@ -23,40 +23,74 @@ GridPlace place_around(std::span<const GrownPart> parts) {
   }
   if (low.x > high.x) return {};
   const glm::dvec3 room(high - low);
-  const double cell = std::max(double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells));
+  const double longest = std::max({room.x, room.y, room.z});
+  const double cell =
+      std::max({double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells), longest / max_side});
   // In steps of some cells, so that a stroke seldom moves it.
   const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
   const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
   return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
 }
 
-/// To sums that several threads add to: `sign` is -1 for what goes.
-void add(CellDensity& density, float covered, glm::vec3 way, int sign) {
-  const std::array values{covered, way.x, way.y, way.z};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto fixed = static_cast<std::int32_t>(std::lround(values[i] * CellDensity::one));
-    std::atomic_ref(density.sum[i]).fetch_add(sign * fixed, std::memory_order_relaxed);
+/// Sums over the cells that a part's strands may stand in, of one thread alone.
+class PartCells {
+ public:
+  PartCells(const GridPlace& place, const GrownPart& part) : place_(place) {
+    const auto cell_of = [&](glm::vec3 at) {
+      return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
+    };
+    first_ = cell_of(part.low), size_ = cell_of(part.high) - first_ + 1;
+    sums_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
+                 static_cast<std::size_t>(size_.z));
+    add_strands(*part.strands);
   }
-}
 
-void add_segment(const GridPlace& place, const StrandPoint& a, const StrandPoint& b, int sign,
-                 std::vector<CellDensity>& cells) {
-  const glm::vec3 way = b.place - a.place;
-  const float length = glm::length(way);
-  const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length / place.cell), 1e6f)), 1, max_steps);
-  const float width = (a.radius + b.radius) / (place.cell * place.cell * static_cast<float>(steps));
-  for (int s = 0; s < steps; ++s) {
-    const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
-    const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place.low) / place.cell), glm::ivec3(0), place.size - 1);
-    add(cells[place.index(cell)], width * length, width * way, sign);
+  /// Adds them to the grid's, which several threads do at a time: `sign` is -1 for what goes.
+  void add_to(std::vector<CellDensity>& cells, int sign) const {
+    std::size_t at = 0;
+    for (int z = 0; z < size_.z; ++z)
+      for (int y = 0; y < size_.y; ++y)
+        for (int x = 0; x < size_.x; ++x, ++at) {
+          if (sums_[at].sum[0] == 0) continue;
+          CellDensity& cell = cells[place_.index(first_ + glm::ivec3(x, y, z))];
+          for (std::size_t i = 0; i < cell.sum.size(); ++i)
+            std::atomic_ref(cell.sum[i]).fetch_add(sign * sums_[at].sum[i], std::memory_order_relaxed);
+        }
   }
-}
 
-void add_strands(const GridPlace& place, const StrandSet& set, int sign, std::vector<CellDensity>& cells) {
-  const auto knots = static_cast<std::size_t>(set.segments) + 1;
-  for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
-    if (k % knots + 1 < knots) add_segment(place, set.points[k], set.points[k + 1], sign, cells);
-}
+ private:
+  void add_strands(const StrandSet& set) {
+    const auto knots = static_cast<std::size_t>(set.segments) + 1;
+    for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
+      if (k % knots + 1 < knots) add_segment(set.points[k], set.points[k + 1]);
+  }
+
+  void add_segment(const StrandPoint& a, const StrandPoint& b) {
+    const glm::vec3 way = b.place - a.place;
+    const float length = glm::length(way), over = 1 / place_.cell;
+    const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_steps);
+    const float width = CellDensity::one * (a.radius + b.radius) * over * over / static_cast<float>(steps);
+    const auto whole = [](float v) {
+      constexpr float largest = 1e10f;  // a hundred million of them can be added
+      return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + (v < 0 ? -0.5f : 0.5f));
+    };
+    const std::array<std::int64_t, 4> added{whole(width * length), whole(width * way.x), whole(width * way.y),
+                                            whole(width * way.z)};
+    for (int s = 0; s < steps; ++s) {
+      const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
+      const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place_.low) * over) - first_, glm::ivec3(0), size_ - 1);
+      CellDensity& density = sums_[(static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(size_.y) +
+                                    static_cast<std::size_t>(cell.y)) *
+                                       static_cast<std::size_t>(size_.x) +
+                                   static_cast<std::size_t>(cell.x)];
+      for (std::size_t i = 0; i < added.size(); ++i) density.sum[i] += added[i];
+    }
+  }
+
+  const GridPlace& place_;
+  glm::ivec3 first_{0}, size_{1};
+  std::vector<CellDensity> sums_;
+};
 
 }  // namespace
 
@@ -65,18 +99,18 @@ bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   const GridPlace around = place_around(parts);
   if (!(around == place_) || held_.size() != parts.size()) {
     place_ = around;
-    density_.assign(place_.count(), {}), held_.assign(parts.size(), nullptr);
+    density_.assign(place_.count(), {}), held_.assign(parts.size(), {});
   }
   std::vector<std::uint32_t> changed;
   for (std::uint32_t p = 0; p < parts.size(); ++p)
-    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p]) changed.push_back(p);
+    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands) changed.push_back(p);
   for_each_in_parallel(
       static_cast<std::uint32_t>(changed.size()),
       [&](std::uint32_t i) {
-        auto& held = held_[changed[i]];
-        if (held) add_strands(place_, *held, -1, density_);
-        held = parts[changed[i]].strands;
-        add_strands(place_, *held, 1, density_);
+        GrownPart& held = held_[changed[i]];
+        if (held.strands) PartCells(place_, held).add_to(density_, -1);
+        held = parts[changed[i]];
+        PartCells(place_, held).add_to(density_, 1);
       },
       threads);
   return !changed.empty();

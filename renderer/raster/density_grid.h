@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,7 +36,7 @@ class DensityGrid {
 
   GridPlace place_;
   std::vector<CellDensity> density_;
-  std::vector<std::shared_ptr<const StrandSet>> held_;  // strands that are in it, by part; null for none
+  std::vector<GrownPart> held_;  // what is in it of each part; no strands for nothing
   std::uint64_t model_ = 0, changes_ = 0;
   std::vector<FurLight> lights_;  // that have been followed
   std::vector<std::vector<CrossedByTwo>> crossed_;

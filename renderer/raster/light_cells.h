@@ -34,7 +34,7 @@ struct GridPlace {
 /// their order.
 struct CellDensity {
   static constexpr float one = 65536;
-  std::array<std::int32_t, 4> sum{};
+  std::array<std::int64_t, 4> sum{};
 };
 
 /// What lies between a cell's middle and a light.
