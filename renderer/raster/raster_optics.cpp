@@ -61,9 +61,9 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
 }
 
 LightSize size_of(const FurLight& light) {
-  constexpr float widest = 1.4f;  // radians
+  constexpr float widest_light = 1.4f;  // radians
   switch (light.kind) {
-    case LightKind::directional: return {std::tan(std::min(light.angle, widest)), true};
+    case LightKind::directional: return {std::tan(std::min(light.angle, widest_light)), true};
     case LightKind::area: return {std::sqrt(light.extent.x * light.extent.y / std::numbers::pi_v<float>), false};
     default: return {light.radius, false};
   }

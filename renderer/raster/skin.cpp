@@ -193,20 +193,20 @@ float* SkinPixels::add_eyes(const RasterScene& scene, std::uint32_t tile, int le
 
 /// Each block's number becomes the furthest around it, along both axes.
 void SkinPixels::spread_hidden(int across, int down) {
-  constexpr int reach = hidden_around / hiding_side;
-  const auto spread = [](const float* from, std::ptrdiff_t step, int count, float* to) {
+  constexpr int blocks_around = hidden_around / hiding_side;
+  const auto spread_row = [](const float* from, std::ptrdiff_t step, int count, float* to) {
     for (int i = 0; i < count; ++i) {
-      float around = i < reach || i + reach >= count ? 0.0f : std::numeric_limits<float>::max();
-      for (int k = std::max(i - reach, 0); k <= std::min(i + reach, count - 1); ++k)
+      float around = i < blocks_around || i + blocks_around >= count ? 0.0f : std::numeric_limits<float>::max();
+      for (int k = std::max(i - blocks_around, 0); k <= std::min(i + blocks_around, count - 1); ++k)
         around = std::min(around, from[k * step]);
       to[i * step] = around;
     }
   };
   std::vector<float> along(hidden.size());
   for (int y = 0; y < down; ++y)
-    spread(&hidden[static_cast<std::size_t>(y * across)], 1, across, &along[static_cast<std::size_t>(y * across)]);
+    spread_row(&hidden[static_cast<std::size_t>(y * across)], 1, across, &along[static_cast<std::size_t>(y * across)]);
   for (int x = 0; x < across; ++x)
-    spread(&along[static_cast<std::size_t>(x)], across, down, &hidden[static_cast<std::size_t>(x)]);
+    spread_row(&along[static_cast<std::size_t>(x)], across, down, &hidden[static_cast<std::size_t>(x)]);
 }
 
 SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int threads) {
