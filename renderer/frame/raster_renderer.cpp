@@ -19,7 +19,7 @@ namespace pelage {
 namespace {
 
 constexpr double max_strands = 2e6;            // that grow of a coat; fewer are wider
-constexpr std::size_t max_bytes = 512u << 20;  // of the strands of all models together, but for the one that is drawn
+constexpr std::size_t max_bytes = 512u << 20;  // that is grown of all models together, but for the drawn one
 
 /// `whole_coats`: how many coats of one strand on a tile of 1 the model's skin has room for.
 GrowRecipe recipe_of(const FurFrame& frame, bool has_colours, double whole_coats) {
@@ -124,14 +124,13 @@ FloatImage aov_picture(const FurFrame& frame, Aov aov, const FloatImage& drawn, 
 
 /// What is kept of a model: its fur as it stood when it was drawn last.
 struct RasterRenderer::Model {
-  Model(const FurModel& model, const FurFields& fields, int threads)
-      : copy(model, fields), whole_coats(whole_coats_of(model)), raster(threads) {}
+  Model(const FurModel& model, const FurFields& fields) : copy(model, fields), whole_coats(whole_coats_of(model)) {}
 
   ModelCopy copy;
   double whole_coats;
-  GrownFur fur;
-  Raster raster;
   std::uint64_t used = 0;
+  GrownFur fur;
+  std::unique_ptr<Raster> raster;  // null where nothing is grown
   // What the fur was grown of:
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
@@ -140,10 +139,13 @@ struct RasterRenderer::Model {
   void grow(const FurFrame& frame, int threads) {
     const GrowRecipe wanted = recipe_of(frame, copy.model().has_colours, whole_coats);
     if (recipe == wanted && changes == copy.changes() && curves == frame.curves) return;
+    if (!raster) raster = std::make_unique<Raster>(threads);
     fur.update(copy.model(), copy.fields(), wanted, threads, frame.curves);
     recipe = wanted, changes = copy.changes(), curves = frame.curves;
   }
-  void drop() { fur = GrownFur(), recipe.reset(); }
+  void drop() { fur = GrownFur(), raster.reset(), recipe.reset(); }
+  /// That a drop would free.
+  std::size_t grown_bytes() const { return raster ? fur.bytes() + raster->bytes() : 0; }
 };
 
 RasterRenderer::RasterRenderer(int threads) : threads_(threads) {}
@@ -151,7 +153,7 @@ RasterRenderer::~RasterRenderer() = default;
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
-  return models_.try_emplace(model.id, std::make_unique<Model>(model, fields, threads_)).first->second->copy.bytes();
+  return models_.try_emplace(model.id, std::make_unique<Model>(model, fields)).first->second->copy.bytes();
 }
 
 std::size_t RasterRenderer::update(std::uint64_t model, const FurFields& fields) {
@@ -167,7 +169,7 @@ void RasterRenderer::forget_all() { models_.clear(); }
 std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
-    if (model->copy.original() == original) bytes += model->copy.bytes() + model->fur.bytes();
+    if (model->copy.original() == original) bytes += model->copy.bytes() + model->grown_bytes();
   return bytes;
 }
 
@@ -178,10 +180,10 @@ RasterRenderer::Model& RasterRenderer::grown(const FurFrame& frame) {
   std::vector<Model*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
-    if (model.get() != &own && model->recipe) others.push_back(model.get()), bytes += model->fur.bytes();
+    if (model.get() != &own && model->recipe) others.push_back(model.get()), bytes += model->grown_bytes();
   std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest)
-    bytes -= (*oldest)->fur.bytes(), (*oldest)->drop();
+    bytes -= (*oldest)->grown_bytes(), (*oldest)->drop();
   return own;
 }
 
@@ -198,8 +200,8 @@ Result<FloatImage> RasterRenderer::draw_shown(const FurFrame& frame, RasterOutpu
     const DrawClock clock(times);
     Model& model = grown(frame);  // in the pause others may have drawn it in another coat
     const RasterScene scene =
-        model.raster.scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), shown);
-    model.raster.draw_box(scene, boxes[i], picture, spent, counts);
+        model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), shown);
+    model.raster->draw_box(scene, boxes[i], picture, spent, counts);
   }
   return picture;
 }

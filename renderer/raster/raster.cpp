@@ -247,6 +247,8 @@ struct Raster::Kept {
 Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
 Raster::~Raster() = default;
 
+std::size_t Raster::bytes() const { return kept_->grid.bytes() + kept_->sky.hidden.size() * sizeof(float); }
+
 /// By whole tiles, so that what is drawn does not depend on the boxes.
 std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame) {
   PixelBox all{0, 0, frame.width, frame.height};

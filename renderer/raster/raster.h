@@ -39,6 +39,9 @@ class Raster {
                   RasterTimes* times = nullptr, RasterCounts* counts = nullptr,
                   RasterOutput shown = RasterOutput::light);
 
+  /// That it keeps from picture to picture.
+  std::size_t bytes() const;
+
   /// The same in boxes, for who has other things to do in between: those of a frame, row by row.
   static std::vector<PixelBox> boxes_of(const FurFrame& frame);
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
