@@ -46,7 +46,7 @@ void members(V& v, Visited<V, Tracing>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Rasterizing>& c) {
-  v.type("Rasterizing", "Which strands are rasterized, and how they are lit.");
+  v.type("Rasterizing", "The choice of strands that are rasterized, and how they are lit.");
   v.number(
       "strands", c.strands, {0.01, 1000, "strands"},
       "Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much "
@@ -93,7 +93,7 @@ void members(V& v, Visited<V, Knobs>& c) {
       "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "
       "strands about as many stand so.");
   if (v.shows(c.method == Method::raster))
-    v.object("raster", c.raster, "Which strands are rasterized; with method raster only.");
+    v.object("raster", c.raster, "The choice of strands that are rasterized; with method raster only.");
   if (v.shows(c.method == Method::strands))
     v.object("trace", c.trace, "How strands are traced; with method strands only.");
 }

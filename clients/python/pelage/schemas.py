@@ -539,7 +539,7 @@ class Knobs(TypedDict, total=False):
         marching through the iris. 0 to 64. Default 8.
     guard_hairs: Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near
         silhouettes; of strands about as many stand so. 0 to 100000. Default 0.
-    raster: Which strands are rasterized; with method raster only.
+    raster: The choice of strands that are rasterized; with method raster only.
     trace: How strands are traced; with method strands only.
     """
 
@@ -2110,7 +2110,7 @@ class Crop(_CropRequired, total=False):
 
 
 class Rasterizing(TypedDict, total=False):
-    """Which strands are rasterized, and how they are lit.
+    """The choice of strands that are rasterized, and how they are lit.
 
     strands: Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much
         wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands as
