@@ -111,7 +111,7 @@ inline void fit(FrameRequest& frame) {
   if (frame.format == FrameFormat::jpeg) frame.background = Background::studio;
   const bool of_shells = frame.overlay >= Overlay::shell_count && frame.overlay <= Overlay::shadow_width;
   if (of_shells || frame.knobs.method == Method::strands) frame.progressive.reset();
-  if (of_shells && frame.knobs.method == Method::strands) frame.overlay = Overlay::none;
+  if (of_shells && frame.knobs.method != Method::shells) frame.overlay = Overlay::none;
   if (frame.revision) frame.progressive.reset();
   if (frame.overlay != Overlay::difference) frame.overlay_from.reset();
   if (frame.overlay == Overlay::difference && !frame.overlay_from) frame.overlay_from = 3;
