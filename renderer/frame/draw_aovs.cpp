@@ -37,7 +37,7 @@ Result<std::vector<FloatImage>> GlRenderer::gather_aovs(const FurFrame& frame, c
   std::optional<AovTarget> target;
   if (std::any_of(aovs.begin(), aovs.end(), AovTarget::holds)) {
     target.emplace(gl_, aovs, targets_.drawn.width(), targets_.drawn.height());
-    if (!target->complete()) return no_memory();
+    if (!target->complete()) return no_memory_for_frame();
     draw_beside_light(frame, scene, *target);
   }
   std::vector<FloatImage> images;
@@ -56,7 +56,7 @@ Result<FloatImage> GlRenderer::draw_aov(const FurFrame& frame, const Prepared& s
   if (aov == Aov::depth) {
     distance = RenderTarget(gl_, GL_R32F, targets_.drawn.width(), targets_.drawn.height(), true);
     const RenderTarget covered(gl_, GL_RG32F, targets_.drawn.width(), targets_.drawn.height(), true);
-    if (!distance.complete() || !covered.complete()) return no_memory();
+    if (!distance.complete() || !covered.complete()) return no_memory_for_frame();
     aovs_.draw_distance(gl_, {fur_, guard_hairs_, curves_, eyes_}, frame, scene.drawing(frame), distance, covered);
     source = distance.texture();
   } else if (AovTarget::holds(aov)) {

@@ -37,8 +37,6 @@ int scaled(int pixels, double scale) { return std::max(1, static_cast<int>(std::
 
 }  // namespace
 
-Status no_memory() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
-
 std::string light_of(const FurFrame& frame, bool model_has_colours) {
   const Environment& around = frame.environment;
   const bool constant = !around.harmonics && around.sky == glm::vec3(1) && around.horizon == around.sky &&
@@ -145,7 +143,7 @@ Status GlRenderer::prepare_targets(const FurFrame& frame, GLenum picture) {
                         fit(targets_.picture, picture, frame.width, frame.height, false);
   if (complete) return {};
   targets_ = {};
-  return no_memory();
+  return no_memory_for_frame();
 }
 
 void GlRenderer::drop_large_targets() {
@@ -297,7 +295,7 @@ Result<Picture> GlRenderer::draw_picture(const FurFrame& frame, const FloatImage
 Status GlRenderer::finish_light(const FurFrame& frame, const FloatImage* overlay, int largest, DrawTimes& times) {
   const DrawClock clock(times);
   const RenderTarget over = overlay_target(overlay);
-  if (overlay && !over.complete()) return no_memory();
+  if (overlay && !over.complete()) return no_memory_for_frame();
   resolve_.draw(gl_, frame, targets_.drawn, targets_.picture, largest, over.texture());
   if (const Status built = programs(); !built.ok()) return built;
   return wait_for(gl_);

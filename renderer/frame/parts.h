@@ -39,8 +39,6 @@ struct GlRenderer::Prepared {
   FurDrawing drawing(const FurFrame& frame) const { return {frame, variant, model, lists, coat}; }
 };
 
-Status no_memory();
-
 Area area_of(const RenderTarget& target);  // all of it
 /// All cells that an area of a picture of that size touches.
 CellBox cells_of(const Area& area, int width, int height);

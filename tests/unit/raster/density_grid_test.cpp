@@ -98,10 +98,12 @@ TEST(DensityGrid, TakesOutWhatWasThereToTheLastBit) {
   const std::vector<FurLight> lights{from({1, 0.2f, 1}), from({-0.3f, 1, 0.4f})};
   DensityGrid grid, fresh;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-  for (std::size_t i = 0; i < 40; ++i) lawn.patch.direction[i] = {0.3f, 0.5f};
+  const GridPlace before = grid.place();
+  for (std::size_t i = 36; i < 84; ++i) lawn.patch.length[i] = 0.05f;  // others stay as long
   ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2), 0u);
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
   fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  ASSERT_EQ(grid.place(), before) << "it is not made anew";
   ASSERT_EQ(grid.place(), fresh.place());
   for (std::size_t i = 0; i < grid.place().count(); ++i) {
     ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum) << i;
