@@ -9,15 +9,14 @@
 #include "renderer/finish/finish.h"
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
-#include "renderer/marched/field_overlay.h"
 #include "renderer/marched/kernels.h"
+#include "renderer/marched/shadow_cache.h"
 #include "renderer/marched/shape_overlay.h"
+#include "renderer/overlay/field_picture.h"
 
 namespace pelage {
 
 namespace {
-
-constexpr int no_format = 0, kept_format = 8;  // bits of the finished picture's channels that is kept (ShownFrame)
 
 /// What a sample of a pixel takes until it was measured.
 constexpr double sample_ms = 1e-5;
@@ -33,6 +32,9 @@ bool fit(const FurFrame& frame, FloatImage& light) {
   light.width = size.x, light.height = size.y;
   return true;
 }
+
+/// Whether a change of the fur changes pixels near it alone.
+bool changes_stay_near(const FurFrame& frame) { return !ShadowCache::wanted(frame) && frame.knobs.guard_hairs == 0; }
 
 PixelBox box_of(const Area& area) { return {area.left, area.top, area.left + area.width, area.top + area.height}; }
 
@@ -131,6 +133,11 @@ Result<FloatImage> MarchedRenderer::overlay(const FurFrame& frame) const {
   return failure(Code::invalid, "no light of this frame has shadow maps and casts a shadow", "/overlay");
 }
 
+Result<FloatImage> MarchedRenderer::shape_overlay(const FurFrame& frame) const {
+  if (!is_shape(frame.overlay)) return failure(Code::invalid, "Strands have no such map.", "/overlay");
+  return overlay(frame);
+}
+
 template <class Picture, class Finish>
 Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
                                                const Finish& finish) {
@@ -153,33 +160,23 @@ Result<Picture> MarchedRenderer::draw_finished(const FurFrame& frame, int format
     const DrawClock clock(taken);
     picture = finish(view, overlay->rgba.empty() ? nullptr : &*overlay, *drawn);
   }
+  if (!changes_stay_near(frame)) view.shown.reset();
   views_.keep(std::move(view));
   if (times) *times = taken;
   return picture;
 }
 
 Result<Image> MarchedRenderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  const int format = frame.overlay == Overlay::none ? kept_format : no_format;
-  return draw_finished<
-      Image>(frame, format, times, pause, [&](View& view, const FloatImage* overlay, const Area& drawn) {
-    const FinishInput input{view.light, overlay, threads_};
-    if (format == no_format) return finish_picture(frame, input);
-    if (view.shown->format == kept_format) {
-      const Area finished = finished_area(drawn, {view.light.width, view.light.height}, {frame.width, frame.height});
-      finish_rows(frame, input, finished.top, finished.top + finished.height, view.picture);
-    } else {
-      view.picture = finish_picture(frame, input);
-    }
-    view.shown->format = kept_format;
-    return view.picture;
-  });
+  return draw_finished<Image>(frame, kept_format(frame), times, pause,
+                              [&](View& view, const FloatImage* overlay, const Area& drawn) {
+                                return finish_view(frame, {view.light, overlay, threads_}, drawn, view);
+                              });
 }
 
 Result<Image16> MarchedRenderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
-  return draw_finished<Image16>(frame, no_format, times, pause,
-                                [&](View& view, const FloatImage* overlay, const Area&) {
-                                  return finish_picture_deep(frame, {view.light, overlay, threads_});
-                                });
+  return draw_finished<Image16>(frame, 0, times, pause, [&](View& view, const FloatImage* overlay, const Area&) {
+    return finish_picture_deep(frame, {view.light, overlay, threads_});
+  });
 }
 
 Result<std::vector<FloatImage>> MarchedRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
@@ -211,31 +208,6 @@ Result<Backplate> MarchedRenderer::draw_backplate(const FurFrame& asked, DrawTim
   }
   if (times) *times = taken;
   return base;
-}
-
-template <class Picture, class Finish>
-Result<Picture> MarchedRenderer::finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
-                                               const Finish& finish) const {
-  assert(light.width == frame.width && light.height == frame.height);
-  if (frame.overlay != Overlay::none && !is_field(frame.overlay) && !is_shape(frame.overlay))
-    return failure(Code::invalid, "Traced strands have no such map.", "/overlay");
-  DrawTimes taken;
-  Picture picture;
-  {
-    const DrawClock clock(taken);
-    const FloatImage overlay = frame.overlay == Overlay::none ? FloatImage() : *marcher_.draw_overlay(frame);
-    picture = finish(frame, FinishInput{light, overlay.rgba.empty() ? nullptr : &overlay, threads_});
-  }
-  if (times) *times = taken;
-  return picture;
-}
-
-Result<Image> MarchedRenderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const {
-  return finish_traced<Image>(frame, light, times, finish_picture);
-}
-
-Result<Image16> MarchedRenderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const {
-  return finish_traced<Image16>(frame, light, times, finish_picture_deep);
 }
 
 }  // namespace pelage

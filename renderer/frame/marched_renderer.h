@@ -44,11 +44,11 @@ class MarchedRenderer {
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                             const Pause& pause);
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times);
-  Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
-  Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) const;
   /// FurFrame::overlay, which is a field or a map of a light: sRGB with straight alpha. Refused (invalid) where no
   /// light of the frame has such a map.
   Result<FloatImage> overlay(const FurFrame& frame) const;
+  /// The same of what is the shape of the model.
+  Result<FloatImage> shape_overlay(const FurFrame& frame) const;
   void clear_view_cache() { views_.clear_shown(); }
   std::optional<CoatNeed> missing_coat(const FurFrame& frame) const { return marcher_.missing_coat(frame); }
   std::size_t coat_bytes() const { return marcher_.coat_bytes(); }
@@ -78,10 +78,6 @@ class MarchedRenderer {
   template <class Picture, class Finish>
   Result<Picture> draw_finished(const FurFrame& frame, int format, DrawTimes* times, const Pause& pause,
                                 const Finish& finish);
-
-  template <class Picture, class Finish>
-  Result<Picture> finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
-                                const Finish& finish) const;
 
   /// Counts bytes for the next frame's counters.
   UploadCount taken(UploadCount count) {

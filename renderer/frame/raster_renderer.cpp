@@ -10,9 +10,12 @@
 #include "renderer/finish/resize.h"
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
+#include "renderer/overlay/field_picture.h"
+#include "renderer/raster/changed.h"
 #include "renderer/raster/model_copy.h"
 #include "renderer/raster/raster.h"
 #include "renderer/strands/grown_fur.h"
+#include "renderer/upload/blocks.h"
 
 namespace pelage {
 
@@ -50,6 +53,19 @@ FurFrame scaled(const FurFrame& frame) {
   const Area area = drawn_area(frame, {drawn.width, drawn.height});
   if (frame.crop) drawn.crop = Crop{area.left, area.top, area.width, area.height};
   return drawn;
+}
+
+FloatImage empty_picture(glm::ivec2 size) {
+  FloatImage picture;
+  picture.width = size.x, picture.height = size.y;
+  picture.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  return picture;
+}
+
+/// What of a frame is drawn.
+Area whole_area(const FurFrame& frame) {
+  if (!frame.crop) return {0, 0, frame.width, frame.height};
+  return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
 RasterOutput output_of(Aov aov) {
@@ -131,24 +147,38 @@ struct RasterRenderer::Model {
   std::uint64_t used = 0;
   GrownFur fur;
   std::unique_ptr<Raster> raster;  // null where nothing is grown
+  std::vector<glm::vec3> field;    // FieldValues of each vertex, while one is drawn
   // What the fur was grown of:
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
 
-  void grow(const FurFrame& frame, int threads) {
+  void grow(const FurFrame& frame, int threads, const std::shared_ptr<RasterRoom>& room) {
     const GrowRecipe wanted = recipe_of(frame, copy.model().has_colours, whole_coats);
     if (recipe == wanted && changes == copy.changes() && curves == frame.curves) return;
-    if (!raster) raster = std::make_unique<Raster>(threads);
+    if (!raster) raster = std::make_unique<Raster>(threads, room);
     fur.update(copy.model(), copy.fields(), wanted, threads, frame.curves);
     recipe = wanted, changes = copy.changes(), curves = frame.curves;
+  }
+  void find_field(const FurFrame& frame) {
+    const FurFields fields = copy.fields();
+    const FurModel& model = copy.model();
+    const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
+    const auto at = [](std::span<const float> painted, std::size_t v, float rest) {
+      return painted.empty() ? rest : painted[v];
+    };
+    field.resize(model.positions.size());
+    for (std::size_t v = 0; v < field.size(); ++v)
+      field[v] = value.of({model.positions[v], model.normals[v], model.tangents[v], fields.direction[v],
+                           fields.length[v], at(fields.paint.density, v, 1), at(fields.paint.wetness, v, 0),
+                           at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
   }
   void drop() { fur = GrownFur(), raster.reset(), recipe.reset(); }
   /// That a drop would free.
   std::size_t grown_bytes() const { return raster ? fur.bytes() + raster->bytes() : 0; }
 };
 
-RasterRenderer::RasterRenderer(int threads) : threads_(threads) {}
+RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
 RasterRenderer::~RasterRenderer() = default;
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
@@ -161,10 +191,11 @@ std::size_t RasterRenderer::update(std::uint64_t model, const FurFields& fields)
 }
 
 void RasterRenderer::forget(std::uint64_t original) {
+  views_.give_back();  // of a model that comes again nobody knows what has changed
   std::erase_if(models_, [&](const auto& entry) { return entry.second->copy.original() == original; });
 }
 
-void RasterRenderer::forget_all() { models_.clear(); }
+void RasterRenderer::forget_all() { models_.clear(), views_.give_back(); }
 
 std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   std::size_t bytes = 0;
@@ -173,41 +204,67 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
+void RasterRenderer::darken(const FurFrame& frame, Model& model, RasterOutput shown, FloatImage& light) const {
+  if (!frame.ground) return;
+  const RasterScene scene = scene_of(model, frame, shown);
+  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->darken_box(scene, box, light);
+}
+
 RasterRenderer::Model& RasterRenderer::grown(const FurFrame& frame) {
   Model& own = *models_.at(frame.model);
   own.used = ++uses_;
-  own.grow(frame, threads_);
+  own.grow(frame, threads_, room_);
+  keep_within_bounds(own);
+  return own;
+}
+
+void RasterRenderer::keep_within_bounds(const Model& own) {
   std::vector<Model*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
     if (model.get() != &own && model->recipe) others.push_back(model.get()), bytes += model->grown_bytes();
   std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
-  for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest)
+  for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop();
-  return own;
+    views_.clear_shown();  // what has changed since then is not known any more
+  }
+}
+
+RasterScene RasterRenderer::scene_of(Model& model, const FurFrame& frame, RasterOutput shown) const {
+  RasterScene scene = model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), shown);
+  scene.field = model.field;
+  return scene;
+}
+
+bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const TileMask* tiles, RasterOutput shown,
+                               DrawTimes& times, const Pause& pause, FloatImage& picture) {
+  FurFrame part = frame;
+  part.crop = Crop{area.left, area.top, area.width, area.height};
+  RasterTimes spent;
+  RasterCounts counts;
+  const std::vector<PixelBox> boxes = Raster::boxes_of(part);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (i > 0 && pause && !pause()) return false;
+    const DrawClock clock(times);
+    Model& model = grown(frame);  // in the pause others may have drawn it in another coat
+    RasterScene scene = scene_of(model, frame, shown);
+    scene.drawn = tiles;
+    model.raster->draw_box(scene, boxes[i], picture, spent, counts);
+  }
+  return true;
 }
 
 Result<FloatImage> RasterRenderer::draw_shown(const FurFrame& frame, RasterOutput shown, DrawTimes& times,
                                               const Pause& pause) {
-  FloatImage picture;
-  picture.width = frame.width, picture.height = frame.height;
-  picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  RasterTimes spent;
-  RasterCounts counts;
-  const std::vector<PixelBox> boxes = Raster::boxes_of(frame);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (i > 0 && pause && !pause()) return drawing_given_up();
-    const DrawClock clock(times);
-    Model& model = grown(frame);  // in the pause others may have drawn it in another coat
-    const RasterScene scene =
-        model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), shown);
-    model.raster->draw_box(scene, boxes[i], picture, spent, counts);
-  }
+  FloatImage picture = empty_picture({frame.width, frame.height});
+  if (!draw_area(frame, whole_area(frame), nullptr, shown, times, pause, picture)) return drawing_given_up();
+  const DrawClock clock(times);
+  darken(frame, grown(frame), shown, picture);
   return picture;
 }
 
-Result<std::vector<FloatImage>> RasterRenderer::draw(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes& times,
-                                                     const Pause& pause) {
+Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
+                                                          DrawTimes& times, const Pause& pause) {
   const FurFrame drawn = scaled(frame);
   std::vector<FloatImage> pictures;
   try {
@@ -225,6 +282,92 @@ Result<std::vector<FloatImage>> RasterRenderer::draw(const FurFrame& frame, std:
   }
   times.counters.redrawn = 1;
   return pictures;
+}
+
+Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
+  try {
+    models_.at(frame.model)->find_field(frame);
+    const Result<FloatImage> drawn = draw_shown(scaled(frame), RasterOutput::field, times, pause);
+    if (!drawn) return drawn.status();
+    const DrawClock clock(times);
+    const FloatImage values = resized_light(*drawn, frame.width, frame.height, threads_);
+    std::vector<glm::vec3> seen(values.rgba.size() / 4);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const float* value = &values.rgba[4 * i];
+      const float share = std::min(value[2], 1.0f);
+      if (share > 1e-3f) seen[i] = {value[0] / value[2], value[1] / value[2], share};
+    }
+    return field_picture(frame, seen, threads_);
+  } catch (const std::bad_alloc&) {
+    return no_memory_for_frame();
+  }
+}
+
+TileMask RasterRenderer::changed_tiles(const FurFrame& frame, const ShownFrame& shown) {
+  constexpr int beside = 8;  // pixels that curves are drawn over beside their places
+  Model& model = grown(frame);
+  TileMask changed = changed_since(scene_of(model, frame, RasterOutput::light), shown.changes, threads_);
+  const Area curves = area_of(changed_curves(shown.frame, frame, world_to_clip(frame)), frame.width, frame.height);
+  if (curves.pixels() > 0)
+    changed.add(PixelBox{curves.left - beside, curves.top - beside, curves.left + curves.width + beside,
+                         curves.top + curves.height + beside});
+  return changed;
+}
+
+template <class Picture, class Finish>
+Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format, DrawTimes& times, const Pause& pause,
+                                              const Finish& finish) {
+  const FurFrame drawn = scaled(frame);
+  CachedView view = views_.take(frame, format);
+  const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
+  if (!shown) view.light = empty_picture({drawn.width, drawn.height});
+  Area area = whole_area(drawn);
+  std::optional<TileMask> tiles;
+  if (shown) {
+    const DrawClock clock(times);
+    tiles = changed_tiles(drawn, *shown);
+    const PixelBox box = tiles->bounds();
+    area = common_area(area, {box.left, box.top, box.right - box.left, box.bottom - box.top});
+  }
+  if (area.pixels() > 0 &&
+      !draw_area(drawn, area, tiles ? &*tiles : nullptr, RasterOutput::light, times, pause, view.light))
+    return drawing_given_up();
+  const DrawClock clock(times);
+  Model& model = grown(drawn);
+  const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
+  view.shown = {frame, shown && !ground ? shown->format : 0, model.raster->version()};
+  FloatImage light;
+  if (frame.ground) light = view.light, darken(drawn, model, RasterOutput::light, light);
+  Picture picture = finish(view, frame.ground ? light : view.light, area);
+  const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
+  times.counters.redrawn = pixels / static_cast<double>(view.pixels());
+  views_.keep(std::move(view));
+  return picture;
+}
+
+Result<Image> RasterRenderer::draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times,
+                                   const Pause& pause) {
+  try {
+    return draw_finished<Image>(frame, kept_format(frame), times, pause,
+                                [&](CachedView& view, const FloatImage& light, const Area& area) {
+                                  return finish_view(frame, {light, overlay, threads_}, area, view);
+                                });
+  } catch (const std::bad_alloc&) {
+    views_.give_back();
+    return no_memory_for_frame();
+  }
+}
+
+Result<Image16> RasterRenderer::draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times,
+                                          const Pause& pause) {
+  try {
+    return draw_finished<Image16>(frame, 0, times, pause, [&](CachedView&, const FloatImage& light, const Area&) {
+      return finish_picture_deep(frame, {light, overlay, threads_});
+    });
+  } catch (const std::bad_alloc&) {
+    views_.give_back();
+    return no_memory_for_frame();
+  }
 }
 
 }  // namespace pelage

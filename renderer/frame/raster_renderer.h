@@ -1,4 +1,5 @@
-// Frames of rasterized strands: what a coat grows is kept for each model, so that a stroke grows its part alone.
+// Frames of rasterized strands. What a coat grows is kept for each model, and the last views are, so that a stroke
+// grows its part alone and draws the part of a picture that it may change.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +11,16 @@
 #include "protocol/base/status.h"
 #include "renderer/frame/draw_times.h"
 #include "renderer/frame/pieces.h"
+#include "renderer/frame/view_cache.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
 
 namespace pelage {
 
 enum class RasterOutput;
+struct RasterScene;
+class RasterRoom;
+class TileMask;
 
 /// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
 class RasterRenderer {
@@ -32,21 +37,41 @@ class RasterRenderer {
   /// Of all copies of a model (FurModel::original), with their strands.
   std::size_t bytes_of(std::uint64_t original) const;
 
-  /// One picture for each, as Renderer::draw_aovs has them, of the frame's size; with a crop what lies outside it is
-  /// not drawn. The pause is called between boxes of about a million pixels. Fails with too_large when there is no
-  /// memory for it, and with conflict when the pause gives the drawing up.
-  Result<std::vector<FloatImage>> draw(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes& times,
-                                       const Pause& pause);
+  // As Renderer has them, but that with a crop what lies outside it is not drawn; `overlay` is of the frame's size,
+  // null for none. The pause is called between boxes of about a million pixels.
+  Result<Image> draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
+  Result<Image16> draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
+  Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes& times,
+                                            const Pause& pause);
+  /// FurFrame::overlay, which is a field, on the fur itself, at the frame's size: sRGB with straight alpha.
+  Result<FloatImage> field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause);
+  void clear_view_cache() { views_.clear_shown(); }
 
  private:
   struct Model;
   /// Grows what changed. What is kept of other models is dropped where all take too much, the longest unused first.
   Model& grown(const FurFrame& frame);
+  void keep_within_bounds(const Model& own);
+  RasterScene scene_of(Model& model, const FurFrame& frame, RasterOutput shown) const;
+  /// Draws what `frame`, which has the size of its light, shows in an area, or in some tiles of it, into a picture;
+  /// false when it is given up.
+  bool draw_area(const FurFrame& frame, const Area& area, const TileMask* tiles, RasterOutput shown, DrawTimes& times,
+                 const Pause& pause, FloatImage& picture);
+  /// What the ground is seen of, where there is one.
+  void darken(const FurFrame& frame, Model& model, RasterOutput shown, FloatImage& light) const;
   Result<FloatImage> draw_shown(const FurFrame& frame, RasterOutput shown, DrawTimes& times, const Pause& pause);
+  /// What of a view's light is not as it was when it was shown.
+  TileMask changed_tiles(const FurFrame& frame, const ShownFrame& shown);
+  /// finish(view, light, area that was drawn).
+  template <class Picture, class Finish>
+  Result<Picture> draw_finished(const FurFrame& frame, int format, DrawTimes& times, const Pause& pause,
+                                const Finish& finish);
 
   int threads_;
+  std::shared_ptr<RasterRoom> room_;
   std::map<std::uint64_t, std::unique_ptr<Model>> models_;
   std::uint64_t uses_ = 0;
+  ViewCache views_;
 };
 
 }  // namespace pelage

@@ -1,12 +1,13 @@
 #include "renderer/frame/renderer.h"
 
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/draw_times.h"
 #include "renderer/image/cropped.h"
-#include "renderer/marched/field_overlay.h"
+#include "renderer/overlay/field_picture.h"
 
 namespace pelage {
 
@@ -74,22 +75,29 @@ Result<Picture> Renderer::draw_by_gl(const FurFrame& frame, DrawTimes* times, co
   return picture;
 }
 
-template <class Picture, class Finish>
-Result<Picture> Renderer::draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause,
-                                      const Finish& finish) {
-  DrawTimes taken, finishing;
-  const Result<std::vector<FloatImage>> light = raster_.draw(frame, std::array{Aov::beauty}, taken, pause);
-  if (!light) return light.status();
-  Result<Picture> picture = finish(light->front(), &finishing);
-  add_times(taken, finishing);
+Result<FloatImage> Renderer::overlay_of_strands(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
+  if (frame.overlay == Overlay::none) return FloatImage();
+  assert(!is_field(frame.overlay) || rasterizes(frame.model));
+  if (is_field(frame.overlay)) return raster_.field_overlay(frame, times, pause);
+  const DrawClock clock(times);
+  return marched_.shape_overlay(frame);
+}
+
+template <class Picture, class Draw>
+Result<Picture> Renderer::draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw) {
+  DrawTimes taken;
+  const Result<FloatImage> overlay = overlay_of_strands(frame, taken, pause);
+  if (!overlay) return overlay.status();
+  Result<Picture> picture = draw(overlay->rgba.empty() ? nullptr : &*overlay, taken);
   if (times) *times = taken;
-  return picture;
+  return crop_of(frame, std::move(picture));
 }
 
 Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
   if (frame.knobs.method == Method::raster)
-    return draw_raster<Image>(frame, times, pause,
-                              [&](const FloatImage& light, DrawTimes* taken) { return finish(frame, light, taken); });
+    return draw_raster<Image>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes& taken) {
+      return raster_.draw(frame, overlay, taken, pause);
+    });
   if (!gl_) return crop_of(frame, marched_.draw(frame, times, pause));
   return draw_by_gl<Image>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
     return crop_of(frame, gl_->draw(frame, overlay, drawn, pause));
@@ -98,8 +106,8 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Paus
 
 Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, const Pause& pause) {
   if (frame.knobs.method == Method::raster)
-    return draw_raster<Image16>(frame, times, pause, [&](const FloatImage& light, DrawTimes* taken) {
-      return finish_deep(frame, light, taken);
+    return draw_raster<Image16>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes& taken) {
+      return raster_.draw_deep(frame, overlay, taken, pause);
     });
   if (!gl_) return crop_of(frame, marched_.draw_deep(frame, times, pause));
   return draw_by_gl<Image16>(frame, times, pause, [&](const FloatImage* overlay, DrawTimes* drawn) {
@@ -110,7 +118,7 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, con
 Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes* times,
                                                     const Pause& pause) {
   DrawTimes taken;
-  auto images = frame.knobs.method == Method::raster ? raster_.draw(frame, aovs, taken, pause)
+  auto images = frame.knobs.method == Method::raster ? raster_.draw_aovs(frame, aovs, taken, pause)
                 : gl_                                ? gl_->draw_aovs(frame, aovs, &taken, pause)
                                                      : marched_.draw_aovs(frame, aovs, &taken, pause);
   if (times) *times = taken;
@@ -123,15 +131,31 @@ Result<Backplate> Renderer::draw_backplate(const FurFrame& frame, DrawTimes* tim
   return marched_.draw_backplate(frame, times);
 }
 
+template <class Picture, class Finish>
+Result<Picture> Renderer::finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times,
+                                        const Finish& finish) {
+  assert(light.width == frame.width && light.height == frame.height);
+  DrawTimes taken;
+  const Result<FloatImage> overlay = overlay_of_strands(frame, taken, {});
+  if (!overlay) return overlay.status();
+  Picture picture;
+  {
+    const DrawClock clock(taken);
+    picture = finish(frame, FinishInput{light, overlay->rgba.empty() ? nullptr : &*overlay, threads_});
+  }
+  if (times) *times = taken;
+  return crop_of(frame, std::move(picture));
+}
+
 Result<Image> Renderer::finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
-  return crop_of(frame, marched_.finish(frame, light, times));
+  return finish_traced<Image>(frame, light, times, finish_picture);
 }
 
 Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times) {
-  return crop_of(frame, marched_.finish_deep(frame, light, times));
+  return finish_traced<Image16>(frame, light, times, finish_picture_deep);
 }
 
-void Renderer::clear_view_cache() { marched_.clear_view_cache(); }
+void Renderer::clear_view_cache() { marched_.clear_view_cache(), raster_.clear_view_cache(); }
 
 std::size_t Renderer::bytes_of(std::uint64_t original) const {
   return (gl_ ? gl_->bytes_of(original) : 0) + marched_.bytes_of(original) + raster_.bytes_of(original);

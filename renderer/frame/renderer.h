@@ -31,7 +31,7 @@ class Renderer {
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
   /// On the CPU.
   explicit Renderer(const RendererOptions& options)
-      : marched_(options.threads, options.coats), raster_(options.threads) {}
+      : threads_(options.threads), marched_(options.threads, options.coats), raster_(options.threads) {}
 
   bool has(std::uint64_t model) const { return marched_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
@@ -42,7 +42,7 @@ class Renderer {
   /// Takes over the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has; after changes of its fields alone, the marcher draws only the part of the picture that
+  /// Draws a model that it has; after changes of its fields alone, the CPU draws only the part of the picture that
   /// they may touch, with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the
   /// pause is called in between; its time does not count. Fails with conflict when the pause gives the drawing up, with
   /// unavailable when the GL does not answer within a minute, with too_large when there is no memory for the size, and
@@ -61,8 +61,8 @@ class Renderer {
   /// frame's. The skin under fur has the colour of the roots. Fails with too_large when there is no memory for it.
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
   /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
-  /// overlay. `light` is premultiplied linear light. An overlay is of a model that the renderer has, and a field or the
-  /// difference; others are refused (invalid).
+  /// overlay. `light` is premultiplied linear light. An overlay is a field, of a model that the
+  /// renderer rasterizes, or the model's shape; others are refused (invalid).
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
@@ -91,10 +91,15 @@ class Renderer {
   template <class Picture, class Draw>
   Result<Picture> draw_by_gl(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
 
-  /// Rasterized light, finished as traced light is: finish(light, times).
+  /// What lies over strands, rasterized or traced: fields on the fur, or the shape of the model; empty for nothing.
+  Result<FloatImage> overlay_of_strands(const FurFrame& frame, DrawTimes& times, const Pause& pause);
+  /// draw(overlay, times) likewise.
+  template <class Picture, class Draw>
+  Result<Picture> draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
   template <class Picture, class Finish>
-  Result<Picture> draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Finish& finish);
+  Result<Picture> finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times, const Finish& finish);
 
+  int threads_;
   std::unique_ptr<GlRenderer> gl_;  // null: there is none
   MarchedRenderer marched_;
   RasterRenderer raster_;

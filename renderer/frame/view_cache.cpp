@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "renderer/curves/curve_strips.h"
-#include "renderer/marched/shadow_cache.h"
 
 namespace pelage {
 
@@ -24,9 +23,6 @@ FurFrame light_of(const FurFrame& frame) {
   light.curves.clear();
   return light;
 }
-
-/// Whether a change of the fur changes pixels near it alone.
-bool changes_stay_near(const FurFrame& frame) { return !ShadowCache::wanted(frame) && frame.knobs.guard_hairs == 0; }
 
 /// Whether both have the same light but for curves and the fields.
 bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
@@ -67,10 +63,22 @@ std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& no
   return all;
 }
 
+int kept_format(const FurFrame& frame) { return frame.overlay == Overlay::none ? 8 : 0; }
+
+Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view) {
+  if (kept_format(frame) == 0) return finish_picture(frame, input);
+  if (view.shown->format == kept_format(frame)) {
+    const Area finished = finished_area(changed, {view.light.width, view.light.height}, {frame.width, frame.height});
+    finish_rows(frame, input, finished.top, finished.top + finished.height, view.picture);
+  } else {
+    view.picture = finish_picture(frame, input);
+  }
+  view.shown->format = kept_format(frame);
+  return view.picture;
+}
+
 CachedView ViewCache::take(const FurFrame& frame, int format) {
-  const auto shows = [&](const CachedView& view) {
-    return view.shown && changes_stay_near(frame) && same_light(view.shown->frame, frame);
-  };
+  const auto shows = [&](const CachedView& view) { return view.shown && same_light(view.shown->frame, frame); };
   const auto found = std::find_if(views_.begin(), views_.end(), shows);
   if (found == views_.end()) {
     const bool spare = std::any_of(views_.begin(), views_.end(), [](const CachedView& view) { return !view.shown; });
@@ -86,7 +94,6 @@ CachedView ViewCache::take(const FurFrame& frame, int format) {
 }
 
 void ViewCache::keep(CachedView view) {
-  if (view.shown && !changes_stay_near(view.shown->frame)) view.shown.reset();
   if (view.pixels() > max_pixels) return;
   views_.push_front(std::move(view));
   std::int64_t pixels = 0;

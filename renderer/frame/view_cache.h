@@ -1,5 +1,6 @@
-// The last views that were marched. A stroke changes a part of the body: when a view is drawn again, the same but for
-// the fields of some vertices and what stands on them, only the part of the picture that these may reach is drawn.
+// The last views that were drawn on the CPU. A stroke changes a part of the body: when a view is drawn again, the same
+// but for the fields of some vertices and what stands on them, only the part of the picture that these may reach is
+// drawn.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,8 @@
 #include <list>
 #include <optional>
 
+#include "renderer/finish/finish.h"
+#include "renderer/frame/areas.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
@@ -17,7 +20,7 @@ namespace pelage {
 struct ShownFrame {
   FurFrame frame;
   int format = 0;             // of the finished picture, 0 where it is not this frame's
-  std::uint64_t changes = 0;  // of the model (ChangedFur::count) when it was drawn
+  std::uint64_t changes = 0;  // of the model when it was drawn, as its drawer counts them
 };
 
 /// A picture that was drawn, to be drawn into again.
@@ -37,9 +40,8 @@ class ViewCache {
   /// The view that shows the frame's light: this frame but for curves and changes of the model's fields. Its picture is
   /// lost where it is of another format, or finished otherwise. If there is none, one that may be drawn over.
   CachedView take(const FurFrame& frame, int format);
-  /// Of frames with maps of shadows or guard hairs the memory alone is kept: changes do not stay near. What is too
-  /// many or too large is given back: first what shows nothing, then what was asked for once, as an orbit asks for each
-  /// of its frames, then what is oldest.
+  /// What is too many or too large is given back: first what shows nothing, then what was asked for once, as an orbit
+  /// asks for each of its frames, then what is oldest.
   void keep(CachedView view);
   void clear_shown() {
     for (CachedView& view : views_) view.shown.reset();
@@ -56,6 +58,12 @@ class ViewCache {
 
   Views views_;
 };
+
+/// A view's light as a picture of 8 bits, of which `changed` of the light is not finished yet; the view keeps it where
+/// nothing lies over it. `light` is the view's own, or that with what is not in it.
+Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
+/// ShownFrame::format of such a picture.
+int kept_format(const FurFrame& frame);
 
 /// The part of the picture where curves are not, or do not look, the same in both frames.
 std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);

@@ -7,15 +7,8 @@
 
 namespace pelage {
 
-/// Whether an overlay is a picture of the skin: a field, strokes along the fur or the difference.
-bool is_field(Overlay overlay);
-
 /// FurFrame::overlay, which is_field, at the frame's size: sRGB with straight alpha. Fields lie on the skin: where only
 /// tips reach, the frame shows as it is.
 FloatImage field_overlay(const FurFrame& frame, const MarchMesh& mesh, int threads);
-
-/// How often fur was shaded at each pixel (Aov::shell_count), from nothing to twice the shells, as field_overlay
-/// colours a length.
-FloatImage count_overlay(const FloatImage& counts, int shells);
 
 }  // namespace pelage

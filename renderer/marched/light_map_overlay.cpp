@@ -6,8 +6,8 @@
 
 #include "protocol/base/clamped_index.h"
 #include "renderer/marched/fur_hull.h"
-#include "renderer/marched/plain_overlay.h"
 #include "renderer/marched/shadow_width.h"
+#include "renderer/overlay/plain_overlay.h"
 
 namespace pelage {
 

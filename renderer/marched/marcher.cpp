@@ -18,6 +18,7 @@
 #include "renderer/marched/marcher_kept.h"
 #include "renderer/marched/shape_overlay.h"
 #include "renderer/marched/shell_shadow.h"
+#include "renderer/overlay/field_picture.h"
 #include "renderer/shaders/constants.h"
 #include "renderer/upload/blocks.h"
 

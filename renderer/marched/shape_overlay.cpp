@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "renderer/marched/plain_overlay.h"
 #include "renderer/marched/visible_triangles.h"
+#include "renderer/overlay/plain_overlay.h"
 #include "renderer/upload/blocks.h"
 
 namespace pelage {

@@ -70,9 +70,17 @@ void each_entry(const PixelBox& box, const TileRows& tiles, const PlacedStrands&
 
 }  // namespace
 
-Bins::Bins(const PixelBox& box, std::size_t batches)
-    : box_(box), tiles_(tiles_of(box)), batches_(batches), first_(static_cast<std::size_t>(tiles_.count()) + 1) {
+void Bins::begin(const PixelBox& box, std::size_t batches) {
   assert(batches <= max_batches);
+  box_ = box, tiles_ = tiles_of(box);
+  batches_.resize(batches), first_.assign(static_cast<std::size_t>(tiles_.count()) + 1, 0);
+}
+
+std::size_t Bins::bytes() const {
+  std::size_t bytes = entries_.capacity() * sizeof(BinEntry);
+  for (const Batch& batch : batches_)
+    bytes += batch.found.capacity() * sizeof(FoundEntry) + batch.next.capacity() * sizeof(std::uint32_t);
+  return bytes;
 }
 
 void Bins::find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest,
@@ -101,7 +109,6 @@ void Bins::make_room() {
 void Bins::put(std::size_t batch) {
   Batch& own = batches_[batch];
   for (const FoundEntry& found : own.found) entries_[own.next[found.tile]++] = found.entry;
-  own.found = {};
 }
 
 namespace {

@@ -20,7 +20,8 @@ class Bins {
  public:
   static constexpr std::size_t max_batches = 256, max_knots = 1 << 24;
 
-  Bins(const PixelBox& box, std::size_t batches);
+  /// Begins with nothing in a box, in memory that it has already.
+  void begin(const PixelBox& box, std::size_t batches);
 
   /// What of a batch falls into tiles in front of what lies behind: `furthest` has one over its distance for each.
   void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest, const DistanceKeys& keys);
@@ -32,7 +33,8 @@ class Bins {
     const auto at = static_cast<std::size_t>(number);
     return std::span(entries_).subspan(first_[at], first_[at + 1] - first_[at]);
   }
-  std::size_t bytes() const { return entries_.size() * (sizeof(BinEntry) + sizeof(FoundEntry)); }
+  /// That it keeps.
+  std::size_t bytes() const;
 
  private:
   struct FoundEntry {

@@ -104,13 +104,16 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
     add_place<shown>(inverse, weight, through, at, sums);
     return any(left_over > min_through);
   }
-  store(mul_add(weight, mul_add(share, s.more_light[0], s.light[0]), load(sums.red + at)), sums.red + at);
-  store(mul_add(weight, mul_add(share, s.more_light[1], s.light[1]), load(sums.green + at)), sums.green + at);
-  store(mul_add(weight, mul_add(share, s.more_light[2], s.light[2]), load(sums.blue + at)), sums.blue + at);
+  const auto add = [&](int k, float* sum) HWY_ATTR {
+    Real sent = mul_add(share, s.more_light[k], s.light[k]);
+    if constexpr (shown == RasterOutput::light) sent = sent * sent;  // knots have its roots
+    store(mul_add(weight, sent, load(sum + at)), sum + at);
+  };
+  add(0, sums.red), add(1, sums.green), add(2, sums.blue);
   return any(left_over > min_through);
 }
 
-/// `shown` is light for all that strands send.
+/// `shown` is albedo for all that strands send beside light.
 template <RasterOutput shown>
 HWY_INLINE void blend_all(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
                           TileSums& sums) {

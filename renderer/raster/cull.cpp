@@ -7,7 +7,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double widest = 1.5;  // pixels that strands are widened to: wider ones look like wires
+constexpr double widest = 1.5;    // pixels that strands are widened to: wider ones look like wires
+constexpr double fading = 0.125;  // of those that are kept
 
 struct Ball {
   glm::vec3 middle{0};  // from the camera
@@ -37,6 +38,12 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 
 }  // namespace
 
+float drawn_beside(const PictureCamera& camera, float thickest, float nearest) {
+  constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // a filter's, and of what is widened
+  const double half = double{thickest} * double{camera.scale} / double{std::max(nearest, near_distance)};
+  return static_cast<float>(edge + wider * std::max(0.5 * widest, half));
+}
+
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {
   if (part.strands->count() == 0) return false;
   const PictureCamera& camera = scene.camera;
@@ -44,13 +51,17 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
   const float distance = glm::dot(ball.middle, camera.forward);
   if (distance < -ball.radius) return false;
   if (distance < 2 * ball.radius) return true;
-  const float scale = camera.scale / distance, reach = ball.radius * camera.scale / (distance - ball.radius) + 2;
+  const float scale = camera.scale / distance;
+  const float reach = ball.radius * camera.scale / (distance - ball.radius) +
+                      drawn_beside(camera, part.thickest, distance - ball.radius);
   const float x = camera.middle.x + glm::dot(ball.middle, camera.right) * scale;
   const float y = camera.middle.y - glm::dot(ball.middle, camera.up) * scale;
   const float wider = 1 + std::abs(glm::dot(ball.middle, camera.right)) / distance +
                       std::abs(glm::dot(ball.middle, camera.up)) / distance;  // balls beside the middle look longer
-  return x + wider * reach > static_cast<float>(box.left) && x - wider * reach < static_cast<float>(box.right) &&
-         y + wider * reach > static_cast<float>(box.top) && y - wider * reach < static_cast<float>(box.bottom);
+  const float left = x - wider * reach, right = x + wider * reach, top = y - wider * reach, bottom = y + wider * reach;
+  const bool inside = right > static_cast<float>(box.left) && left < static_cast<float>(box.right) &&
+                      bottom > static_cast<float>(box.top) && top < static_cast<float>(box.bottom);
+  return inside && (!scene.drawn || scene.drawn->touches(left, top, right, bottom));
 }
 
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept) {
@@ -58,7 +69,6 @@ void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& 
   const StrandSet& set = *part.strands;
   const double share = kept_share(scene, part), exact = share * static_cast<double>(set.count());
   const auto count = static_cast<std::uint32_t>(std::min(std::ceil(exact), static_cast<double>(set.count())));
-  constexpr double fading = 0.125;  // of those that are kept
   const double whole = share < 1 ? 1 / (share * (1 - fading / 2)) : 1;
   const float smallest = min_facing(part);
   const glm::vec3 middle = 0.5f * (part.low + part.high);

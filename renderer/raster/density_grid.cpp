@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
 
 #include "protocol/base/parallel.h"
 
@@ -18,7 +21,7 @@ constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 GridPlace place_around(std::span<const GrownPart> parts) {
   glm::vec3 low(1e9f), high(-1e9f);
   for (const GrownPart& part : parts) {
-    if (part.role != StrandRole::coat || part.strands->count() == 0) continue;
+    if (part.role != StrandRole::coat) continue;
     low = glm::min(low, part.low), high = glm::max(high, part.high);
   }
   if (low.x > high.x) return {};
@@ -32,37 +35,87 @@ GridPlace place_around(std::span<const GrownPart> parts) {
   return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
 }
 
-/// Sums over the cells that a part's strands may stand in, of one thread alone.
+struct CellBox {
+  glm::ivec3 first{0}, size{1};
+};
+
+/// The cells around a box.
+CellBox cells_of(const GridPlace& place, glm::vec3 low, glm::vec3 high) {
+  const auto cell_of = [&](glm::vec3 at) {
+    return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
+  };
+  const glm::ivec3 first = cell_of(low);
+  return {first, cell_of(high) - first + 1};
+}
+
+/// Some strands of a part, by their numbers.
+using StrandIds = std::vector<std::uint32_t>;
+
+/// Strands that are not the same in both, which have as many.
+StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
+  StrandIds ids;
+  const auto knots = static_cast<std::size_t>(a.segments) + 1;
+  const auto same = [](const auto& one, const auto& other, std::size_t first, std::size_t count) {
+    return std::memcmp(&one[first], &other[first], count * sizeof(one[0])) == 0;
+  };
+  for (std::uint32_t i = 0; i < a.count(); ++i)
+    if (!same(a.points, b.points, i * knots, knots) || !same(a.colours, b.colours, i * knots, knots) ||
+        !same(a.roots, b.roots, i, 1))
+      ids.push_back(i);
+  return ids;
+}
+
+/// How a part differs from what is held of it.
+struct PartChange {
+  std::uint32_t part = 0;
+  StrandIds ids;                  // of strands in both, where there are as many
+  bool all = true, skin = true;   // all of its strands, and how its skin looks
+  std::vector<glm::ivec3> cells;  // that they stand in, before and after
+
+  PartChange(std::uint32_t number, const GrownPart& held, const GrownPart& now)
+      : part(number), skin(held.skin != now.skin) {
+    if (!held.strands || held.strands->count() != now.strands->count() ||
+        held.strands->segments != now.strands->segments)
+      return;
+    ids = other_strands(*held.strands, *now.strands), all = ids.size() == now.strands->count();
+  }
+};
+
+/// Sums over the cells that a part may stand in, of the strands of a change, of one thread alone.
 class PartCells {
  public:
-  PartCells(const GridPlace& place, const GrownPart& part) : place_(place) {
-    const auto cell_of = [&](glm::vec3 at) {
-      return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
-    };
-    first_ = cell_of(part.low), size_ = cell_of(part.high) - first_ + 1;
+  PartCells(const GridPlace& place, const GrownPart& part, const PartChange& change) : place_(place) {
+    const CellBox box = cells_of(place, part.low, part.high);
+    first_ = box.first, size_ = box.size;
     sums_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                  static_cast<std::size_t>(size_.z));
-    add_strands(*part.strands);
+    touched_.resize(sums_.size());
+    if (change.all) {
+      for (std::uint32_t id = 0; id < part.strands->count(); ++id) add_strand(*part.strands, id);
+    } else {
+      for (const std::uint32_t id : change.ids) add_strand(*part.strands, id);
+    }
   }
 
   /// Adds them to the grid's, which several threads do at a time: `sign` is -1 for what goes.
-  void add_to(std::vector<CellDensity>& cells, int sign) const {
+  /// Gives the cells as well.
+  void add_to(std::vector<CellDensity>& cells, int sign, std::vector<glm::ivec3>& touched) const {
     std::size_t at = 0;
     for (int z = 0; z < size_.z; ++z)
       for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x, ++at) {
-          if (sums_[at].sum[0] == 0) continue;
-          CellDensity& cell = cells[place_.index(first_ + glm::ivec3(x, y, z))];
+          if (!touched_[at]) continue;
+          touched.push_back(first_ + glm::ivec3(x, y, z));
+          CellDensity& cell = cells[place_.index(touched.back())];
           for (std::size_t i = 0; i < cell.sum.size(); ++i)
             std::atomic_ref(cell.sum[i]).fetch_add(sign * sums_[at].sum[i], std::memory_order_relaxed);
         }
   }
 
  private:
-  void add_strands(const StrandSet& set) {
-    const auto knots = static_cast<std::size_t>(set.segments) + 1;
-    for (std::size_t k = 0; k + 1 < set.points.size(); ++k)
-      if (k % knots + 1 < knots) add_segment(set.points[k], set.points[k + 1]);
+  void add_strand(const StrandSet& set, std::uint32_t id) {
+    const auto segments = static_cast<std::size_t>(set.segments), first = id * (segments + 1);
+    for (std::size_t k = first; k < first + segments; ++k) add_segment(set.points[k], set.points[k + 1]);
   }
 
   void add_segment(const StrandPoint& a, const StrandPoint& b) {
@@ -79,66 +132,181 @@ class PartCells {
     for (int s = 0; s < steps; ++s) {
       const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
       const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place_.low) * over) - first_, glm::ivec3(0), size_ - 1);
-      CellDensity& density = sums_[(static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(size_.y) +
-                                    static_cast<std::size_t>(cell.y)) *
-                                       static_cast<std::size_t>(size_.x) +
-                                   static_cast<std::size_t>(cell.x)];
-      for (std::size_t i = 0; i < added.size(); ++i) density.sum[i] += added[i];
+      const std::size_t at_cell =
+          (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(cell.y)) *
+              static_cast<std::size_t>(size_.x) +
+          static_cast<std::size_t>(cell.x);
+      touched_[at_cell] = 1;
+      for (std::size_t i = 0; i < added.size(); ++i) sums_[at_cell].sum[i] += added[i];
     }
   }
 
   const GridPlace& place_;
   glm::ivec3 first_{0}, size_{1};
   std::vector<CellDensity> sums_;
+  std::vector<std::uint8_t> touched_;
 };
 
 }  // namespace
 
-/// Sums are whole numbers, so that taking strands out leaves what would be there without them.
-bool DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
-  const GridPlace around = place_around(parts);
-  if (!(around == place_) || held_.size() != parts.size()) {
-    place_ = around;
-    density_.assign(place_.count(), {}), held_.assign(parts.size(), {});
+template <class Use>
+void DensityGrid::each_block(glm::ivec3 first, glm::ivec3 last, const Use& use) {
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) use(glm::ivec3(x, y, z));
+}
+
+void DensityGrid::make_anew(const GridPlace& place, std::size_t parts) {
+  place_ = place;
+  density_.assign(place_.count(), {}), held_.assign(parts, {});
+  lights_.clear();
+  blocks_ = (place_.size + block_side - 1) / block_side;
+  const auto count =
+      static_cast<std::size_t>(blocks_.x) * static_cast<std::size_t>(blocks_.y) * static_cast<std::size_t>(blocks_.z);
+  of_block_.assign(count, 0), fur_of_block_.assign(count, 0), has_skin_.assign(count, 0);
+}
+
+void DensityGrid::find_skin(const FurModel& model) {
+  std::fill(has_skin_.begin(), has_skin_.end(), std::uint8_t{0});
+  for (const glm::uvec3& t : model.triangles) {
+    const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
+    each_block(block_of(glm::min(a, glm::min(b, c))), block_of(glm::max(a, glm::max(b, c))),
+               [&](glm::ivec3 block) { has_skin_[block_at(block)] = 1; });
   }
-  std::vector<std::uint32_t> changed;
+}
+
+/// Sums are whole numbers, so that taking strands out leaves what would be there without them.
+CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
+  std::vector<PartChange> changes;
   for (std::uint32_t p = 0; p < parts.size(); ++p)
-    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands) changed.push_back(p);
+    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands)
+      changes.emplace_back(p, held_[p], parts[p]);
+  if (changes.empty()) return {};
   for_each_in_parallel(
-      static_cast<std::uint32_t>(changed.size()),
+      static_cast<std::uint32_t>(changes.size()),
       [&](std::uint32_t i) {
-        GrownPart& held = held_[changed[i]];
-        if (held.strands) PartCells(place_, held).add_to(density_, -1);
-        held = parts[changed[i]];
-        PartCells(place_, held).add_to(density_, 1);
+        PartChange& change = changes[i];
+        GrownPart& held = held_[change.part];
+        if (held.strands) PartCells(place_, held, change).add_to(density_, -1, change.cells);
+        held = parts[change.part];
+        PartCells(place_, held, change).add_to(density_, 1, change.cells);
       },
       threads);
-  return !changed.empty();
+  CellRows rows(place_.rows());
+  for (const PartChange& change : changes) {
+    mark_fur(change.cells, rows);
+    if (change.skin) mark_skin(parts[change.part]);
+  }
+  return rows;
+}
+
+/// A strand's ends may lie in the cell beside one that it was counted in.
+void DensityGrid::mark_fur(std::span<const glm::ivec3> cells, CellRows& rows) {
+  for (const glm::ivec3& cell : cells) {
+    rows[place_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
+    const glm::ivec3 first = glm::max(cell - 1, glm::ivec3(0)), last = glm::min(cell + 1, place_.size - 1);
+    each_block(first / block_side, last / block_side,
+               [&](glm::ivec3 block) { of_block_[block_at(block)] = fur_of_block_[block_at(block)] = version_; });
+  }
+}
+
+void DensityGrid::mark_skin(const GrownPart& part) {
+  each_block(block_of(part.low), block_of(part.high), [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
+}
+
+/// With what reads the cells from beside: between their middles, and a little off the place itself.
+void DensityGrid::mark_light(const CellRows& rows) {
+  constexpr int beside = 2;
+  for (int z = 0; z < place_.size.z; ++z) {
+    for (int y = 0; y < place_.size.y; ++y) {
+      const CellRange cells = rows[place_.row(y, z)];
+      if (cells.empty()) continue;
+      const glm::ivec3 first = glm::max(glm::ivec3(cells.begin, y, z) - beside, glm::ivec3(0));
+      const glm::ivec3 last = glm::min(glm::ivec3(cells.end - 1, y, z) + beside, place_.size - 1);
+      each_block(first / block_side, last / block_side,
+                 [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
+    }
+  }
+}
+
+void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed,
+                                int threads) {
+  std::vector<CellRows> rows(lights.size());
+  std::vector<std::optional<LightCells>> made(lights.size());
+  const auto known = [&](std::size_t i) {
+    return i < lights_.size() && model.id == model_ && lights_[i].light() == lights[i];
+  };
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(lights.size()),
+      [&](std::uint32_t i) {
+        if (!known(i))
+          made[i].emplace(place_, density_, model, lights[i]);
+        else if (!changed.empty())
+          rows[i] = lights_[i].update(density_, changed);
+      },
+      threads);
+  lights_.erase(lights_.begin() + static_cast<std::ptrdiff_t>(std::min(lights.size(), lights_.size())), lights_.end());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (made[i]) {
+      if (i == lights_.size())
+        lights_.push_back(std::move(*made[i]));
+      else
+        lights_[i] = std::move(*made[i]);
+      whole_version_ = version_;
+    } else if (!rows[i].empty()) {
+      mark_light(rows[i]);
+    }
+  }
+  model_ = model.id;
 }
 
 void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights,
                          int threads) {
-  const bool grown = add_fur(parts, threads), changed = grown || model.id != model_;
-  if (changed) ++changes_;
-  std::vector<std::uint32_t> moved;
-  for (std::uint32_t i = 0; i < lights.size(); ++i)
-    if (changed || i >= lights_.size() || !(lights_[i] == lights[i])) moved.push_back(i);
-  model_ = model.id;
-  lights_.assign(lights.begin(), lights.end());
-  crossed_.resize((lights.size() + 1) / 2);
-  for (std::vector<CrossedByTwo>& pair : crossed_) pair.resize(place_.count());
-  for_each_in_parallel(
-      static_cast<std::uint32_t>(moved.size()),
-      [&](std::uint32_t i) {
-        const std::size_t light = moved[i];
-        const std::vector<Crossed> cells = light_cells(place_, density_, model, lights[light]);
-        for (std::size_t at = 0; at < cells.size(); ++at) crossed_[light / 2][at][light % 2] = cells[at];
-      },
-      threads);
+  ++version_;
+  if (const GridPlace around = place_around(parts); !(around == place_) || held_.size() != parts.size()) {
+    make_anew(around, parts.size());
+    whole_version_ = version_;
+  }
+  if (whole_version_ == version_ || model.id != model_) find_skin(model);
+  const CellRows changed = add_fur(parts, threads);
+  if (!changed.empty()) fur_version_ = version_;
+  follow_lights(model, lights, changed, threads);
+}
+
+glm::ivec3 DensityGrid::block_of(glm::vec3 place) const {
+  const glm::ivec3 block(glm::floor((place - place_.low) / (place_.cell * block_side)));
+  return glm::clamp(block, glm::ivec3(0), blocks_ - 1);
+}
+
+bool DensityGrid::changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since) const {
+  bool changed = false;
+  each_block(block_of(low), block_of(high), [&](glm::ivec3 block) { changed |= of_block_[block_at(block)] > since; });
+  return changed;
+}
+
+std::vector<std::int32_t> DensityGrid::changed_flags(std::uint64_t since) const {
+  std::vector<std::int32_t> flags(of_block_.size());
+  std::transform(of_block_.begin(), of_block_.end(), flags.begin(),
+                 [since](std::uint64_t version) { return version > since ? 1 : 0; });
+  return flags;
+}
+
+std::vector<GridBlock> DensityGrid::changed_blocks(std::uint64_t since) const {
+  std::vector<GridBlock> changed;
+  const float side = place_.cell * block_side;
+  each_block(glm::ivec3(0), blocks_ - 1, [&](glm::ivec3 block) {
+    const std::size_t at = block_at(block);
+    if (fur_of_block_[at] <= since && !(has_skin_[at] && of_block_[at] > since)) return;
+    const glm::vec3 low = place_.low + side * glm::vec3(block);
+    changed.push_back({low, low + side});
+  });
+  return changed;
 }
 
 std::size_t DensityGrid::bytes() const {
-  return density_.size() * sizeof(CellDensity) + crossed_.size() * place_.count() * sizeof(CrossedByTwo);
+  std::size_t bytes = density_.size() * sizeof(CellDensity);
+  for (const LightCells& light : lights_) bytes += light.bytes();
+  return bytes;
 }
 
 }  // namespace pelage

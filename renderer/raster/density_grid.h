@@ -12,34 +12,74 @@
 
 namespace pelage {
 
-/// Two lights, so that a cell's numbers lie side by side; one that is not there crosses nothing.
-using CrossedByTwo = std::array<Crossed, 2>;
+/// A cube of some cells, by which changes are remembered.
+struct GridBlock {
+  glm::vec3 low{0}, high{0};
+};
+
+/// Where blocks lie: block b is the cube from low + b side on.
+struct BlockPlace {
+  glm::vec3 low{0};
+  float side = 1;  // sizes
+  glm::ivec3 count{0};
+};
 
 class DensityGrid {
  public:
   /// Brings the grid up to date: fur where parts have changed, light where fur or lights have. Curves cast no shadow:
-  /// they are too thin for cells. Deterministic for any number of threads.
+  /// they are too thin for cells. Deterministic for any number of threads, and the same bits as of a new grid.
   void update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights, int threads);
 
   const GridPlace& place() const { return place_; }
   /// Of each cell, without curves.
   std::span<const CellDensity> density() const { return density_; }
-  /// How often the fur in it was another so far.
-  std::uint64_t changes() const { return changes_; }
-  /// Of each cell, of lights 2 pair and 2 pair + 1.
-  const std::vector<CrossedByTwo>& crossed(std::size_t pair) const { return crossed_[pair]; }
+  /// Of each cell.
+  std::span<const Crossed> crossed(std::size_t light) const { return lights_[light].crossed(); }
   std::size_t bytes() const;
 
+  /// Counts updates that changed anything; below, `since` is what it was at some time.
+  std::uint64_t version() const { return version_; }
+  /// Of the last update that changed fur.
+  std::uint64_t fur_version() const { return fur_version_; }
+  /// Whether all may be another since then.
+  bool all_changed(std::uint64_t since) const { return since < whole_version_; }
+  BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
+  /// Of each block, row by row: 1 where fur or light in it, with what is read around it, may be another, else 0.
+  std::vector<std::int32_t> changed_flags(std::uint64_t since) const;
+  /// Whether that is so anywhere in a box.
+  bool changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since) const;
+  /// Blocks in which it is so for skin, or where fur stands or stood that has changed.
+  std::vector<GridBlock> changed_blocks(std::uint64_t since) const;
+
  private:
-  /// Whether anything has changed.
-  bool add_fur(std::span<const GrownPart> parts, int threads);
+  static constexpr int block_side = 4;  // cells
+
+  /// The cells in which anything may have changed.
+  CellRows add_fur(std::span<const GrownPart> parts, int threads);
+  void mark_fur(std::span<const glm::ivec3> cells, CellRows& rows);
+  void mark_skin(const GrownPart& part);
+  void mark_light(const CellRows& rows);
+  void find_skin(const FurModel& model);
+  void make_anew(const GridPlace& place, std::size_t parts);
+  void follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed, int threads);
+  glm::ivec3 block_of(glm::vec3 place) const;
+  /// use(block) from first to last.
+  template <class Use>
+  static void each_block(glm::ivec3 first, glm::ivec3 last, const Use& use);
+  std::size_t block_at(glm::ivec3 block) const {
+    return static_cast<std::size_t>((block.z * blocks_.y + block.y) * blocks_.x + block.x);
+  }
 
   GridPlace place_;
   std::vector<CellDensity> density_;
   std::vector<GrownPart> held_;  // what is in it of each part; no strands for nothing
-  std::uint64_t model_ = 0, changes_ = 0;
-  std::vector<FurLight> lights_;  // that have been followed
-  std::vector<std::vector<CrossedByTwo>> crossed_;
+  std::uint64_t model_ = 0;
+  std::vector<LightCells> lights_;
+  std::uint64_t version_ = 0, fur_version_ = 0, whole_version_ = 0;
+  glm::ivec3 blocks_{0};
+  // Of each block: the version that changed anything that is read there, that changed its fur, and whether it has skin.
+  std::vector<std::uint64_t> of_block_, fur_of_block_;
+  std::vector<std::uint8_t> has_skin_;
 };
 
 }  // namespace pelage

@@ -67,6 +67,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const Ey
   switch (scene.shown) {
     case RasterOutput::albedo: return eye_surface(optics, eye, hit).albedo;
     case RasterOutput::normal: return eye_surface(optics, eye, hit).normal;
+    case RasterOutput::field:
     case RasterOutput::tangent:
     case RasterOutput::count: return {none, none, none};
     case RasterOutput::direct: return direct();

@@ -64,9 +64,8 @@ HWY_INLINE Real light_past(const RasterScene& scene, std::size_t light, Vec3 pla
   const GridPlace& grid = scene.grid->place();
   const GridEntry entry = grid_entry(grid, place, to_light);
   if (!any(entry.there)) return 1.0f;
-  Real between[4];
-  crossed_by_two(scene.grid->crossed(light / 2), grid_lanes(grid, entry.place), between);
-  const Real strands = between[2 * (light % 2)], body = between[2 * (light % 2) + 1];
+  const CrossedLanes crossed = crossed_at(scene.grid->crossed(light), grid_lanes(grid, entry.place));
+  const Real strands = crossed.strands, body = crossed.body;
   const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
   return select(entry.there, luminance(through), 1.0f);
 }
@@ -141,12 +140,12 @@ struct GroundKnots {
   }
 };
 
-HWY_INLINE void darken_all(const RasterScene& scene, int left, int top, TileSums& sums) {
-  if (std::none_of(sums.through, sums.through + tile_pixels, [](float through) { return through > min_shown; })) return;
+HWY_INLINE void darken_all(const RasterScene& scene, int left, int top, std::span<float> through) {
+  if (std::none_of(through.begin(), through.end(), [](float open) { return open > min_shown; })) return;
   const GroundKnots knots(scene, left, top);
   for (int block = 0; block < block_columns * block_rows; ++block) {
-    const int at = block * lane_count;
-    store(load(sums.through + at) * (1.0f - knots.at(block_pixels(block))), sums.through + at);
+    float* open = &through[static_cast<std::size_t>(block * lane_count)];
+    store(load(open) * (1.0f - knots.at(block_pixels(block))), open);
   }
 }
 

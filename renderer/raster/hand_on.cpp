@@ -29,14 +29,11 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
   const std::uint32_t deep = single ? own : whole_strands(last);  // those before it are drawn from the root on
   const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
-  light_.resize(lit_.size());
-  light_strands(scene, part, std::span(lit_).first(whole), true, std::span(light_).first(whole));
-  light_strands(scene, part, std::span(lit_).subspan(whole), false, std::span(light_).subspan(whole));
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const std::uint32_t begin = placed.first[first + i], end = placed.first[first + i + 1];
-    hand_on_light(set, ids[i], of_[i], light_[place_[of_[i]]], std::span(placed.along).subspan(begin, end - begin),
-                  std::span(placed.knots).subspan(begin, end - begin));
-  }
+  light_strands(scene, part, std::span(lit_).first(whole), true, whole_);
+  light_strands(scene, part, std::span(lit_).subspan(whole), false, rest_);
+  at_.clear();
+  for (const std::uint32_t from : of_) at_.push_back(place_[from]);
+  hand_on_light(set, {ids, of_, at_, whole_, rest_}, first, placed);
   return lit_.size();
 }
 

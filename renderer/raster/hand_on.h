@@ -17,8 +17,8 @@ class SharedLight {
                     std::uint32_t last, std::size_t first, PlacedStrands& placed);
 
  private:
-  std::vector<std::uint32_t> lit_, of_, place_;
-  std::vector<LitStrandPoints> light_;
+  std::vector<std::uint32_t> lit_, of_, at_, place_;
+  LitPoints whole_, rest_;
 };
 
 }  // namespace pelage

@@ -9,6 +9,8 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
 #include "renderer/raster/blend-inl.h"
+#include "renderer/raster/cell_rows-inl.h"
+#include "renderer/raster/changed-inl.h"
 #include "renderer/raster/eyes-inl.h"
 #include "renderer/raster/ground-inl.h"
 #include "renderer/raster/hand_on-inl.h"
@@ -24,14 +26,18 @@ void PlaceStrands(const RasterScene& scene, const GrownPart& part, const PixelBo
   place_all(scene, part, box, hidden, kept, placed);
 }
 
+void FindChanged(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
+                 std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes) {
+  find_all_changed(scene, part, kept, blocks, boxes);
+}
+
 void LightStrands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
-                  std::span<LitStrandPoints> light) {
+                  LitPoints& light) {
   light_all(scene, part, ids, whole, light);
 }
 
-void HandOnLight(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
-                 std::span<const float> along, std::span<PlacedKnot> knots) {
-  hand_on(set, id, from, light, along.data(), knots.data(), static_cast<int>(knots.size()));
+void HandOnLight(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
+  hand_on_all(set, sources, first, placed);
 }
 
 void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
@@ -39,7 +45,8 @@ void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segmen
     case RasterOutput::distance: return blend_all<RasterOutput::distance>(scene, segments, left, top, sums);
     case RasterOutput::depth: return blend_all<RasterOutput::depth>(scene, segments, left, top, sums);
     case RasterOutput::count: return blend_all<RasterOutput::count>(scene, segments, left, top, sums);
-    default: return blend_all<RasterOutput::light>(scene, segments, left, top, sums);
+    case RasterOutput::light: return blend_all<RasterOutput::light>(scene, segments, left, top, sums);
+    default: return blend_all<RasterOutput::albedo>(scene, segments, left, top, sums);
   }
 }
 
@@ -56,7 +63,15 @@ void LightSkin(const RasterScene& scene, SkinSeen& seen) {
   for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
 }
 
-void DarkenGround(const RasterScene& scene, int left, int top, TileSums& sums) { darken_all(scene, left, top, sums); }
+void DarkenGround(const RasterScene& scene, int left, int top, std::span<float> through) {
+  darken_all(scene, left, top, through);
+}
+
+void AddCells(std::span<const Crossed> cells, float share, float* sums) { add_row(cells, share, sums); }
+
+CellRange RoundCells(const float* sums, bool as_seen, std::span<Crossed> cells) {
+  return as_seen ? round_row<true>(sums, cells) : round_row<false>(sums, cells);
+}
 
 const char* Name() { return hwy::TargetName(HWY_TARGET); }
 
@@ -67,6 +82,7 @@ HWY_AFTER_NAMESPACE();
 namespace pelage {
 
 HWY_EXPORT(PlaceStrands);
+HWY_EXPORT(FindChanged);
 HWY_EXPORT(LightStrands);
 HWY_EXPORT(HandOnLight);
 HWY_EXPORT(BlendSegments);
@@ -74,6 +90,8 @@ HWY_EXPORT(MeetEyes);
 HWY_EXPORT(LightEyes);
 HWY_EXPORT(LightSkin);
 HWY_EXPORT(DarkenGround);
+HWY_EXPORT(AddCells);
+HWY_EXPORT(RoundCells);
 HWY_EXPORT(Name);
 
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
@@ -81,14 +99,18 @@ void place_strands(const RasterScene& scene, const GrownPart& part, const PixelB
   HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, part, box, hidden, kept, placed);
 }
 
+void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
+                  std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes) {
+  HWY_DYNAMIC_DISPATCH(FindChanged)(scene, part, kept, blocks, boxes);
+}
+
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
-                   std::span<LitStrandPoints> light) {
+                   LitPoints& light) {
   HWY_DYNAMIC_DISPATCH(LightStrands)(scene, part, ids, whole, light);
 }
 
-void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
-                   std::span<const float> along, std::span<PlacedKnot> knots) {
-  HWY_DYNAMIC_DISPATCH(HandOnLight)(set, id, from, light, along, knots);
+void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
+  HWY_DYNAMIC_DISPATCH(HandOnLight)(set, sources, first, placed);
 }
 
 void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
@@ -107,8 +129,16 @@ void light_eyes(const RasterScene& scene, int left, int top, std::span<const std
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }
 
-void darken_ground(const RasterScene& scene, int left, int top, TileSums& sums) {
-  HWY_DYNAMIC_DISPATCH(DarkenGround)(scene, left, top, sums);
+void darken_ground(const RasterScene& scene, int left, int top, std::span<float> through) {
+  HWY_DYNAMIC_DISPATCH(DarkenGround)(scene, left, top, through);
+}
+
+void add_cells(std::span<const Crossed> cells, float share, float* sums) {
+  HWY_DYNAMIC_DISPATCH(AddCells)(cells, share, sums);
+}
+
+CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells) {
+  return HWY_DYNAMIC_DISPATCH(RoundCells)(sums, as_seen, cells);
 }
 
 const char* raster_instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }

@@ -23,26 +23,41 @@ inline constexpr int hidden_around = 2 * hiding_side;  // pixels about a block t
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 
+/// What strands cover of the picture, pixels, and whether anything that they show has changed.
+struct StrandBox {
+  float left = 0, top = 0, right = 0, bottom = 0;
+  bool changed = false, somewhere = true;  // not so where it reaches behind the camera: it may cover anything
+};
+/// Of the kept strands of a part, one after the other. `blocks` has 0 for each block of the grid in which nothing has
+/// changed.
+void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
+                  std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes);
+
 /// Where nothing but gaps between strands shows them, some strands stand for all: the first ones, which are drawn down
 /// to their roots. Their number, where the last that is kept is `last`.
 inline constexpr std::uint32_t deep_of = 8;  // strands that one stands for
 inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
-/// Light that a strand sends to the camera, or what else is shown of it, from some points of it, evenly from `from` in
-/// [0, 1) to the tip.
-struct LitStrandPoints {
+/// What strands send to the camera, from some points of each, evenly from `from` in [0, 1) to the tip. Light is kept as
+/// its square roots, whose change along a strand is more even.
+struct LitPoints {
   static constexpr int max = 16;
   float from = 0;
-  int count = 2;
-  std::array<glm::vec4, max> light{};  // the fourth is 0
+  int count = 2;  // of each strand
+  bool roots = false;
+  std::vector<glm::vec4> light;  // point by point, strand by strand; the fourth is 0
 };
 /// With `whole` from the root on, else from where they come to be seen.
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
-                   std::span<LitStrandPoints> light);
+                   LitPoints& light);
 
-/// Writes the light of a strand's knots, which lie `along` it: `light` is that of strand `from`, which may be another.
-void hand_on_light(const StrandSet& set, std::uint32_t id, std::uint32_t from, const LitStrandPoints& light,
-                   std::span<const float> along, std::span<PlacedKnot> knots);
+/// Strands that are placed, and of each the lit one whose light it has.
+struct LightSources {
+  std::span<const std::uint32_t> ids, lit_ids, lit;  // own numbers in the part, the lit one's, and its place in these:
+  const LitPoints &whole, &rest;                     // first those that are drawn from the root on, then the others
+};
+/// Writes the light of their knots, by their colours: they are the strands of `placed` from `first` on.
+void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed);
 
 /// What of a strand falls into a tile.
 struct TileSegment {
@@ -84,7 +99,14 @@ struct SkinSeen {
 void light_skin(const RasterScene& scene, SkinSeen& seen);
 
 /// Darkens what shows the scene's ground of a tile, after all that stands before it: it is black with an alpha.
-void darken_ground(const RasterScene& scene, int left, int top, TileSums& sums);
+/// `through` has what of each pixel is open, in blocks.
+void darken_ground(const RasterScene& scene, int left, int top, std::span<float> through);
+
+/// Adds the strands and the body of cells, times `share`, to sums that lie in the same order.
+void add_cells(std::span<const Crossed> cells, float share, float* sums);
+/// Rounds such sums to cells: in the finest steps, or `as_seen`, in steps that are not seen, with all cells alike that
+/// no light gets to. Gives a range that has all cells which change, with few that do not.
+CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells);
 
 /// The instruction set in use, as "AVX2".
 const char* raster_instruction_set();

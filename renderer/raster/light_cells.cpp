@@ -1,16 +1,17 @@
 #include "renderer/raster/light_cells.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include "renderer/raster/kernels.h"
 
 namespace pelage {
 
 namespace {
 
 constexpr float spread = 0.08f;  // strands of one place differ in direction (light-inl.h)
-constexpr float skin_depth = 4;  // optical depth of a whole face of skin
+constexpr float skin_depth = 8;  // optical depth of a whole face of skin
 constexpr int near_steps = 8;    // cells
 
 /// A triangle's area facing away from a light, spread over the cells that it lies in.
@@ -42,6 +43,20 @@ std::vector<float> skin_facing_away(const GridPlace& place, const FurModel& mode
   return cells;
 }
 
+std::uint16_t rounded(float sum, std::uint16_t max) {
+  return static_cast<std::uint16_t>(std::min(sum + 0.5f, static_cast<float>(max)));
+}
+
+/// In steps of Crossed::one.
+struct Sum {
+  float strands = 0, body = 0;
+
+  void add(const Crossed& cell, float share) {
+    strands += share * static_cast<float>(cell.strands), body += share * static_cast<float>(cell.body);
+  }
+  Crossed rounded_sum() const { return {rounded(strands, Crossed::max_strands), rounded(body, Crossed::max_body)}; }
+};
+
 /// Cells of an axis in an order in which light comes to them: from where it is to both ends.
 std::vector<int> order_from(float light, int size) {
   const float held = std::clamp(light, 0.0f, static_cast<float>(size) - 1);
@@ -52,194 +67,233 @@ std::vector<int> order_from(float light, int size) {
   return order;
 }
 
-void add(Crossed& sum, const Crossed& part, float share) {
-  sum.strands += share * part.strands, sum.body += share * part.body;
-}
+/// What some cells of a row add up.
+class RowSums {
+ public:
+  explicit RowSums(const GridPlace& place) : place_(place), sums_(2 * static_cast<std::size_t>(place.size.x)) {}
 
-/// Cells beside one that light comes to it through, and how much each of them counts; nothing lies outside the grid.
-template <std::size_t count>
-struct Stencil {
-  struct Tap {
-    glm::ivec3 off{0};
-    std::ptrdiff_t index = 0;  // of it, from the cell's
-    float share = 0;
-  };
-  std::array<Tap, count> taps;
-
-  void set(const GridPlace& place, std::size_t i, glm::ivec3 off, float share) {
-    taps[i] = {off, (static_cast<std::ptrdiff_t>(off.z) * place.size.y + off.y) * place.size.x + off.x, share};
+  void begin(int y, int z, CellRange cells) {
+    y_ = y, z_ = z, cells_ = cells;
+    std::fill(sums_.begin() + 2 * cells.begin, sums_.begin() + 2 * cells.end, 0.0f);
   }
-  Crossed sum(const GridPlace& place, glm::ivec3 cell, const Crossed* at) const {
-    Crossed sum;
-    for (const Tap& tap : taps)
-      if (place.has(cell + tap.off)) add(sum, at[tap.index], tap.share);
-    return sum;
+  void add(const std::vector<Crossed>& from, const CellTap& tap) {
+    const int y = y_ + tap.off.y, z = z_ + tap.off.z;
+    if (tap.share == 0 || !place_.has({0, y, z})) return;
+    const int begin = std::max(cells_.begin, -tap.off.x), end = std::min(cells_.end, place_.size.x - tap.off.x);
+    if (begin >= end) return;
+    add_cells(std::span(from).subspan(place_.index({begin + tap.off.x, y, z}), static_cast<std::size_t>(end - begin)),
+              tap.share, &sums_[2 * static_cast<std::size_t>(begin)]);
   }
-  /// Adds the sums of all cells of a row, times `times`, but for what lies in the row itself: a tap after the other, so
-  /// that several cells are summed at once.
-  void add_other_rows(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, float times,
-                      Crossed* row) const {
-    for (const Tap& tap : taps)
-      if (tap.off.y != 0 || tap.off.z != 0) add_tap(place, y, z, cells, tap, times, row);
+  /// Gives the cells that change.
+  CellRange round_into(std::vector<Crossed>& to, bool as_seen) const {
+    const auto count = static_cast<std::size_t>(cells_.end - cells_.begin);
+    CellRange changed = round_cells(&sums_[2 * static_cast<std::size_t>(cells_.begin)], as_seen,
+                                    std::span(to).subspan(place_.index({cells_.begin, y_, z_}), count));
+    return {changed.begin + cells_.begin, changed.end + cells_.begin};
   }
-  void add_rows(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, Crossed* row) const {
-    for (const Tap& tap : taps) add_tap(place, y, z, cells, tap, 1, row);
+  /// The same where each cell also gets what has come to the one beside it.
+  CellRange round_in_order(const CellTap& beside, std::vector<Crossed>& to) const {
+    CellRange changed;
+    const int step = -beside.off.x;
+    const std::size_t first = place_.index({0, y_, z_});
+    for (int x = step > 0 ? cells_.begin : cells_.end - 1; x >= cells_.begin && x < cells_.end; x += step) {
+      Sum sum{sums_[2 * static_cast<std::size_t>(x)], sums_[2 * static_cast<std::size_t>(x) + 1]};
+      const int before = x + beside.off.x;
+      if (before >= 0 && before < place_.size.x) sum.add(to[first + static_cast<std::size_t>(before)], beside.share);
+      Crossed& cell = to[first + static_cast<std::size_t>(x)];
+      const Crossed now = sum.rounded_sum();
+      if (!(cell == now)) changed.add({x, x + 1}), cell = now;
+    }
+    return changed;
   }
 
  private:
-  static void add_tap(const GridPlace& place, int y, int z, const std::vector<Crossed>& cells, const Tap& tap,
-                      float times, Crossed* row) {
-    if (!place.has({0, y + tap.off.y, z + tap.off.z})) return;
-    const int begin = std::max(-tap.off.x, 0), end = place.size.x - std::max(tap.off.x, 0);
-    const Crossed* from = &cells[place.index({0, y + tap.off.y, z + tap.off.z})] + tap.off.x;
-    const float share = tap.share * times;
-    for (int x = begin; x < end; ++x) add(row[x], from[x], share);
-  }
+  const GridPlace& place_;
+  std::vector<float> sums_;  // strands and body of each cell
+  int y_ = 0, z_ = 0;
+  CellRange cells_;
 };
 
-/// The way to a light in cells.
-struct Way {
-  Stencil<4> before;  // cells next to one, on its side of the light
-  float longer = 1;   // of the way to them over that along an axis
-  Stencil<near_steps> near;
-  Stencil<8> beyond;  // about where those end
+}  // namespace
 
-  Way(const GridPlace& place, glm::vec3 to_light) {
+/// The way to the light in cells.
+struct LightCells::Way {
+  std::array<CellTap, 4> before;  // cells next to one, on its side of the light
+  float longer = 1;               // of the way to them over that along an axis
+  std::array<CellTap, near_steps> near;
+  std::array<CellTap, 8> beyond;  // about where those end
+
+  explicit Way(glm::vec3 to_light) {
     const glm::vec3 size = glm::abs(to_light);
     const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::ivec3 step(glm::sign(to_light));
     longer = 1 / std::max(size[a], 0.5f);
     const float off_b = size[b] * longer, off_c = size[c] * longer;
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < before.size(); ++k) {
       glm::ivec3 off(0);
       off[a] = step[a];
       if (k & 1) off[b] = step[b];
       if (k & 2) off[c] = step[c];
       const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
-      before.set(place, static_cast<std::size_t>(k), off, off == glm::ivec3(0) ? 0.0f : share);
+      before[k] = {off, off == glm::ivec3(0) ? 0.0f : share};
     }
-    for (int s = 1; s <= near_steps; ++s)
-      near.set(place, static_cast<std::size_t>(s - 1), glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))),
-               s < near_steps ? 1.0f : 0.5f);
+    for (int s = 1; s < near_steps; ++s)
+      near[static_cast<std::size_t>(s)] = {glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))), 1};
+    near[0] = {{}, 0.5f};
     const glm::vec3 end = to_light * static_cast<float>(near_steps), low = glm::floor(end), part = end - low;
     for (int k = 0; k < 8; ++k) {
       const glm::ivec3 off(k & 1, k >> 1 & 1, k >> 2);
       const glm::vec3 share = glm::mix(1.0f - part, part, glm::vec3(off));
-      beyond.set(place, static_cast<std::size_t>(k), glm::ivec3(low) + off, share.x * share.y * share.z);
+      beyond[static_cast<std::size_t>(k)] = {glm::ivec3(low) + off, share.x * share.y * share.z};
     }
   }
 };
 
-class LightThrough {
- public:
-  LightThrough(const GridPlace& place, const FurLight& light)
-      : place_(place),
-        far_(light.kind == LightKind::directional),
-        source_(far_ ? -light.direction : (light.position - place.low) / place.cell),
-        same_(place, way_from(glm::vec3(0))) {}
+LightCells::LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+                       const FurLight& light)
+    : place_(place),
+      light_(light),
+      far_(light.kind == LightKind::directional),
+      source_(far_ ? -light.direction : (light.position - place.low) / place.cell),
+      local_(place.count()),
+      through_(place.count()),
+      crossed_(place.count()) {
+  const std::vector<float> skin = skin_facing_away(place, model, light);
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    local_[i].body = rounded(Crossed::one * skin_depth * skin[i], Crossed::max_body);
+  CellRows all(place.rows(), {0, place.size.x});
+  follow(density, all, all);
+}
 
-  std::vector<Crossed> all(std::span<const CellDensity> density, const std::vector<float>& skin) {
-    find_local(density, skin);
-    swept_.resize(place_.count());
-    each_row_from_light([&](int y, int z, const std::vector<int>& along) { sweep_row(y, z, along); });
-    std::vector<Crossed> crossed(place_.count());
-    for (int z = 0; z < place_.size.z; ++z)
-      for (int y = 0; y < place_.size.y; ++y) follow_row(y, z, &crossed[place_.index({0, y, z})]);
-    return crossed;
-  }
+glm::vec3 LightCells::to_light(glm::vec3 cell) const {
+  if (far_) return source_;
+  const glm::vec3 apart = source_ - cell;
+  return apart / std::max(glm::length(apart), 1e-3f);
+}
 
- private:
-  glm::vec3 way_from(glm::vec3 place) const {
-    if (far_) return source_;
-    const glm::vec3 apart = source_ - place;
-    return apart / std::max(glm::length(apart), 1e-3f);
-  }
-  Way way_of(int x, int y, int z) const { return {place_, way_from(glm::vec3(x, y, z) + 0.5f)}; }
-  template <class Use>
-  void each_row_from_light(const Use& use) const;
+CellRows LightCells::update(std::span<const CellDensity> density, const CellRows& changed) {
+  CellRows local(place_.rows());
+  return follow(density, changed, local);
+}
 
-  void find_local(std::span<const CellDensity> density, const std::vector<float>& skin);
-  void sweep_row(int y, int z, const std::vector<int>& along);
-  void follow_row(int y, int z, Crossed* row) const;
+/// `local` has cells that count as changed in any case.
+CellRows LightCells::follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local) {
+  for (int z = 0; z < place_.size.z; ++z)
+    for (int y = 0; y < place_.size.y; ++y) {
+      const std::size_t row = place_.row(y, z);
+      local[row].add(find_local(density, y, z, changed[row]));
+    }
+  if (!far_) return follow_near();
+  const Way way(source_);
+  return look_back(way, local, sweep(way, local));
+}
 
-  const GridPlace& place_;
-  bool far_;
-  glm::vec3 source_;  // the light's place, in cells; of a far one the way to it
-  Way same_;          // of a far light
-  std::vector<Crossed> local_, swept_;
-};
-
-/// What light crosses in each cell on a way of its width.
-void LightThrough::find_local(std::span<const CellDensity> density, const std::vector<float>& skin) {
-  local_.resize(place_.count());
-  for (std::size_t at = 0; at < local_.size(); ++at) {
+/// How many strands light crosses in each cell on a way of its width. Gives the cells where that is another.
+CellRange LightCells::find_local(std::span<const CellDensity> density, int y, int z, CellRange cells) {
+  CellRange changed;
+  for (int x = cells.begin; x < cells.end; ++x) {
+    const std::size_t at = place_.index({x, y, z});
     const CellDensity& fur = density[at];
-    local_[at].body = skin_depth * skin[at];
-    if (fur.sum[0] <= 0) continue;
-    const auto width = static_cast<std::size_t>(place_.size.x), height = static_cast<std::size_t>(place_.size.y);
-    const glm::vec3 middle = glm::vec3(at % width, at / width % height, at / (width * height)) + 0.5f;
-    const glm::vec3 way(fur.sum[1], fur.sum[2], fur.sum[3]);
-    const float whole = static_cast<float>(fur.sum[0]), along = glm::dot(way, way_from(middle)) / whole;
-    local_[at].strands = whole / CellDensity::one * std::sqrt(std::max(1 - (1 - spread) * along * along, 0.0f));
+    std::uint16_t strands = 0;
+    if (fur.sum[0] > 0) {
+      const glm::vec3 way(fur.sum[1], fur.sum[2], fur.sum[3]);
+      const float whole = static_cast<float>(fur.sum[0]);
+      const float along = glm::dot(way, to_light(glm::vec3(x, y, z) + 0.5f)) / whole;
+      const float across = std::sqrt(std::max(1 - (1 - spread) * along * along, 0.0f));
+      strands = rounded(Crossed::one / CellDensity::one * whole * across, Crossed::max_strands);
+    }
+    if (local_[at].strands == strands) continue;
+    local_[at].strands = strands;
+    changed.add({x, x + 1});
   }
+  return changed;
 }
 
-/// use(y, z, x in the order that light comes in).
-template <class Use>
-void LightThrough::each_row_from_light(const Use& use) const {
-  const glm::vec3 start = far_ ? glm::sign(source_) * 1e9f : source_;
-  const std::vector<int> along = order_from(start.x, place_.size.x), down = order_from(start.y, place_.size.y);
-  for (const int z : order_from(start.z, place_.size.z))
-    for (const int y : down) use(y, z, along);
+/// Marks cells that see by a tap what has changed.
+void LightCells::add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const {
+  if (tap.share == 0) return;
+  for (int z = std::max(0, -tap.off.z); z < std::min(place_.size.z, place_.size.z - tap.off.z); ++z)
+    for (int y = std::max(0, -tap.off.y); y < std::min(place_.size.y, place_.size.y - tap.off.y); ++y)
+      seeing[place_.row(y, z)].add(tap.seen_by(changed[place_.row(y + tap.off.y, z + tap.off.z)], place_.size.x));
 }
 
-/// Up to each cell's middle by short characteristics (Kunasz and Auer 1988): a cell gets what comes through the four
-/// cells next to it on its side of the light. Light spreads a little from cell to cell: what is far has a soft edge.
-void LightThrough::sweep_row(int y, int z, const std::vector<int>& along) {
-  const std::size_t first = place_.index({0, y, z});
-  Crossed* row = &swept_[first];
-  if (far_) {
-    same_.before.add_other_rows(place_, y, z, swept_, 1, row);
-    same_.before.add_other_rows(place_, y, z, local_, 0.5f * same_.longer, row);
+/// Through each cell by short characteristics (Kunasz and Auer 1988): a cell gets what comes through the four cells
+/// next to it on its side of the light. Light spreads a little from cell to cell: what is far has a soft edge. Gives
+/// the cells where that has changed.
+CellRows LightCells::sweep(const Way& way, const CellRows& local) {
+  const glm::vec3 start = glm::sign(source_) * 1e9f;
+  CellRows through(place_.rows());
+  RowSums sums(place_);
+  const CellTap* beside = nullptr;  // in the row itself
+  for (const CellTap& tap : way.before)
+    if (tap.off.y == 0 && tap.off.z == 0 && tap.share > 0) beside = &tap;
+  for (const int z : order_from(start.z, place_.size.z)) {
+    for (const int y : order_from(start.y, place_.size.y)) {
+      CellRange cells = local[place_.row(y, z)];
+      for (const CellTap& tap : way.before)
+        if (const glm::ivec3 at = glm::ivec3(0, y, z) + glm::ivec3(0, tap.off.y, tap.off.z); place_.has(at))
+          cells.add(tap.seen_by(through[place_.row(at.y, at.z)], place_.size.x));
+      if (cells.empty()) continue;
+      if (beside) (beside->off.x > 0 ? cells.begin : cells.end) = beside->off.x > 0 ? 0 : place_.size.x;
+      sums.begin(y, z, cells);
+      sums.add(local_, {{}, way.longer});
+      for (const CellTap& tap : way.before)
+        if (&tap != beside) sums.add(through_, tap);
+      through[place_.row(y, z)] = beside ? sums.round_in_order(*beside, through_) : sums.round_into(through_, false);
+    }
   }
-  for (const int x : along) {
-    const std::size_t at = first + static_cast<std::size_t>(x);
-    const auto add_before = [&](const Way& way, const auto& wanted) {
-      add(row[x], local_[at], 0.5f * way.longer);
-      for (const auto& tap : way.before.taps) {
-        if (!wanted(tap.off) || !place_.has(glm::ivec3(x, y, z) + tap.off)) continue;
-        add(row[x], swept_[at + static_cast<std::size_t>(tap.index)], tap.share);
-        add(row[x], local_[at + static_cast<std::size_t>(tap.index)], tap.share * 0.5f * way.longer);
+  return through;
+}
+
+/// Near a cell along the ray itself, so that shadows of what is near are sharp; from there on what has come through.
+CellRows LightCells::look_back(const Way& way, const CellRows& local, const CellRows& through) {
+  CellRows changed(place_.rows()), seeing(place_.rows());
+  for (const CellTap& tap : way.near) add_seeing(local, tap, seeing);
+  for (const CellTap& tap : way.beyond) add_seeing(through, tap, seeing);
+  RowSums sums(place_);
+  for (int z = 0; z < place_.size.z; ++z) {
+    for (int y = 0; y < place_.size.y; ++y) {
+      const CellRange cells = seeing[place_.row(y, z)];
+      if (cells.empty()) continue;
+      sums.begin(y, z, cells);
+      for (const CellTap& tap : way.near) sums.add(local_, tap);
+      for (const CellTap& tap : way.beyond) sums.add(through_, tap);
+      changed[place_.row(y, z)] = sums.round_into(crossed_, true);
+    }
+  }
+  return changed;
+}
+
+/// From each cell a light that stands near lies another way: so all cells are swept again, and looked back from.
+CellRows LightCells::follow_near() {
+  const auto add = [&](const auto& taps, glm::ivec3 cell, const std::vector<Crossed>& from, Sum& sum) {
+    for (const CellTap& tap : taps)
+      if (place_.has(cell + tap.off)) sum.add(from[place_.index(cell + tap.off)], tap.share);
+  };
+  const std::vector<int> along = order_from(source_.x, place_.size.x), down = order_from(source_.y, place_.size.y);
+  for (const int z : order_from(source_.z, place_.size.z)) {
+    for (const int y : down) {
+      for (const int x : along) {
+        const glm::ivec3 cell(x, y, z);
+        const Way way(to_light(glm::vec3(cell) + 0.5f));
+        Sum sum;
+        sum.add(local_[place_.index(cell)], way.longer);
+        add(way.before, cell, through_, sum);
+        through_[place_.index(cell)] = sum.rounded_sum();
       }
-    };
-    if (far_)
-      add_before(same_, [](glm::ivec3 off) { return off.y == 0 && off.z == 0; });
-    else
-      add_before(way_of(x, y, z), [](glm::ivec3) { return true; });
+    }
   }
-}
-
-/// Near a cell along the ray itself, so that shadows of what is near are sharp; from there on what was swept.
-void LightThrough::follow_row(int y, int z, Crossed* row) const {
-  const std::size_t first = place_.index({0, y, z});
-  for (int x = 0; x < place_.size.x; ++x) add(row[x], local_[first + static_cast<std::size_t>(x)], 0.5f);
-  if (far_) {
-    same_.near.add_rows(place_, y, z, local_, row), same_.beyond.add_rows(place_, y, z, swept_, row);
-    return;
+  CellRows changed(place_.rows());
+  for (std::size_t at = 0; at < crossed_.size(); ++at) {
+    const glm::ivec3 cell = place_.cell_of(at);
+    const Way way(to_light(glm::vec3(cell) + 0.5f));
+    Sum sum;
+    add(way.near, cell, local_, sum), add(way.beyond, cell, through_, sum);
+    const std::array<float, 2> sums{sum.strands, sum.body};
+    if (!round_cells(sums.data(), true, std::span(crossed_).subspan(at, 1)).empty())
+      changed[place_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
   }
-  for (int x = 0; x < place_.size.x; ++x) {
-    const Way way = way_of(x, y, z);
-    const glm::ivec3 cell(x, y, z);
-    const std::size_t at = first + static_cast<std::size_t>(x);
-    add(row[x], way.near.sum(place_, cell, &local_[at]), 1), add(row[x], way.beyond.sum(place_, cell, &swept_[at]), 1);
-  }
-}
-
-}  // namespace
-
-std::vector<Crossed> light_cells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
-                                 const FurLight& light) {
-  return LightThrough(place, light).all(density, skin_facing_away(place, model, light));
+  return changed;
 }
 
 }  // namespace pelage

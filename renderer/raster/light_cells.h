@@ -1,6 +1,7 @@
 // One light through the cells of a grid.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -17,17 +18,47 @@ struct GridPlace {
   float cell = 1;      // sizes
   glm::ivec3 size{2};  // cells along each axis, at least 2
 
-  std::size_t count() const {
-    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+  std::size_t rows() const { return static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z); }
+  std::size_t count() const { return static_cast<std::size_t>(size.x) * rows(); }
+  std::size_t row(int y, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(y);
   }
   std::size_t index(glm::ivec3 c) const {
-    const auto x = static_cast<std::size_t>(c.x), y = static_cast<std::size_t>(c.y), z = static_cast<std::size_t>(c.z);
-    return (z * static_cast<std::size_t>(size.y) + y) * static_cast<std::size_t>(size.x) + x;
+    return row(c.y, c.z) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(c.x);
+  }
+  glm::ivec3 cell_of(std::size_t index) const {
+    const auto across = static_cast<std::size_t>(size.x), down = static_cast<std::size_t>(size.y);
+    return {index % across, index / across % down, index / (across * down)};
   }
   bool has(glm::ivec3 c) const {
     return !glm::any(glm::lessThan(c, glm::ivec3(0))) && !glm::any(glm::greaterThanEqual(c, size));
   }
   bool operator==(const GridPlace&) const = default;
+};
+
+/// Cells of a row along x.
+struct CellRange {
+  int begin = 0, end = 0;
+
+  bool empty() const { return begin >= end; }
+  void add(CellRange other) {
+    if (other.empty()) return;
+    *this = empty() ? other : CellRange{std::min(begin, other.begin), std::max(end, other.end)};
+  }
+};
+/// Of each row of a grid.
+using CellRows = std::vector<CellRange>;
+
+/// A cell beside another one that looks at it, and how much it counts there.
+struct CellTap {
+  glm::ivec3 off{0};
+  float share = 0;
+
+  /// Cells that see what has changed in the row that they look at.
+  CellRange seen_by(CellRange changed, int size) const {
+    if (changed.empty() || share == 0) return {};
+    return {std::max(changed.begin - off.x, 0), std::min(changed.end - off.x, size)};
+  }
 };
 
 /// Of a cell's face what strands across it cover, and that times their direction, in fixed point: sums do not depend on
@@ -37,14 +68,50 @@ struct CellDensity {
   std::array<std::int64_t, 4> sum{};
 };
 
-/// What lies between a cell's middle and a light.
+/// What lies between a cell's middle and a light, in fixed point: what a change far away adds is rounded away, so that
+/// cells that differ lie near it.
 struct Crossed {
-  float strands = 0;  // that the light crosses on average
-  float body = 0;     // optical depth of the skin
-};
+  static constexpr float one = 1024;
+  static constexpr std::uint16_t max_strands = 65535, max_body = 32767;  // more are as many: nothing gets through
+  static constexpr float dark = 6;                                       // depth of a body that light ends at
+  std::uint16_t strands = 0;                                             // that the light crosses on average
+  std::uint16_t body = 0;                                                // optical depth of the skin
 
-/// For each cell.
-std::vector<Crossed> light_cells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
-                                 const FurLight& light);
+  bool operator==(const Crossed&) const = default;
+};
+static_assert(sizeof(Crossed) == 4);
+
+/// What the light crosses on its way to each cell. It has the same bits whether the cells were followed at once or
+/// change by change.
+class LightCells {
+ public:
+  LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+             const FurLight& light);
+
+  /// Follows the light again, where the density has changed in cells of `changed`. Gives the cells whose numbers are
+  /// others now.
+  CellRows update(std::span<const CellDensity> density, const CellRows& changed);
+
+  const FurLight& light() const { return light_; }
+  std::span<const Crossed> crossed() const { return crossed_; }
+  std::size_t bytes() const { return 3 * crossed_.size() * sizeof(Crossed); }
+
+ private:
+  struct Way;
+  glm::vec3 to_light(glm::vec3 cell) const;
+  CellRows follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local);
+  CellRange find_local(std::span<const CellDensity> density, int y, int z, CellRange cells);
+  void add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const;
+  CellRows sweep(const Way& way, const CellRows& local);
+  CellRows look_back(const Way& way, const CellRows& local, const CellRows& through);
+  CellRows follow_near();
+
+  GridPlace place_;
+  FurLight light_;
+  bool far_;
+  glm::vec3 source_;  // the light's place, in cells; of a far one the way to it
+  // Of each cell: what the light crosses within it, what up to its far side, and what to its middle.
+  std::vector<Crossed> local_, through_, crossed_;
+};
 
 }  // namespace pelage

@@ -62,6 +62,7 @@ std::size_t ModelCopy::update(const FurFields& fields) {
   bytes += take(from.density, fields.dirty, paint_.density) + take(from.width, fields.dirty, paint_.width);
   bytes += take(from.curl, fields.dirty, paint_.curl) + take(from.clump, fields.dirty, paint_.clump);
   bytes += take(from.wetness, fields.dirty, paint_.wetness) + take(from.bare, fields.dirty, paint_.bare);
+  bytes += take(from.mask, fields.dirty, paint_.mask);
   bytes += take(from.root_colour, fields.dirty, paint_.root_colour);
   bytes += take(from.tip_colour, fields.dirty, paint_.tip_colour);
   const bool other_skin = !std::equal(fields.skin.begin(), fields.skin.end(), skin_.begin(), skin_.end());
@@ -73,14 +74,14 @@ std::size_t ModelCopy::update(const FurFields& fields) {
 FurFields ModelCopy::fields() const {
   FurFields fields{direction_, length_, {}, skin_, {}};
   fields.paint = {paint_.density, paint_.width, paint_.curl,        paint_.clump,     paint_.wetness,
-                  paint_.bare,    {},           paint_.root_colour, paint_.tip_colour};
+                  paint_.bare,    paint_.mask,  paint_.root_colour, paint_.tip_colour};
   return fields;
 }
 
 std::size_t ModelCopy::bytes() const {
   std::size_t bytes = bytes_of(positions_, normals_, tangents_, rest_positions_, rest_normals_, triangles_, corners_,
                                direction_, length_, skin_, paint_.density, paint_.width, paint_.curl, paint_.clump,
-                               paint_.wetness, paint_.bare, paint_.root_colour, paint_.tip_colour);
+                               paint_.wetness, paint_.bare, paint_.mask, paint_.root_colour, paint_.tip_colour);
   for (const auto& pixels : pixels_) bytes += pixels.capacity();
   return bytes;
 }

@@ -29,7 +29,7 @@ class ModelCopy {
 
  private:
   struct Paint {
-    std::vector<float> density, width, curl, clump, wetness, bare;
+    std::vector<float> density, width, curl, clump, wetness, bare, mask;
     std::vector<glm::vec4> root_colour, tip_colour;
   };
 

@@ -14,13 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 inline constexpr int max_knots = 64;
-inline constexpr float min_segment = 2;  // pixels: knots nearer than that are left out
+inline constexpr float min_segment = 3;     // pixels: knots nearer than that are left out
+inline constexpr float drawn_edge = 2.75f;  // pixels beside a strand that it is drawn over
 
 /// Knots of as many strands as there are lanes.
 struct KnotLanes {
   HWY_ALIGN float x[max_knots][lane_count], y[max_knots][lane_count];
   HWY_ALIGN float inverse[max_knots][lane_count], half_width[max_knots][lane_count];
 };
+
+inline constexpr int root_stride = sizeof(StrandRoot) / sizeof(float);
 
 HWY_INLINE Int strand_rows(const std::uint32_t* ids, int numbers) {
   return hn::Mul(hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(ids)), whole(numbers));
@@ -104,11 +107,11 @@ HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, in
                            const PixelBox& box, std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
-  constexpr float edge = 2.75f;  // pixels beside a strand that it is drawn over
-  const Mask inside = (placed.right > left - edge) & (placed.left < right + edge) & (placed.bottom > top - edge) &
-                      (placed.top < bottom + edge);
+  const Real beside = drawn_edge + (wider - 1.0f) * placed.widest;
+  const Mask inside = (placed.right > left - beside) & (placed.left < right + beside) & (placed.bottom > top - beside) &
+                      (placed.top < bottom + beside);
   if (!any(inside)) return inside;
-  Mask seen = 2.0f * placed.longest + wider * placed.widest > hidden_around - edge;
+  Mask seen = 2.0f * placed.longest + wider * placed.widest > hidden_around - drawn_edge;
   const int across = tiles_of(box).across * (tile_side / hiding_side);
   for (int k = segments; k >= 0 && !all(seen); --k) {
     const Real x = load(knots.x[k]), y = load(knots.y[k]);
@@ -121,24 +124,44 @@ HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, in
   return inside & seen;
 }
 
+/// Those of some lanes that touch a tile that is drawn.
+HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& placed, Real wider,
+                                     std::uint32_t lanes) {
+  const Real beside = drawn_edge + (wider - 1.0f) * placed.widest;
+  HWY_ALIGN float left[lane_count], top[lane_count], right[lane_count], bottom[lane_count];
+  store(placed.left - beside, left), store(placed.top - beside, top);
+  store(placed.right + beside, right), store(placed.bottom + beside, bottom);
+  std::uint32_t kept = 0;
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = std::countr_zero(lanes);
+    if (drawn.touches(left[lane], top[lane], right[lane], bottom[lane])) kept |= 1u << lane;
+  }
+  return kept;
+}
+
 /// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider.
 HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way,
                             PlacedStrands& placed) {
-  const float wanted = way / min_segment * static_cast<float>(segments - first) / static_cast<float>(segments);
-  const int count =
-      wanted >= static_cast<float>(segments - first) ? segments - first : std::max(1, static_cast<int>(wanted));
-  for (int i = 0; i <= count; ++i) {
-    const int k = first + i * (segments - first) / count;
-    const float half = knots.half_width[k][lane] * (k < wide ? static_cast<float>(deep_of) : 1.0f);
-    placed.knots.push_back({knots.x[k][lane], knots.y[k][lane], knots.inverse[k][lane], half, {}});
-    placed.along.push_back(static_cast<float>(k) / static_cast<float>(segments));
+  const int rest = segments - first;
+  const float over = 1 / static_cast<float>(segments);
+  const float wanted = way / min_segment * static_cast<float>(rest) * over;
+  const int count = wanted >= static_cast<float>(rest) ? rest : std::max(1, static_cast<int>(wanted));
+  const float step = static_cast<float>(rest) / static_cast<float>(count);
+  const std::size_t at = placed.knots.size();
+  placed.knots.resize(at + static_cast<std::size_t>(count) + 1), placed.along.resize(placed.knots.size());
+  PlacedKnot* knot = &placed.knots[at];
+  float* along = &placed.along[at];
+  for (int i = 0; i <= count; ++i, ++knot, ++along) {
+    const int k = first + static_cast<int>(static_cast<float>(i) * step + 0.01f);
+    knot->x = knots.x[k][lane], knot->y = knots.y[k][lane], knot->inverse = knots.inverse[k][lane];
+    knot->half_width = knots.half_width[k][lane] * (k < wide ? static_cast<float>(deep_of) : 1.0f);
+    *along = static_cast<float>(k) * over;
   }
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }
 
 HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip, Real length) {
-  static_assert(sizeof(StrandRoot) == 6 * sizeof(float));
-  const Int roots = strand_rows(ids, 6);
+  const Int roots = strand_rows(ids, root_stride);
   const Quad normal = gather_quad(&set.roots[0].normal.x, roots);
   const Real reach = gather(&set.roots[0].reach, roots);
   return {root,
@@ -167,6 +190,7 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
     std::uint32_t seen = bits_of(seen_lanes(lanes, knots, set.segments, load(wider), box, hidden_by_skin));
     if (count - i < lane_count) seen &= (1u << (count - i)) - 1;
+    if (scene.drawn) seen = drawn_lanes(*scene.drawn, lanes, load(wider), seen);
     if (seen == 0) continue;
     const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);
     store(lanes.way, way), store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);

@@ -58,12 +58,13 @@ struct Batch {
   std::size_t lit = 0;
 };
 
-std::vector<Batch> batches_of(std::span<const GrownPart> parts) {
+void divide(std::span<const GrownPart> parts, std::vector<Batch>& batches) {
   const std::size_t count = std::min(parts.size(), max_batches);
-  std::vector<Batch> batches(count);
-  for (std::size_t i = 0; i < count; ++i)
+  batches.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
     batches[i].first = i * parts.size() / count, batches[i].end = (i + 1) * parts.size() / count;
-  return batches;
+    batches[i].placed.clear(), batches[i].times = {}, batches[i].lit = 0;
+  }
 }
 
 void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const float> hidden, Batch& batch) {
@@ -103,6 +104,10 @@ struct TileDrawer {
     std::vector<BinEntry> sorted, sorting;
     std::vector<TileSegment> segments;
   };
+  bool is_drawn(int tile) const {
+    const int across = tiles_of(box).across;
+    return !scene.drawn || scene.drawn->has(box.left + tile % across * tile_side, box.top + tile / across * tile_side);
+  }
   void draw(int tile, Room& room, RasterTimes& times) const;
   void add_skin(int tile, int left, int top, TileSums& sums) const;
   void write(int left, int top, const TileSums& sums) const;
@@ -131,7 +136,6 @@ void TileDrawer::draw(int tile, Room& room, RasterTimes& times) const {
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
                std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
-  if (scene.ground && scene.shown == RasterOutput::light) darken_ground(scene, left, top, sums);
   write(left, top, sums);
 }
 
@@ -208,24 +212,40 @@ void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& t
   run_on_threads(threads, [&] {
     TileDrawer::Room room;
     RasterTimes own;
-    for (int tile = next++; tile < count; tile = next++) drawer.draw(tile, room, own);
+    for (int tile = next++; tile < count; tile = next++)
+      if (drawer.is_drawn(tile)) drawer.draw(tile, room, own);
     const std::lock_guard lock(mutex);
     add(times, own);
   });
 }
 
-/// Of all that its parts may show.
+void darken_tile(const RasterScene& scene, const PixelBox& box, int tile, FloatImage& picture) {
+  const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
+            top = box.top + tile / across * tile_side;
+  const int right = std::min(left + tile_side, box.right), bottom = std::min(top + tile_side, box.bottom);
+  alignas(64) std::array<float, tile_pixels> through{};
+  const auto each = [&](const auto& use) {
+    for (int y = top; y < bottom; ++y)
+      for (int x = left; x < right; ++x)
+        use(through[static_cast<std::size_t>(pixel_in_tile(x - left, y - top))],
+            picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                              static_cast<std::size_t>(x)) +
+                         3]);
+  };
+  each([](float& open, const float& alpha) { open = 1 - alpha; });
+  darken_ground(scene, left, top, through);
+  each([](const float& open, float& alpha) { alpha = 1 - open; });
+}
+
+/// Of the grid, which a stroke seldom moves, and what stands out beyond it.
 DistanceKeys keys_of(const RasterScene& scene) {
-  float nearest = near_distance, furthest = 2 * near_distance;
-  bool any = false;
-  for (const GrownPart& part : scene.parts) {
-    if (part.strands->count() == 0) continue;
-    const float radius = 0.5f * glm::length(part.high - part.low);
-    const float middle = glm::dot(0.5f * (part.low + part.high) - scene.camera.position, scene.camera.forward);
-    nearest = any ? std::min(nearest, middle - radius) : middle - radius, any = true;
-    furthest = std::max(furthest, middle + radius);
-  }
-  return {1 / furthest, 1 / std::clamp(nearest, near_distance, furthest)};
+  constexpr float beyond = 0.25f;  // sizes
+  const GridPlace& grid = scene.grid->place();
+  const glm::vec3 half = 0.5f * grid.cell * glm::vec3(grid.size);
+  const float radius = glm::length(half) + beyond;
+  const float middle = glm::dot(grid.low + half - scene.camera.position, scene.camera.forward);
+  const float furthest = std::max(middle + radius, 2 * near_distance);
+  return {1 / furthest, 1 / std::clamp(middle - radius, near_distance, furthest)};
 }
 
 }  // namespace
@@ -233,29 +253,55 @@ DistanceKeys keys_of(const RasterScene& scene) {
 struct Raster::Kept {
   RasterOptics optics;
   DensityGrid grid;
-  std::uint64_t sky_of = 0;  // changes of the grid
+  std::uint64_t sky_of = 0;  // version of the grid's fur
   float sky_height = 0;
   SkyOverGround sky;
 
   void update_sky(const FurModel& model, float height, int threads) {
-    if (sky_of == grid.changes() && sky_height == height) return;
+    if (sky_of == grid.fur_version() && sky_height == height) return;
     sky = sky_over_ground(grid.place(), grid.density(), model, height, threads);
-    sky_of = grid.changes(), sky_height = height;
+    sky_of = grid.fur_version(), sky_height = height;
   }
 };
 
-Raster::Raster(int threads) : threads_(threads), kept_(std::make_unique<Kept>()) { assert(threads >= 1); }
+struct RasterRoom::Held {
+  static constexpr std::size_t max_bytes = 64u << 20;  // that are kept
+
+  std::vector<Batch> batches;
+  Bins bins;
+
+  std::size_t bytes() const {
+    std::size_t bytes = bins.bytes();
+    for (const Batch& batch : batches) bytes += batch.placed.bytes();
+    return bytes;
+  }
+};
+
+RasterRoom::RasterRoom() : held_(std::make_unique<Held>()) {}
+RasterRoom::~RasterRoom() = default;
+
+Raster::Raster(int threads, std::shared_ptr<RasterRoom> room)
+    : threads_(threads), room_(std::move(room)), kept_(std::make_unique<Kept>()) {
+  assert(threads >= 1);
+}
 Raster::~Raster() = default;
+
+std::uint64_t Raster::version() const { return kept_->grid.version(); }
 
 std::size_t Raster::bytes() const { return kept_->grid.bytes() + kept_->sky.hidden.size() * sizeof(float); }
 
-/// By whole tiles, so that what is drawn does not depend on the boxes.
+// So that what is drawn does not depend on the boxes.
+PixelBox whole_tiles(const PixelBox& box, int width, int height) {
+  const auto up = [](int at, int end) { return std::min((at + tile_side - 1) / tile_side * tile_side, end); };
+  return {box.left / tile_side * tile_side, box.top / tile_side * tile_side, up(box.right, width),
+          up(box.bottom, height)};
+}
+
 std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame) {
   PixelBox all{0, 0, frame.width, frame.height};
   if (const std::optional<Crop>& crop = frame.crop)
-    all = {crop->left / tile_side * tile_side, crop->top / tile_side * tile_side,
-           std::min((crop->left + crop->width + tile_side - 1) / tile_side * tile_side, frame.width),
-           std::min((crop->top + crop->height + tile_side - 1) / tile_side * tile_side, frame.height)};
+    all = whole_tiles({crop->left, crop->top, crop->left + crop->width, crop->top + crop->height}, frame.width,
+                      frame.height);
   const int rows = std::max(box_pixels / (all.right - all.left) / tile_side, 1) * tile_side;
   std::vector<PixelBox> boxes;
   for (int top = all.top; top < all.bottom; top += rows)
@@ -270,19 +316,27 @@ void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage&
     const Lap lap(times.skin);
     skin.emplace(scene, box, threads_);
   }
-  std::vector<Batch> batches = batches_of(scene.parts);
-  Bins bins(box, batches.size());
+  std::vector<Batch>& batches = room_->held_->batches;
+  Bins& bins = room_->held_->bins;
+  divide(scene.parts, batches), bins.begin(box, batches.size());
   place_and_bin(scene, box, *skin, threads_, batches, bins);
   const int tiles = tiles_of(box).count();
   draw_tiles({scene, box, bins, *skin, batches, picture}, tiles, threads_, times);
-  std::size_t bytes = bins.bytes();
   for (const Batch& batch : batches) {
     add(times, batch.times);
     counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
-    bytes += batch.placed.bytes();
   }
   for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
+  const std::size_t bytes = room_->held_->bytes();
   counts.bytes = std::max(counts.bytes, bytes);
+  if (bytes > RasterRoom::Held::max_bytes) *room_->held_ = {};
+}
+
+void Raster::darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const {
+  if (!scene.ground || scene.shown != RasterOutput::light) return;
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(tiles_of(box).count()),
+      [&](std::uint32_t tile) { darken_tile(scene, box, static_cast<int>(tile), picture); }, threads_);
 }
 
 RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
@@ -291,6 +345,7 @@ RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const F
   if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model);
+  scene.width = frame.width, scene.height = frame.height;
   scene.camera = picture_camera(frame), scene.quality = quality, scene.shown = shown;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
@@ -315,7 +370,10 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
-  for (const PixelBox& box : boxes_of(frame)) draw_box(scene, box, picture, spent, counted);
+  for (const PixelBox& box : boxes_of(frame)) {
+    draw_box(scene, box, picture, spent, counted);
+    darken_box(scene, box, picture);
+  }
   counted.strands = fur.count();
   if (times) *times = spent;
   if (counts) *counts = counted;

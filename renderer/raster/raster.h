@@ -26,10 +26,23 @@ struct RasterCounts {
   std::size_t bytes = 0;    // of the largest box, beside the coat
 };
 
+/// Memory for strands on their way to the picture, which is used again from box to box.
+class RasterRoom {
+ public:
+  RasterRoom();
+  ~RasterRoom();
+
+ private:
+  friend class Raster;
+  struct Held;
+  std::unique_ptr<Held> held_;
+};
+
 /// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
 class Raster {
  public:
-  explicit Raster(int threads);
+  /// Several on one thread may share a room.
+  explicit Raster(int threads, std::shared_ptr<RasterRoom> room = std::make_shared<RasterRoom>());
   ~Raster();
 
   /// Premultiplied linear light of the skin and its strands, or what else is shown: alpha is what they cover, and of
@@ -42,18 +55,24 @@ class Raster {
   /// That it keeps from picture to picture.
   std::size_t bytes() const;
 
-  /// The same in boxes, for who has other things to do in between: those of a frame, row by row.
+  /// Of what was drawn, for changed_since.
+  std::uint64_t version() const;
+
+  /// The same in boxes of whole tiles, for who has other things to do in between: those of a frame, row by row.
   static std::vector<PixelBox> boxes_of(const FurFrame& frame);
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);
-  /// Into a picture of the frame's size.
+  /// Into a picture of the frame's size, without the ground.
   void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
                 RasterCounts& counts) const;
+  /// Darkens what shows the ground in such a box.
+  void darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
 
  private:
   struct Kept;  // from frame to frame
   int threads_;
+  std::shared_ptr<RasterRoom> room_;
   std::unique_ptr<Kept> kept_;
 };
 

@@ -15,20 +15,10 @@
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
 #include "renderer/raster/sky_over_ground.h"
+#include "renderer/raster/tiles.h"
 #include "renderer/strands/grown_fur.h"
 
 namespace pelage {
-
-inline constexpr int tile_side = 16, tile_pixels = tile_side * tile_side;
-
-/// Tiles of a box, row by row.
-struct TileRows {
-  int across = 0, down = 0;
-  int count() const { return across * down; }
-};
-inline TileRows tiles_of(const PixelBox& box) {
-  return {(box.right - box.left + tile_side - 1) / tile_side, (box.bottom - box.top + tile_side - 1) / tile_side};
-}
 
 /// From a place to the picture: pixels right and down of its corner, and one over the distance along the view.
 struct PictureCamera {
@@ -52,6 +42,7 @@ enum class RasterOutput {
   normal,    // of the skin below
   tangent,   // of strands, towards the tip
   direct,    // what lights add
+  field,     // RasterScene::field at the root or on the skin
   shadow,    // red: the luminance of that, green: what it would be without shadows
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
@@ -89,13 +80,16 @@ struct DistanceKeys {
 
 struct RasterScene {
   FrameOptics optics;
+  int width = 0, height = 0;  // of the picture, pixels
   PictureCamera camera;
   RasterQuality quality;
   RasterOutput shown = RasterOutput::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
+  const TileMask* drawn = nullptr;                // tiles that are; null for all
   DistanceKeys keys;                              // of what the parts lie between
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
+  std::span<const glm::vec3> field;               // of each vertex, where it is shown
   const DensityGrid* grid = nullptr;
   std::vector<EyeCamera> eyes;  // of optics.eyes
   std::optional<FurGround> ground;
@@ -119,8 +113,10 @@ struct PlacedStrands {
   std::vector<std::uint32_t> first;  // knot of each strand; one more at the end
 
   std::size_t bytes() const {
-    return knots.size() * sizeof(PlacedKnot) + along.size() * sizeof(float) + first.size() * sizeof(std::uint32_t);
+    return knots.capacity() * sizeof(PlacedKnot) + along.capacity() * sizeof(float) +
+           first.capacity() * sizeof(std::uint32_t);
   }
+  void clear() { knots.clear(), along.clear(), first.clear(); }
 };
 
 }  // namespace pelage

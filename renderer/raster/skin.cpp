@@ -226,7 +226,8 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
     for (std::uint32_t i = by.first[tile]; i < by.first[tile + 1]; ++i)
       raster_triangle(triangles[by.order[i]], left, top, at, pieces);
     if (!eyes.empty()) at = add_eyes(scene, tile, left, top);
-    furthest[tile] = *std::min_element(at, at + tile_pixels);
+    const bool drawn = !scene.drawn || scene.drawn->has(left, top);
+    furthest[tile] = drawn ? *std::min_element(at, at + tile_pixels) : std::numeric_limits<float>::max();
     for (int k = 0; k < blocks * blocks; ++k) {
       const int bx = k % blocks, by_row = k / blocks;
       const int block = ((y * blocks + by_row) * tiles.across + x) * blocks + bx;

@@ -42,6 +42,7 @@ struct SkinLanes {
   Vec3 under;   // under fur
   Real grown, bare, wetness;
   Real pixel;  // size of one there, sizes
+  PieceCorners corners;
 };
 
 inline constexpr int corner_stride = sizeof(FurCorner) / sizeof(float), look_stride = sizeof(SkinLook) / sizeof(float);
@@ -97,6 +98,7 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   const float* look = &scene.skin[0][0].under.x;
   skin.under = corners.mix3(look, look_stride), skin.grown = corners.mix(look + 3, look_stride);
   skin.bare = corners.mix(look + 4, look_stride), skin.wetness = corners.mix(look + 5, look_stride);
+  skin.corners = corners;
   return skin;
 }
 
@@ -131,11 +133,10 @@ HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin,
   if (shows_bare) sum.ambient = mix(sum.ambient, sky_on_skin(optics, bare, surface), bare.share);
   const GridPlace& grid = scene.grid->place();
   const GridLanes cells = grid_lanes(grid, skin.place + skin.normal * (off_skin * grid.cell));
-  Real between[4];
   for (int i = 0; i < optics.lights; ++i) {
-    if (i % 2 == 0) crossed_by_two(scene.grid->crossed(static_cast<std::size_t>(i / 2)), cells, between);
+    const CrossedLanes between = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
     const Arriving light = light_at(optics, i, skin.place);
-    const Real strands = between[2 * (i % 2)], body = between[2 * (i % 2) + 1];
+    const Real strands = between.strands, body = between.body;
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
     Vec3 sent = looks.furred * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
     if (shows_bare) sent = mix(sent, light_on_skin(optics, bare, surface, light.to_light), bare.share);
@@ -152,6 +153,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
     case RasterOutput::normal: return skin.normal;
+    case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
     case RasterOutput::tangent:
     case RasterOutput::count: return Vec3(none);
     default: break;

@@ -6,6 +6,8 @@
 #define PELAGE_RASTER_STRAND_LIGHT_INL_H_
 #endif
 
+#include <cstddef>
+
 #include "renderer/coat/strand_tile.h"
 #include "renderer/optics/light-inl.h"
 #include "renderer/optics/paint-inl.h"
@@ -50,15 +52,20 @@ HWY_INLINE GridLanes grid_lanes(const GridPlace& grid, Vec3 place) {
   return lanes;
 }
 
-/// What lies between a place and two lights: strands and body of the first, of the second.
-HWY_INLINE void crossed_by_two(const std::vector<CrossedByTwo>& cells, const GridLanes& lanes, Real* crossed) {
-  static_assert(sizeof(CrossedByTwo) == 4 * sizeof(float));
-  for (int i = 0; i < 4; ++i) crossed[i] = 0.0f;
-  const Int first = hn::ShiftLeft<2>(lanes.first);
+/// What lies between a place and a light.
+struct CrossedLanes {
+  Real strands, body;
+};
+
+HWY_INLINE CrossedLanes crossed_at(std::span<const Crossed> cells, const GridLanes& lanes) {
+  const auto* words = reinterpret_cast<const std::int32_t*>(cells.data());
+  Real strands = 0.0f, body = 0.0f;
   for (int k = 0; k < 8; ++k) {
-    const Quad cell = gather_quad(&cells[0][0].strands + 4 * lanes.step[k], first);
-    for (int i = 0; i < 4; ++i) crossed[i] = mul_add(lanes.weight[k], cell.real(i), crossed[i]);
+    const Int word = gather(words + lanes.step[k], lanes.first);
+    strands = mul_add(lanes.weight[k], to_real(hn::And(word, whole(0xffff))), strands);
+    body = mul_add(lanes.weight[k], to_real(hn::ShiftRight<16>(word)), body);
   }
+  return {strands * (1 / Crossed::one), body * (1 / Crossed::one)};
 }
 
 /// Strands between a fibre and a light less those that the eye looks past: the hot spot (light-inl.h).
@@ -73,9 +80,9 @@ HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Ve
 
 /// What strands share along their length, and their points that are lit.
 struct StrandLanes {
-  Vec3 place[LitStrandPoints::max], tangent[LitStrandPoints::max];
-  Int colour[LitStrandPoints::max];
-  Real height[LitStrandPoints::max];
+  Vec3 place[LitPoints::max], tangent[LitPoints::max];
+  Int colour[LitPoints::max];
+  Real height[LitPoints::max];
   Vec3 normal, ambient;
   Real number, longer;
   Shine shine;
@@ -87,8 +94,8 @@ struct LitKnots {
   int first = 0, count = 4, segments = 1;
 
   LitKnots(int of_segments, bool whole_strand) : segments(of_segments) {
-    if (segments > 8) count = std::min(segments / 4 + 1, LitStrandPoints::max);
-    if (!whole_strand) first = segments / 3, count = std::max(count - count / 3, 2);
+    if (segments > 8) count = std::min(segments / 4 + 1, LitPoints::max);
+    if (!whole_strand) first = segments / 3, count = std::max(count - count / 2, 2);
   }
   int knot(int point) const { return first + point * (segments - first) / (count - 1); }
 };
@@ -103,7 +110,7 @@ HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const GrownPart& 
   const StrandSet& set = *part.strands;
   const int segments = set.segments;
   const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1),
-            roots = strand_rows(ids, 6);
+            roots = strand_rows(ids, root_stride);
   const Vec3 root = place_of(set, rows, 0);
   Vec3 before = root;
   Real way = 0.0f;
@@ -164,13 +171,12 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
   if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
   const GridPlace& grid = scene.grid->place();
   const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (off_skin * grid.cell));
-  Real crossed[4];
   for (int i = 0; i < optics.lights; ++i) {
-    if (i % 2 == 0) crossed_by_two(scene.grid->crossed(static_cast<std::size_t>(i / 2)), cells, crossed);
     const Arriving light = light_at(optics, i, fibre.place);
     const Real facing = dot(fibre.normal, light.to_light);
-    const Real strands = strands_not_shared(fibre, view, light.to_light, facing, crossed[2 * (i % 2)]);
-    const Real body = crossed[2 * (i % 2) + 1];
+    const CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
+    const Real strands = strands_not_shared(fibre, view, light.to_light, facing, crossed.strands);
+    const Real body = crossed.body;
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
     const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, frame.exponents.z);
@@ -178,6 +184,31 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
     if constexpr (unshadowed) sum.unshadowed += sent;
   }
   return sum;
+}
+
+/// What a field is on a piece of the model, by the shares of its second and third corner.
+HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
+  const auto* corners = reinterpret_cast<const std::int32_t*>(scene.model->triangles.data());
+  const Real shares[3] = {1.0f - b - c, b, c};
+  Vec3 field(0.0f);
+  for (int k = 0; k < 3; ++k) {
+    const Int vertex = hn::Mul(gather(corners + k, hn::Mul(piece, whole(3))), whole(3));
+    const float* first = &scene.field[0].x;
+    field += shares[k] * Vec3(gather(first, vertex), gather(first + 1, vertex), gather(first + 2, vertex));
+  }
+  return field;
+}
+
+/// At the roots of strands; 0 where they stand on no piece.
+HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, const std::uint32_t* ids) {
+  const auto* roots = reinterpret_cast<const std::int32_t*>(set.roots.data());
+  const Int rows = strand_rows(ids, root_stride);
+  const Int piece = gather(roots + offsetof(StrandRoot, piece) / sizeof(float), rows);
+  const Int shares = gather(roots + offsetof(StrandRoot, share) / sizeof(float), rows);
+  const Real b = to_real(hn::And(shares, whole(0xffff))) * (1.0f / 65535);
+  const Real c = to_real(hn::And(hn::ShiftRight<16>(shares), whole(0xffff))) * (1.0f / 65535);
+  const Mask there = to_real(piece) >= 0.0f;
+  return select(there, field_at(scene, hn::Max(piece, whole(0)), b, c), Vec3(0.0f));
 }
 
 /// What the scene shows of a fibre.
@@ -195,23 +226,27 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Vec3 ambi
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
-                          bool whole_strand, std::span<LitStrandPoints> light) {
+                          bool whole_strand, LitPoints& light) {
   const LitKnots lit(part.strands->segments, whole_strand);
+  light.from = static_cast<float>(lit.first) / static_cast<float>(lit.segments), light.count = lit.count;
+  light.roots = scene.shown == RasterOutput::light;
+  const auto stride = static_cast<std::size_t>(lit.count);
+  light.light.resize(ids.size() * stride);
   for (std::size_t i = 0; i < ids.size(); i += lane_count) {
     std::uint32_t lanes[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
     const StrandLanes strand = strand_lanes(scene.optics, part, lanes, lit);
+    const bool is_field = scene.shown == RasterOutput::field;
+    const Vec3 field = is_field ? field_at_roots(scene, *part.strands, lanes) : Vec3(0.0f);
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
-    for (std::size_t l = 0; l < there; ++l) {
-      light[i + l].from = static_cast<float>(lit.first) / static_cast<float>(lit.segments);
-      light[i + l].count = lit.count;
-    }
-    for (int p = 0; p < lit.count; ++p) {
-      const Vec3 sent = shown_of(scene, fibre_at(scene.optics, scene.camera, strand, p), strand.ambient);
+    for (std::size_t p = 0; p < stride; ++p) {
+      Vec3 sent =
+          is_field ? field
+                   : shown_of(scene, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)), strand.ambient);
+      if (light.roots) sent = each(sent, [](Real s) HWY_ATTR { return sqrt(max(s, 0.0f)); });
       float red[lane_count], green[lane_count], blue[lane_count];
       store(sent.x, red), store(sent.y, green), store(sent.z, blue);
-      for (std::size_t l = 0; l < there; ++l)
-        light[i + l].light[static_cast<std::size_t>(p)] = {red[l], green[l], blue[l], 0};
+      for (std::size_t l = 0; l < there; ++l) light.light[(i + l) * stride + p] = {red[l], green[l], blue[l], 0};
     }
   }
 }

@@ -42,10 +42,10 @@ float number_of(const TileCopy& copy, std::uint64_t stream) {
   return static_cast<float>(mix_bits(mix_bits(copy.strand | stream << 32) ^ tile) >> 40) * 0x1p-24f;
 }
 
-std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, const TileStrands& tile) {
+std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::uint64_t tile_hash) {
   const Coat& coat = recipe.coat;
   Hash hash;
-  hash.add(tile.hash());
+  hash.add(tile_hash);
   for (const double value :
        {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share, coat.tufts.gather,
         coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, coat.bend, coat.mess})
@@ -84,9 +84,40 @@ std::vector<FurVertex> closing_vertices(const std::vector<FurVertex>& vertices, 
 
 }  // namespace
 
+struct CoatTables {
+  CoatTables(const GrowRecipe& recipe, int segments)
+      : coat(recipe.coat),
+        share(recipe.share),
+        leans(coat.lean_curve, coat.root_share),
+        tile(coat, segments),
+        tile_share(tile_share_of(share, coat.count)),
+        cells(tile.strands(), coat.tile, tile_share),
+        tile_hash(tile.hash()) {}
+
+  Coat coat;
+  double share;  // of the recipe
+  LeanTable leans;
+  TileStrands tile;
+  double tile_share;  // of the tile's strands are in `cells`; of their copies share / tile_share grow
+  TileCells cells;
+  std::uint64_t tile_hash;
+};
+
+namespace {
+
+std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segments,
+                                             std::shared_ptr<const CoatTables> before) {
+  const bool same =
+      before && before->coat == recipe.coat && before->share == recipe.share && before->tile.segments() == segments;
+  return same ? std::move(before) : std::make_shared<const CoatTables>(recipe, segments);
+}
+
+}  // namespace
+
 struct Grower::Impl {
   /// A piece as it is, and as it is when the shutter closes where anything moves.
   struct Piece {
+    std::uint32_t index;  // of the model
     FurPiece opening;
     std::optional<FurPiece> closing;
   };
@@ -97,18 +128,17 @@ struct Grower::Impl {
     std::vector<glm::vec3> roots;
   };
 
-  Impl(const FurModel& surface, const FurFields& fields, const GrowRecipe& how)
+  Impl(const FurModel& surface, const FurFields& fields, const GrowRecipe& how,
+       std::shared_ptr<const CoatTables> before)
       : model(surface),
         recipe(how),
         vertices(fur_vertices(surface, fields)),
         closing(closing_vertices(vertices, fields.closing)),
-        leans(how.coat.lean_curve, how.coat.root_share),
-        tile(recipe.coat, strand_segments(how.coat, any_above_default(fields.paint.curl))),
-        tile_share(tile_share_of(how.share, how.coat.count)),
-        cells(tile.strands(), how.coat.tile, tile_share),
+        tables(tables_for(how, strand_segments(how.coat, any_above_default(fields.paint.curl)), std::move(before))),
+        tile(tables->tile),
         form(recipe.coat, tile),
         colours(model, recipe, tile),
-        whole_hash(recipe_hash(how, surface, tile)),
+        whole_hash(recipe_hash(how, surface, tables->tile_hash)),
         hashes(vertex_hashes(surface, vertices, closing)) {
     if (has_pattern(recipe.coat)) pattern = make_pattern_block(recipe.coat);
   }
@@ -117,18 +147,16 @@ struct Grower::Impl {
   bool keeps(const FurPiece& piece, const TileCopy& copy) const;
   /// Adds the strands that grow on a piece.
   void find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const;
-  /// `moved` is the piece when the shutter closes, null where nothing moves.
-  void append(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
-  void append_guard_hair(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const;
+  void append(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
+  void append_guard_hair(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
+  void append_root(const Piece& piece, const TileCopy& copy, const RootFields& root, float reach, StrandSet& set) const;
 
   FurModel model;
   GrowRecipe recipe;
   std::vector<FurVertex> vertices;
   std::vector<FurVertex> closing;  // when the shutter closes; empty: the same
-  LeanTable leans;
-  TileStrands tile;
-  double tile_share;  // of the tile's strands are in `cells`; of their copies share / tile_share grow
-  TileCells cells;
+  std::shared_ptr<const CoatTables> tables;
+  const TileStrands& tile;
   StrandForm form;
   StrandColours colours;
   std::optional<PatternBlock> pattern;
@@ -145,13 +173,26 @@ bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
   const glm::vec3 share(copy.share);
   const float density = piece.density(share);
   return number_of(copy, 1) < piece.grown(share) &&
-         number_of(copy, 2) < static_cast<float>(recipe.share / tile_share) &&
+         number_of(copy, 2) < static_cast<float>(recipe.share / tables->tile_share) &&
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 
-void Grower::Impl::append(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy, StrandSet& set) const {
+void Grower::Impl::append_root(const Piece& piece, const TileCopy& copy, const RootFields& root, float reach,
+                               StrandSet& set) const {
+  const auto whole = [](double share) {
+    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
+  };
+  set.roots.push_back({root.normal,
+                       static_cast<float>(tile[copy.strand].number),
+                       reach,
+                       root.wetness,
+                       piece.index,
+                       {whole(copy.share.y), whole(copy.share.z)}});
+}
+
+void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
-  const RootFields root = piece.fields(share);
+  const RootFields root = piece.opening.fields(share);
   const auto reach = static_cast<float>(tile[copy.strand].length_share);
   const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
   set.points.resize(first + knots), set.colours.resize(first + knots);
@@ -164,18 +205,17 @@ void Grower::Impl::append(const FurPiece& piece, const FurPiece* moved, const Ti
     const auto point = [&](const FurPiece& of) {
       return StrandPoint{root.place + of.leaned(share, tile.along(k) * reach) + sideways[i], radius};
     };
-    set.points[first + i] = point(piece);
-    if (moved) set.closing.push_back(point(*moved));
+    set.points[first + i] = point(piece.opening);
+    if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
-  set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), reach, root.wetness});
+  append_root(piece, copy, root, reach, set);
 }
 
 /// As hair.vert has it: no clumps and locks, a bow of its own, and some reach beyond the fur.
-void Grower::Impl::append_guard_hair(const FurPiece& piece, const FurPiece* moved, const TileCopy& copy,
-                                     StrandSet& set) const {
+void Grower::Impl::append_guard_hair(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
-  const RootFields root = piece.fields(share);
+  const RootFields root = piece.opening.fields(share);
   const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
   set.points.resize(first + knots), set.colours.resize(first + knots);
   const float longer = number_of(copy, 4), stretch = glm::mix(0.8f, 1.25f, longer * longer);
@@ -191,22 +231,22 @@ void Grower::Impl::append_guard_hair(const FurPiece& piece, const FurPiece* move
     const auto point = [&](const FurPiece& of) {
       return StrandPoint{root.place + stretch * of.leaned(share, s) + aside * (bow * s * s), radius};
     };
-    set.points[first + i] = point(piece);
-    if (moved) set.closing.push_back(point(*moved));
+    set.points[first + i] = point(piece.opening);
+    if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
-  set.roots.push_back({root.normal, static_cast<float>(tile[copy.strand].number), 1, root.wetness});
+  append_root(piece, copy, root, 1, set);
 }
 
 void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const {
   if (bald(index)) return;
-  cells.find(tile_triangle(model.corners[index]), copies);
+  tables->cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const PatternBlock* block = pattern ? &*pattern : nullptr;
   const auto number = static_cast<std::uint32_t>(found.pieces.size());
-  found.pieces.push_back({FurPiece(model, vertices, index, leans, block), {}});
+  found.pieces.push_back({index, FurPiece(model, vertices, index, tables->leans, block), {}});
   Piece& piece = found.pieces.back();
-  if (!closing.empty()) piece.closing.emplace(model, closing, index, leans, block);
+  if (!closing.empty()) piece.closing.emplace(model, closing, index, tables->leans, block);
   for (const TileCopy& copy : copies) {
     if (!keeps(piece.opening, copy)) continue;
     found.strands.emplace_back(number, copy);
@@ -214,8 +254,9 @@ void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copi
   }
 }
 
-Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe)
-    : impl_(std::make_unique<const Impl>(model, fields, recipe)) {}
+Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe,
+               std::shared_ptr<const CoatTables> before)
+    : impl_(std::make_unique<const Impl>(model, fields, recipe, std::move(before))) {}
 
 Grower::~Grower() = default;
 
@@ -236,10 +277,8 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   for (const std::uint32_t strand : even.order) {
     const auto& [number, copy] = found.strands[strand];
     const Impl::Piece& piece = found.pieces[number];
-    const FurPiece* then = piece.closing ? &*piece.closing : nullptr;
     const bool guard_hair = number_of(copy, 3) < static_cast<float>(grower.recipe.guard_share);
-    guard_hair ? grower.append_guard_hair(piece.opening, then, copy, set)
-               : grower.append(piece.opening, then, copy, set);
+    guard_hair ? grower.append_guard_hair(piece, copy, set) : grower.append(piece, copy, set);
     if (set.bytes() > max) break;
   }
   even.neighbour.resize(set.count());
@@ -248,6 +287,8 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }
+
+const std::shared_ptr<const CoatTables>& Grower::tables() const { return impl_->tables; }
 
 std::array<SkinLook, 3> Grower::skin(std::uint32_t piece) const {
   constexpr float covering = 0.008f;  // length of fur that hides the skin, sizes
@@ -286,7 +327,7 @@ StrandSet grow_curves(std::span<const FurCurves> curves) {
       set.points.push_back({point.place, std::max(0.5f * look.w, min_strand_radius)});
       set.colours.push_back(pack_colour(glm::vec3(look)));
     }
-    set.roots.push_back({glm::vec3(style.normal), style.normal.w, 1, 0});
+    set.roots.push_back({.normal = glm::vec3(style.normal), .number = style.normal.w});
   }
   return set;
 }

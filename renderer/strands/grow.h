@@ -31,7 +31,7 @@ struct GrowRecipe {
 /// A part of the surface that is grown at a time: indices of the model's pieces that lie together.
 using StrandChunk = std::vector<std::uint32_t>;
 
-/// Pieces sorted along a space-filling curve and cut where about `strands_each` strands are reached.
+/// Compact parts of at most `strands_each` strands, or of one piece.
 std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each);
 
 /// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
@@ -44,9 +44,12 @@ struct SkinLook {
   float bare = 0, wetness = 0;  // painted, [0, 1]
 };
 
+/// What strands of a coat share, wherever they stand.
+struct CoatTables;
+
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +
-/// 28 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
+/// 36 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
 /// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer
@@ -55,7 +58,9 @@ struct SkinLook {
 /// bound memory asks expected_strands first.
 class Grower {
  public:
-  Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe);
+  /// `before` is what another one had prepared: what it shares with this one is not prepared again.
+  Grower(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe,
+         std::shared_ptr<const CoatTables> before = nullptr);
   ~Grower();
 
   /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows
@@ -66,6 +71,7 @@ class Grower {
   std::array<SkinLook, 3> skin(std::uint32_t piece) const;
   /// Of all that `grow(chunk)` and `skin` of its pieces depend on: the same while they would give the same. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
+  const std::shared_ptr<const CoatTables>& tables() const;
 
  private:
   struct Impl;

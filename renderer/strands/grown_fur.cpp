@@ -4,12 +4,13 @@
 #include <atomic>
 
 #include "protocol/base/parallel.h"
+#include "renderer/strands/sampling.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr double strands_of_grown_part = 2000;
+constexpr double strands_of_grown_part = 1000;
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
   double area = 0;
@@ -23,15 +24,23 @@ double area_of(const FurModel& model, const StrandChunk& chunk) {
   return area;
 }
 
-void find_bounds(GrownPart& part) {
+/// Of a part that stands on some pieces of the model.
+void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, GrownPart& part) {
   const StrandSet& set = *part.strands;
   const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
   part.low = glm::vec3(1e9f), part.high = glm::vec3(-1e9f), part.longest = 0;
+  for (const std::uint32_t piece : pieces) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec3 corner = model.positions[model.triangles[piece][k]];
+      part.low = glm::min(part.low, corner), part.high = glm::max(part.high, corner);
+    }
+  }
   float length = 0;
   for (std::size_t i = 0; i < set.points.size(); ++i) {
     const StrandPoint& point = set.points[i];
     part.low = glm::min(part.low, point.place - point.radius);
     part.high = glm::max(part.high, point.place + point.radius);
+    part.thickest = std::max(part.thickest, point.radius);
     length = i % knots == 0 ? 0 : length + glm::length(point.place - set.points[i - 1].place);
     part.longest = std::max(part.longest, length);
   }
@@ -51,14 +60,17 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
 }
 
 /// Gives the strands that were grown.
-std::size_t GrownFur::grow_part(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk) {
+std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
+                                std::size_t chunk) {
   GrownPart& part = parts_[chunk];
   const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
   if (part.state == state) return 0;
   part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[chunk]));
-  for (const std::uint32_t piece : chunks_[chunk]) skin_[piece] = grower.skin(piece);
+  Hash skin;
+  for (const std::uint32_t piece : chunks_[chunk]) skin.add_value(skin_[piece] = grower.skin(piece));
+  part.skin = skin.value();
   part.state = state;
-  find_bounds(part);
+  find_bounds(model, chunks_[chunk], part);
   const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
   part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
   return part.strands->count();
@@ -70,18 +82,19 @@ std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
   GrownPart& part = parts_.back();
   part.strands = std::make_shared<const StrandSet>(grow_curves(curves));
   ++part.state;
-  find_bounds(part);
+  find_bounds({}, {}, part);
   return part.strands->count();
 }
 
 std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
                              std::span<const FurCurves> curves) {
   divide(model, recipe);
-  const Grower grower(model, fields, recipe);
+  const Grower grower(model, fields, recipe, tables_);
+  tables_ = grower.tables();
   std::atomic<std::size_t> grown{set_curves(curves)};
   for_each_in_parallel(
       static_cast<std::uint32_t>(chunks_.size()),
-      [&](std::uint32_t chunk) { grown += grow_part(grower, recipe, chunk); }, threads);
+      [&](std::uint32_t chunk) { grown += grow_part(model, grower, recipe, chunk); }, threads);
   return grown;
 }
 

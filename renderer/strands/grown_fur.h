@@ -22,11 +22,13 @@ enum class StrandRole {
 struct GrownPart {
   StrandRole role = StrandRole::coat;
   std::shared_ptr<const StrandSet> strands;  // never null
-  glm::vec3 low{0}, high{0};                 // around all of them with their thickness, sizes
+  glm::vec3 low{0}, high{0};                 // around their skin and all of them with their thickness, sizes
   float longest = 0;                         // of them, sizes
+  float thickest = 0;                        // of all that have stood there, half of it, sizes
   double area = 0;                           // of the skin that they stand on, sizes^2
   float crowding = 1;                        // strands over those of the whole coat on that area; 0 for curves
   std::uint64_t state = 0;                   // the same while the strands are
+  std::uint64_t skin = 0;                    // the same while the looks of its skin are
 };
 
 class GrownFur {
@@ -43,11 +45,12 @@ class GrownFur {
 
  private:
   void divide(const FurModel& model, const GrowRecipe& recipe);
-  std::size_t grow_part(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
+  std::size_t grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
   std::size_t set_curves(std::span<const FurCurves> curves);
 
   std::uint64_t model_ = 0;
   double count_ = 0, tile_ = 0, share_ = 0;  // of the recipe that the surface was divided for
+  std::shared_ptr<const CoatTables> tables_;
   std::vector<StrandChunk> chunks_;
   std::vector<FurCurves> curves_;
   std::vector<GrownPart> parts_;  // of each chunk, then that of the curves

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/strands/even_order.h"
 #include "renderer/strands/grow.h"
 #include "renderer/strands/strand_part.h"
 
@@ -31,31 +30,49 @@ std::size_t StrandSet::bytes() const {
 
 namespace {
 
+/// A piece of the surface by where its middle is.
 struct Placed {
-  std::uint64_t code;
+  glm::vec3 middle;
   std::uint32_t piece;
-  bool operator<(const Placed& other) const { return code != other.code ? code < other.code : piece < other.piece; }
+  double strands;
 };
+
+/// Halves pieces across the longest side of the box around them until few enough strands stand on each part: parts are
+/// compact, so that what happens at one place touches few of them.
+void add_chunks(std::span<Placed> pieces, double strands_each, std::vector<StrandChunk>& chunks) {
+  double strands = 0;
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const Placed& placed : pieces)
+    low = glm::min(low, placed.middle), high = glm::max(high, placed.middle), strands += placed.strands;
+  if (pieces.size() == 1 || strands <= strands_each) {
+    StrandChunk& chunk = chunks.emplace_back();
+    for (const Placed& placed : pieces) chunk.push_back(placed.piece);
+    std::sort(chunk.begin(), chunk.end());
+    return;
+  }
+  const glm::vec3 size = high - low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t half = pieces.size() / 2;
+  std::nth_element(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(half), pieces.end(),
+                   [axis](const Placed& a, const Placed& b) {
+                     return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.piece < b.piece;
+                   });
+  add_chunks(pieces.first(half), strands_each, chunks);
+  add_chunks(pieces.subspan(half), strands_each, chunks);
+}
 
 }  // namespace
 
 std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each) {
-  std::vector<Placed> order;
-  order.reserve(model.triangles.size());
+  std::vector<Placed> pieces;
+  pieces.reserve(model.triangles.size());
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
-    const glm::dvec3 sum =
-        glm::dvec3(model.positions[t.x]) + glm::dvec3(model.positions[t.y]) + glm::dvec3(model.positions[t.z]);
-    order.push_back({place_on_curve(sum / 3.0), i});
+    const glm::vec3 sum = model.positions[t.x] + model.positions[t.y] + model.positions[t.z];
+    pieces.push_back({sum / 3.0f, i, expected_strands(model.corners[i], coat)});
   }
-  std::sort(order.begin(), order.end());
   std::vector<StrandChunk> chunks;
-  double strands = 0;
-  for (const Placed& placed : order) {
-    if (chunks.empty() || strands >= strands_each) chunks.emplace_back(), strands = 0;
-    chunks.back().push_back(placed.piece);
-    strands += expected_strands(model.corners[placed.piece], coat);
-  }
+  if (!pieces.empty()) add_chunks(pieces, strands_each, chunks);
   return chunks;
 }
 

@@ -1,6 +1,7 @@
 // Strands of a coat as they stand on the surface: what the grower makes and the tracer reads.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -17,11 +18,16 @@ static_assert(sizeof(StrandPoint) == 16);
 
 /// What all of a strand shares.
 struct StrandRoot {
-  glm::vec3 normal{0, 1, 0};  // of the skin, unit
-  float number = 0;           // [0, 1)
-  float reach = 1;            // height s of the tip in the fur, (0, 1]; that of the root is 0
-  float wetness = 0;          // painted beyond the coat's own, [0, 1]
+  glm::vec3 normal{0, 1, 0};             // of the skin, unit
+  float number = 0;                      // [0, 1)
+  float reach = 1;                       // height s of the tip in the fur, (0, 1]; that of the root is 0
+  float wetness = 0;                     // painted beyond the coat's own, [0, 1]
+  std::uint32_t piece = no_piece;        // of the model that it stands on
+  std::array<std::uint16_t, 2> share{};  // of the piece's second and third corner there, over 65535
+
+  static constexpr std::uint32_t no_piece = ~std::uint32_t{0};
 };
+static_assert(sizeof(StrandRoot) == 32);
 
 /// Linear colour in 4 bytes, 10 bits a channel over [0, 4] by their square roots.
 std::uint32_t pack_colour(glm::vec3 colour);

@@ -55,6 +55,7 @@ ALLOWED = {
     "renderer/shading": ["protocol/base", "protocol/commands", "renderer/shaders"],
     "renderer/eye": ["protocol/base", "protocol/commands", "renderer/shaders", "renderer/input", "renderer/shading"],
     "renderer/curves": ["protocol/base", "protocol/commands", "renderer/input"],
+    "renderer/overlay": ["protocol/base", "protocol/commands", "renderer/input", "renderer/image", "renderer/upload"],
     "renderer/skin": ["protocol/base", "protocol/commands", "renderer/input"],
     "renderer/strands": ["protocol/base", "protocol/commands", "renderer/shaders", "renderer/input", "renderer/coat", "renderer/curves",
                          "renderer/image", "renderer/light", "renderer/optics", "renderer/pattern", "renderer/shading", "renderer/skin"],

@@ -58,10 +58,15 @@ void add_mohawk(testing::FurredModel& model) {
 }
 
 testing::FurredModel model_of(const Setup& setup) {
-  testing::FurredModel model =
-      testing::furred({setup.view == "torus" ? Builtin::torus : Builtin::creature, setup.triangles});
-  model.model.name = setup.view == "torus" ? "torus" : "creature";  // eyes and bare skin go by it
+  const bool torus = setup.view.starts_with("torus"), sphere = setup.view.starts_with("sphere");
+  testing::FurredModel model = testing::furred({torus    ? Builtin::torus
+                                                : sphere ? Builtin::sphere
+                                                         : Builtin::creature,
+                                                setup.triangles});
+  model.model.name = torus ? "torus" : sphere ? "sphere" : "creature";  // eyes and bare skin go by it
   model.settings = first_settings(model.model);
+  if (setup.view.ends_with("sky")) model.settings.lights.clear();
+  if (setup.view.ends_with("sun")) model.settings.lights.resize(1), model.settings.look.ambient = 0;
   model.settings.ground.visible = setup.view == "ground";
   if (setup.view == "mohawk") add_mohawk(model);
   return model;

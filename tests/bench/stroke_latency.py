@@ -45,7 +45,7 @@ def main():
             connection.request("POST", f"{scene.path}/commands", json.dumps(stroke(i, dabs)))
             touched = json.loads(connection.getresponse().read())["results"][0]["touched"]
             grown = time.perf_counter()
-            connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": quality}))
+            connection.request("POST", f"{scene.path}/frames", json.dumps({"quality": {"method": "raster"} if quality == "raster" else quality}))
             answer = connection.getresponse()
             answer.read()
             if i < 3 * groomers or not touched:

@@ -12,7 +12,8 @@ namespace pelage::testing::traced_test {
 namespace {
 
 FurFrame frame_of(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
-  sync_scene(renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+  sync_scene(renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}}, nullptr,
+             request.knobs.method == Method::raster);
   return make_frame(model.view(), request);
 }
 
@@ -272,11 +273,11 @@ TEST_P(Finish, IsWhatIsDrawnOfTheSameLight) {
   }
 }
 
-TEST_P(Finish, LaysFieldsOverThePictureAsOverADrawnOne) {
+TEST_P(Finish, LaysFieldsOverThePictureAsOverARasterizedOne) {
   for (const Overlay overlay : {Overlay::direction, Overlay::strokes, Overlay::length, Overlay::density,
                                 Overlay::wetness, Overlay::mask, Overlay::difference, Overlay::bald, Overlay::wire}) {
     FrameRequest request = askew(100, 70);
-    request.overlay = overlay;
+    request.overlay = overlay, request.knobs.method = Method::raster;
     const auto [steps, deep] = steps_apart(request);
     EXPECT_LE(steps, 1) << int(overlay);
     EXPECT_LE(deep, 2) << int(overlay);

@@ -103,7 +103,7 @@ TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
     set.points.push_back({{0.5f, 0.5f, 0.5f}, 0.001f});
     set.points.push_back({{0.5f, 0.5f, 0.5f + 0.1f * side}, 0.001f});
     set.colours.insert(set.colours.end(), 2, pack_colour(glm::vec3(0.5f)));
-    set.roots.push_back({{0, 0, side}, 0.2f, 1, 0});
+    set.roots.push_back({.normal = {0, 0, side}, .number = 0.2f});
   }
   ExportedStrands strands;
   strands.sets.push_back(set);

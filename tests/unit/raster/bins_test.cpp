@@ -18,7 +18,8 @@ PlacedStrands one_strand(const std::vector<PlacedKnot>& knots) {
 }
 
 Bins binned(const std::vector<PlacedStrands>& batches, const std::vector<float>& furthest = std::vector<float>(12)) {
-  Bins bins(box, batches.size());
+  Bins bins;
+  bins.begin(box, batches.size());
   for (std::size_t i = batches.size(); i-- > 0;) bins.find(i, batches[i], furthest, {0.25f, 2});
   bins.make_room();
   for (std::size_t i = batches.size(); i-- > 0;) bins.put(i);

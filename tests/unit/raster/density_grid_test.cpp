@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/raster/raster_optics.h"
@@ -26,9 +29,22 @@ FurLight from(glm::vec3 to_light) {
   return light;
 }
 
-Crossed at(const DensityGrid& grid, glm::vec3 place, std::size_t light = 0) {
+struct CrossedNumbers {
+  float strands, body;
+};
+
+CrossedNumbers at(const DensityGrid& grid, glm::vec3 place, std::size_t light = 0) {
   const glm::ivec3 cell((place - grid.place().low) / grid.place().cell);
-  return grid.crossed(light / 2)[grid.place().index(cell)][light % 2];
+  const Crossed& crossed = grid.crossed(light)[grid.place().index(cell)];
+  return {static_cast<float>(crossed.strands) / Crossed::one, static_cast<float>(crossed.body) / Crossed::one};
+}
+
+/// Cells that differ.
+std::size_t others(std::span<const Crossed> a, std::span<const Crossed> b) {
+  if (a.size() != b.size()) return std::max(a.size(), b.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] == b[i] ? 0 : 1;
+  return count;
 }
 
 TEST(DensityGrid, LightFromTheSideCrossesWhatTheCoatHasAbove) {
@@ -70,13 +86,9 @@ TEST(DensityGrid, HasTheSameBitsForAnyThreads) {
   one.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   many.update(lawn.patch.model(), lawn.fur.parts(), lights, 5);
   ASSERT_EQ(one.place(), many.place());
-  for (std::size_t pair = 0; pair < 2; ++pair) {
-    for (std::size_t i = 0; i < one.place().count(); ++i) {
-      for (std::size_t k = 0; k < 2; ++k) {
-        EXPECT_EQ(one.crossed(pair)[i][k].strands, many.crossed(pair)[i][k].strands);
-        EXPECT_TRUE(std::isfinite(one.crossed(pair)[i][k].strands) && one.crossed(pair)[i][k].strands >= 0);
-      }
-    }
+  for (std::size_t light = 0; light < lights.size(); ++light) {
+    EXPECT_EQ(others(one.crossed(light), many.crossed(light)), 0u);
+    EXPECT_GT(others(one.crossed(light), std::vector<Crossed>(one.place().count())), 0u) << "something is crossed";
   }
 }
 
@@ -93,25 +105,56 @@ TEST(DensityGrid, FollowsFurThatChanges) {
   EXPECT_EQ(at(grid, {0.25, 0.25, 0.02f}).strands, at(fresh, {0.25, 0.25, 0.02f}).strands);
 }
 
-TEST(DensityGrid, TakesOutWhatWasThereToTheLastBit) {
+TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
   Lawn lawn;
-  const std::vector<FurLight> lights{from({1, 0.2f, 1}), from({-0.3f, 1, 0.4f})};
-  DensityGrid grid, fresh;
+  FurLight near;
+  near.kind = LightKind::point, near.position = {0.2f, 0.9f, 0.5f};
+  const std::vector<FurLight> lights{from({1, 0.2f, 1}),       from({-0.3f, 1, 0.4f}), from({1, 0.3f, 0.2f}),
+                                     from({-1, 0.05f, -0.6f}), from({0, 0, 1}),        near};
+  DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
   const GridPlace before = grid.place();
-  for (std::size_t i = 36; i < 84; ++i) lawn.patch.length[i] = 0.05f;  // others stay as long
-  ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2), 0u);
-  grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-  fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-  ASSERT_EQ(grid.place(), before) << "it is not made anew";
-  ASSERT_EQ(grid.place(), fresh.place());
-  for (std::size_t i = 0; i < grid.place().count(); ++i) {
-    ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum) << i;
-    for (const std::size_t light : {0u, 1u}) {
-      ASSERT_EQ(grid.crossed(0)[i][light].strands, fresh.crossed(0)[i][light].strands);
-      ASSERT_EQ(grid.crossed(0)[i][light].body, fresh.crossed(0)[i][light].body);
-    }
+  for (const std::size_t first : {36u, 70u, 37u}) {
+    for (std::size_t i = first; i < first + 9; ++i) lawn.patch.length[i] = 0.05f;  // others stay as long
+    ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2), 0u);
+    grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+    DensityGrid fresh;
+    fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+    ASSERT_EQ(grid.place(), before) << "it is not made anew";
+    ASSERT_EQ(grid.place(), fresh.place());
+    for (std::size_t i = 0; i < grid.place().count(); ++i) ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum);
+    for (std::size_t light = 0; light < lights.size(); ++light)
+      EXPECT_EQ(others(grid.crossed(light), fresh.crossed(light)), 0u) << "light " << light;
   }
+}
+
+TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
+  Lawn lawn;
+  lawn.patch.length.assign(lawn.patch.length.size(), 0.03f);
+  lawn.patch.length.front() = 0.08f;  // so that the grid stays where it is
+  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2);
+  const std::vector<FurLight> lights{from({0, 0, 1})};
+  DensityGrid grid;
+  grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  EXPECT_TRUE(grid.all_changed(0));
+  const std::uint64_t since = grid.version();
+  const glm::vec3 corner{0.45f, 0.45f, 0.01f}, other{0.05f, 0.4f, 0.01f}, little(0.01f);
+  lawn.patch.length.back() = 0.06f;
+  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2);
+  grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
+  EXPECT_FALSE(grid.all_changed(since));
+  EXPECT_TRUE(grid.changed_in(corner, corner + little, since));
+  EXPECT_FALSE(grid.changed_in(other, other + little, since));
+  EXPECT_FALSE(grid.changed_in(corner, corner + little, grid.version()));
+  const std::vector<GridBlock> blocks = grid.changed_blocks(since);
+  const auto has = [&](glm::vec3 place) {
+    return std::any_of(blocks.begin(), blocks.end(), [&](const GridBlock& block) {
+      return glm::all(glm::lessThanEqual(block.low, place)) && glm::all(glm::lessThan(place, block.high));
+    });
+  };
+  EXPECT_TRUE(has({0.48f, 0.48f, 0.05f}));
+  EXPECT_FALSE(has(other));
+  EXPECT_TRUE(grid.changed_blocks(grid.version()).empty());
 }
 
 }  // namespace

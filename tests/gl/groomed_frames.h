@@ -1,0 +1,72 @@
+// Models that are groomed between frames.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <vector>
+
+#include "server/frames/fur_view.h"
+#include "tests/support/furred_model.h"
+
+namespace pelage::testing {
+
+class GroomedFrames : public ::testing::Test {
+ protected:
+  struct Drawn {
+    Image image;
+    double redrawn = 0;  // share of the picture
+  };
+
+  /// The frame of a model that `drawer` has been given as it is now.
+  template <class Drawer>
+  FurFrame frame_for(Drawer& drawer, const FurredModel& model, const std::vector<DirtyRange>& dirty) {
+    FurFrame frame = make_frame(model.view(), request);
+    const ModelArrays arrays = make_arrays(model.view());
+    const FurModel fur = make_model(model.view(), arrays);
+    const FurFields fields = make_fields(model.view(), frame.skin, dirty);
+    if (known.insert(fur.id).second) drawer.add(fur, fields);
+    drawer.update(fur.id, fields);
+    return frame;
+  }
+
+  /// Other fur around a vertex, painted too.
+  std::vector<DirtyRange> stroke(FurredModel& model) {
+    const Mesh& mesh = model.model.surface.mesh();
+    const auto any = [&](float high) { return std::uniform_real_distribution<float>(0, high)(random); };
+    const glm::vec3 middle = mesh.positions[random() % mesh.positions.size()];
+    std::vector<DirtyRange> dirty;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+      if (glm::distance(mesh.positions[v], middle) > 0.1f) continue;
+      model.fields.set(Field::direction, v, {any(0.7f), any(0.7f), 0, 0});
+      model.fields.set(Field::length, v, {any(0.12f), 0, 0, 0});
+      model.fields.set(Field::tip_colour, v, {any(1), any(1), any(1), 1});
+      dirty.push_back({v, v + 1});
+    }
+    return dirty;
+  }
+
+  /// An animal with all that stands on it and around it.
+  static FurredModel animal() {
+    FurredModel model = furred({Builtin::creature, 2000});
+    model.settings.ground.visible = true;
+    model.settings.eyes = {Eye{}};
+    CurveGroup group;
+    group.width_root = 0.01, group.fill = 5, group.spread = 1;
+    const Mesh& mesh = model.model.surface.mesh();
+    for (std::size_t v = 0; v < 200; v += 40) {
+      const glm::dvec3 root = glm::dvec3(mesh.positions[v]) * mesh.size + mesh.centre,
+                       way = glm::dvec3(mesh.normals[v]) * mesh.size;
+      group.curves.push_back({root, root + 0.03 * way, root + 0.04 * way + glm::dvec3(0.2, 0, 0.1) * mesh.size});
+    }
+    model.settings.curves = {group};
+    return model;
+  }
+
+  std::set<std::uint64_t> known;
+  FrameRequest request = small_frame(AutoView::three_quarter, 192);
+  std::mt19937 random{7};
+};
+
+}  // namespace pelage::testing
