@@ -146,7 +146,7 @@ TEST_F(RasterViews, SkinThatIsPaintedIsDrawnAgain) {
     std::vector<DirtyRange> dirty;
     const Mesh& mesh = model.model.surface.mesh();
     for (std::uint32_t v = from; v < mesh.positions.size(); v += 7)
-      if (mesh.positions[v].z > 0.4f) model.fields.set(field, v, {1, 0, 0, 0}), dirty.push_back({v, v + 1});
+      if (mesh.positions[v].z > 0.22f) model.fields.set(field, v, {1, 0, 0, 0}), dirty.push_back({v, v + 1});
     return drawn(model, dirty);
   };
   painted(Field::bare, 0), painted(Field::wetness, 0);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "renderer/coat/strand_tile.h"
+#include "renderer/strands/strand_part.h"
 #include "renderer/strands/tile_strands.h"
 #include "tests/unit/strands/fur_patch.h"
 
@@ -169,17 +170,20 @@ TEST(GrowChunks, HoldEachPieceOnceAndLieTogether) {
   const FurPatch patch(0.6, 16);
   const Coat coat = plain_coat(9000);
   const std::vector<StrandChunk> chunks = make_chunks(patch.model(), coat, 8000);
-  EXPECT_NEAR(static_cast<double>(chunks.size()), 225000.0 / 8000, 2);
+  EXPECT_GT(static_cast<double>(chunks.size()), 225000.0 / 8000);
+  EXPECT_LT(static_cast<double>(chunks.size()), 2 * 225000.0 / 8000);
   std::vector<int> times(patch.triangles.size());
   double extents = 0;
   for (const StrandChunk& chunk : chunks) {
     glm::vec3 low(9), high(-9);
+    double strands = 0;
     for (const std::uint32_t piece : chunk) {
-      ++times[piece];
+      ++times[piece], strands += expected_strands(patch.corners[piece], coat);
       low = glm::min(low, patch.positions[patch.triangles[piece].x]);
       high = glm::max(high, patch.positions[patch.triangles[piece].x]);
     }
     extents += glm::length(high - low);
+    EXPECT_LE(strands, 8000);
   }
   EXPECT_LT(extents / static_cast<double>(chunks.size()), 0.25);  // a square of the same area: .16
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
