@@ -42,16 +42,16 @@ HWY_INLINE void find_all_changed(const RasterScene& scene, const GrownPart& part
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
-    Mask behind = lanes.root.x < -1e30f;
-    for (int k = 0; k <= set.segments; ++k) behind = behind | !(load(knots.inverse[k]) > 0.0f);
+    Mask in_front = load(knots.inverse[0]) > 0.0f;
+    for (int k = 1; k <= set.segments; ++k) in_front = in_front & (load(knots.inverse[k]) > 0.0f);
     const Real beside = drawn_edge + static_cast<float>(deep_of) * lanes.widest;
     HWY_ALIGN float left[lane_count], top[lane_count], right[lane_count], bottom[lane_count];
     store(lanes.left - beside, left), store(lanes.top - beside, top);
     store(lanes.right + beside, right), store(lanes.bottom + beside, bottom);
     const std::uint32_t changed = bits_of(changed_lanes(scene.grid->blocks(), blocks, set, ids));
-    const std::uint32_t somewhere = ~bits_of(behind);
+    const std::uint32_t bounded = bits_of(in_front);
     for (std::size_t l = 0; l < lane_count && i + l < count; ++l)
-      boxes[i + l] = {left[l], top[l], right[l], bottom[l], (changed >> l & 1) != 0, (somewhere >> l & 1) != 0};
+      boxes[i + l] = {left[l], top[l], right[l], bottom[l], (changed >> l & 1) != 0, (bounded >> l & 1) != 0};
   }
 }
 

@@ -51,7 +51,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
     const std::uint32_t id = kept.ids[i];
     changed[id] = boxes[i].changed || (id >= own && changed[part.strands->neighbour[id]]) ? 1 : 0;
     if (changed[id] != 0)
-      boxes[i].somewhere ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)
+      boxes[i].bounded ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)
                          : mask.add(whole_of(scene));
   }
 }

@@ -22,9 +22,8 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
 /// Of all strands of a part, (0, 1]. Each curve is there on purpose.
 double kept_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
-  const Ball ball = ball_around(scene, part);
-  const double distance =
-      std::max(double{glm::dot(ball.middle, scene.camera.forward)} - ball.radius, double{near_distance});
+  const float middle = glm::dot(part.middle - scene.camera.position, scene.camera.forward);
+  const double distance = std::max(double{middle} - double{part.radius}, double{near_distance});
   const double pixel = distance / scene.camera.scale;
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
   const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
@@ -71,8 +70,7 @@ void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& 
   const auto count = static_cast<std::uint32_t>(std::min(std::ceil(exact), static_cast<double>(set.count())));
   const double whole = share < 1 ? 1 / (share * (1 - fading / 2)) : 1;
   const float smallest = min_facing(part);
-  const glm::vec3 middle = 0.5f * (part.low + part.high);
-  const glm::vec3 back = glm::normalize(scene.camera.position - middle + glm::vec3(1e-9f));
+  const glm::vec3 back = glm::normalize(scene.camera.position - part.middle + glm::vec3(1e-9f));
   for (std::uint32_t i = 0; i < count; ++i) {
     if (glm::dot(set.roots[i].normal, back) < smallest) continue;
     const double left = share < 1 ? std::min((exact - i) / (fading * exact), 1.0) : 1;

@@ -65,6 +65,13 @@ StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
   return ids;
 }
 
+/// Whether a view keeps the same strands of both (keep_strands), and widens them alike.
+bool keeps_as(const GrownPart& a, const GrownPart& b) {
+  const StrandSet &one = *a.strands, &other = *b.strands;
+  if (one.count() != other.count() || one.segments != other.segments || a.longest != b.longest) return false;
+  return one.count() == 0 || one.points[0].radius == other.points[0].radius;
+}
+
 /// How a part differs from what is held of it.
 struct PartChange {
   std::uint32_t part = 0;
@@ -74,9 +81,7 @@ struct PartChange {
 
   PartChange(std::uint32_t number, const GrownPart& held, const GrownPart& now)
       : part(number), skin(held.skin != now.skin) {
-    if (!held.strands || held.strands->count() != now.strands->count() ||
-        held.strands->segments != now.strands->segments)
-      return;
+    if (!held.strands || !keeps_as(held, now)) return;
     ids = other_strands(*held.strands, *now.strands), all = ids.size() == now.strands->count();
   }
 };

@@ -26,7 +26,7 @@ void place_strands(const RasterScene& scene, const GrownPart& part, const PixelB
 /// What strands cover of the picture, pixels, and whether anything that they show has changed.
 struct StrandBox {
   float left = 0, top = 0, right = 0, bottom = 0;
-  bool changed = false, somewhere = true;  // not so where it reaches behind the camera: it may cover anything
+  bool changed = false, bounded = true;  // not so where it reaches behind the camera: it may cover anything
 };
 /// Of the kept strands of a part, one after the other. `blocks` has 0 for each block of the grid in which nothing has
 /// changed.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "protocol/base/parallel.h"
 #include "renderer/strands/sampling.h"
@@ -28,22 +29,25 @@ double area_of(const FurModel& model, const StrandChunk& chunk) {
 void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, GrownPart& part) {
   const StrandSet& set = *part.strands;
   const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
-  part.low = glm::vec3(1e9f), part.high = glm::vec3(-1e9f), part.longest = 0;
+  part.low = glm::vec3(1e9f), part.high = glm::vec3(-1e9f);
   for (const std::uint32_t piece : pieces) {
     for (int k = 0; k < 3; ++k) {
       const glm::vec3 corner = model.positions[model.triangles[piece][k]];
       part.low = glm::min(part.low, corner), part.high = glm::max(part.high, corner);
     }
   }
-  float length = 0;
+  part.middle = 0.5f * (part.low + part.high), part.radius = 0.5f * glm::length(part.high - part.low);
+  float length = 0, longest = 0;
   for (std::size_t i = 0; i < set.points.size(); ++i) {
     const StrandPoint& point = set.points[i];
     part.low = glm::min(part.low, point.place - point.radius);
     part.high = glm::max(part.high, point.place + point.radius);
     part.thickest = std::max(part.thickest, point.radius);
     length = i % knots == 0 ? 0 : length + glm::length(point.place - set.points[i - 1].place);
-    part.longest = std::max(part.longest, length);
+    longest = std::max(longest, length);
   }
+  constexpr float step = 1.0f / 32;
+  part.longest = std::ceil(longest / step) * step;
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ struct GrownPart {
   StrandRole role = StrandRole::coat;
   std::shared_ptr<const StrandSet> strands;  // never null
   glm::vec3 low{0}, high{0};                 // around their skin and all of them with their thickness, sizes
-  float longest = 0;                         // of them, sizes
+  glm::vec3 middle{0};                       // of the skin, sizes
+  float radius = 0;                          // of the ball there that has it, sizes
+  float longest = 0;                         // at least of them, in steps that a stroke seldom changes, sizes
   float thickest = 0;                        // of all that have stood there, half of it, sizes
   double area = 0;                           // of the skin that they stand on, sizes^2
   float crowding = 1;                        // strands over those of the whole coat on that area; 0 for curves
