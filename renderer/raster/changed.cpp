@@ -52,7 +52,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
     changed[id] = boxes[i].changed || (id >= own && changed[part.strands->neighbour[id]]) ? 1 : 0;
     if (changed[id] != 0)
       boxes[i].bounded ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)
-                         : mask.add(whole_of(scene));
+                       : mask.add(whole_of(scene));
   }
 }
 

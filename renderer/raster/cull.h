@@ -14,8 +14,8 @@ float drawn_beside(const PictureCamera& camera, float thickest, float nearest);
 
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
 /// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the
-/// later they come, so that none appears at once when the camera comes nearer. Which they are depends on the skin, on the
-/// part's longest strand and on how thick its first one is, beside what they are themselves.
+/// later they come, so that none appears at once when the camera comes nearer. Which they are depends on the skin, on
+/// the part's longest strand and on how thick its first one is, beside what they are themselves.
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept);
 
 }  // namespace pelage

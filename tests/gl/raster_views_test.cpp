@@ -65,23 +65,6 @@ TEST_F(RasterViews, AStrokeDrawsItsPartWithTheBitsOfAWholeFrame) {
   expect_same_bits(model);
 }
 
-// How many strands are kept of a part, and how wide, does not change with a dab on it.
-TEST_F(RasterViews, ADabLeavesTheRestOfAThinnedCoat) {
-  FurredModel model = furred({Builtin::sphere, 2000}, {.length = 0.06});
-  model.settings.ground.visible = false;
-  request.knobs.raster = {.strands = 0.2, .light_of = 4}, request.width = request.height = 300;
-  drawn(model);
-  double smallest = 1;
-  for (std::uint32_t v = 0; v < 12; ++v) {
-    const std::uint32_t at = 83 * v;
-    model.fields.set(Field::length, at, {v % 2 == 0 ? 0.09f : 0.03f, 0, 0, 0});
-    const Drawn part = drawn(model, {{at, at + 1}});
-    EXPECT_EQ(part.image.rgba, whole(model).rgba) << "dab " << v;
-    if (part.redrawn > 0) smallest = std::min(smallest, part.redrawn);
-  }
-  EXPECT_LT(smallest, 0.1);
-}
-
 TEST_F(RasterViews, WithoutGroundAndFromAnywhere) {
   FurredModel model = animal();
   model.settings.ground.visible = false;

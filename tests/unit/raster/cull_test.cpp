@@ -45,6 +45,18 @@ TEST(Cull, StrandsThatAreLeftStandForAll) {
   EXPECT_LT(static_cast<double>(field.kept(0.05).ids.size()), count / 2);
 }
 
+// Else a stroke would change strands that it does not touch, and that are not drawn again.
+TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
+  Field field;
+  const KeptStrands before = field.kept(0.05);
+  field.patch.length[0] *= 1.4f;
+  ASSERT_GT(field.fur.update(field.patch.model(), field.patch.fields(), {plain_coat()}, 1), 0u);
+  field.scene.parts = field.fur.parts();
+  const KeptStrands after = field.kept(0.05);
+  EXPECT_EQ(after.ids, before.ids);
+  EXPECT_EQ(after.widened, before.widened);
+}
+
 TEST(Cull, StrandsComeAndGoAtNoWidth) {
   Field field;
   KeptStrands before = field.kept(0.05);
