@@ -81,7 +81,7 @@ TEST(GrownFur, KnowsWhereItsPartsAre) {
     if (part.role != StrandRole::coat) continue;
     area += part.area;
     EXPECT_NEAR(part.crowding, 1, 0.1f);
-    EXPECT_LE(part.longest, 0.0301f);
+    EXPECT_EQ(part.longest, 0.03125f) << "the next step";
     for (const StrandPoint& point : part.strands->points) {
       EXPECT_TRUE(glm::all(glm::lessThanEqual(part.low, point.place)));
       EXPECT_TRUE(glm::all(glm::greaterThanEqual(part.high, point.place)));
