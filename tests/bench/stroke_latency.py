@@ -3,7 +3,7 @@ the strokes that touch fur.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY] [DABS] [SCENES]
 
-With several scenes, strokes take turns: as many groom at once.
+QUALITY is a tier, or raster. With several scenes, strokes take turns: as many groom at once.
 """
 import http.client
 import json
