@@ -147,7 +147,6 @@ struct RasterRenderer::Model {
   std::uint64_t used = 0;
   GrownFur fur;
   std::unique_ptr<Raster> raster;  // null where nothing is grown
-  std::vector<glm::vec3> field;    // FieldValues of each vertex, while one is drawn
   // What the fur was grown of:
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
@@ -160,18 +159,20 @@ struct RasterRenderer::Model {
     fur.update(copy.model(), copy.fields(), wanted, threads, frame.curves);
     recipe = wanted, changes = copy.changes(), curves = frame.curves;
   }
-  void find_field(const FurFrame& frame) {
+  /// Of each vertex what the frame's overlay shows.
+  std::vector<glm::vec3> field_of(const FurFrame& frame) const {
     const FurFields fields = copy.fields();
     const FurModel& model = copy.model();
     const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
     const auto at = [](std::span<const float> painted, std::size_t v, float rest) {
       return painted.empty() ? rest : painted[v];
     };
-    field.resize(model.positions.size());
+    std::vector<glm::vec3> field(model.positions.size());
     for (std::size_t v = 0; v < field.size(); ++v)
       field[v] = value.of({model.positions[v], model.normals[v], model.tangents[v], fields.direction[v],
                            fields.length[v], at(fields.paint.density, v, 1), at(fields.paint.wetness, v, 0),
                            at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
+    return field;
   }
   void drop() { fur = GrownFur(), raster.reset(), recipe.reset(); }
   /// That a drop would free.
@@ -204,10 +205,10 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
-void RasterRenderer::darken(const FurFrame& frame, Model& model, RasterOutput shown, FloatImage& light) const {
-  if (!frame.ground) return;
-  const RasterScene scene = scene_of(model, frame, shown);
-  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->darken_box(scene, box, light);
+void RasterRenderer::darken(const FurFrame& frame, Model& model, const Wanted& wanted, FloatImage& picture) const {
+  if (!frame.ground || wanted.shown != RasterOutput::light) return;
+  const RasterScene scene = scene_of(model, frame, wanted);
+  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->darken_box(scene, box, picture);
 }
 
 RasterRenderer::Model& RasterRenderer::grown(const FurFrame& frame) {
@@ -230,14 +231,15 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
   }
 }
 
-RasterScene RasterRenderer::scene_of(Model& model, const FurFrame& frame, RasterOutput shown) const {
-  RasterScene scene = model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), shown);
-  scene.field = model.field;
+RasterScene RasterRenderer::scene_of(Model& model, const FurFrame& frame, const Wanted& wanted) const {
+  RasterScene scene =
+      model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), wanted.shown);
+  scene.field = wanted.field, scene.drawn = wanted.tiles;
   return scene;
 }
 
-bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const TileMask* tiles, RasterOutput shown,
-                               DrawTimes& times, const Pause& pause, FloatImage& picture) {
+bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times,
+                               const Pause& pause, FloatImage& picture) {
   FurFrame part = frame;
   part.crop = Crop{area.left, area.top, area.width, area.height};
   RasterTimes spent;
@@ -247,19 +249,17 @@ bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Ti
     if (i > 0 && pause && !pause()) return false;
     const DrawClock clock(times);
     Model& model = grown(frame);  // in the pause others may have drawn it in another coat
-    RasterScene scene = scene_of(model, frame, shown);
-    scene.drawn = tiles;
-    model.raster->draw_box(scene, boxes[i], picture, spent, counts);
+    model.raster->draw_box(scene_of(model, frame, wanted), boxes[i], picture, spent, counts);
   }
   return true;
 }
 
-Result<FloatImage> RasterRenderer::draw_shown(const FurFrame& frame, RasterOutput shown, DrawTimes& times,
+Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times,
                                               const Pause& pause) {
   FloatImage picture = empty_picture({frame.width, frame.height});
-  if (!draw_area(frame, whole_area(frame), nullptr, shown, times, pause, picture)) return drawing_given_up();
+  if (!draw_area(frame, whole_area(frame), wanted, times, pause, picture)) return drawing_given_up();
   const DrawClock clock(times);
-  darken(frame, grown(frame), shown, picture);
+  darken(frame, grown(frame), wanted, picture);
   return picture;
 }
 
@@ -271,7 +271,7 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
     std::optional<FloatImage> light;
     for (const Aov aov : aovs) {
       const bool known = output_of(aov) == RasterOutput::light && light;
-      Result<FloatImage> image = known ? *light : draw_shown(drawn, output_of(aov), times, pause);
+      Result<FloatImage> image = known ? *light : draw_whole(drawn, {output_of(aov)}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
       pictures.push_back(aov_picture(frame, aov, *image, threads_));
@@ -286,8 +286,8 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
 
 Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
   try {
-    models_.at(frame.model)->find_field(frame);
-    const Result<FloatImage> drawn = draw_shown(scaled(frame), RasterOutput::field, times, pause);
+    const std::vector<glm::vec3> field = models_.at(frame.model)->field_of(frame);
+    const Result<FloatImage> drawn = draw_whole(scaled(frame), {RasterOutput::field, field}, times, pause);
     if (!drawn) return drawn.status();
     const DrawClock clock(times);
     const FloatImage values = resized_light(*drawn, frame.width, frame.height, threads_);
@@ -306,7 +306,7 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
 TileMask RasterRenderer::changed_tiles(const FurFrame& frame, const ShownFrame& shown) {
   constexpr int beside = 8;  // pixels that curves are drawn over beside their places
   Model& model = grown(frame);
-  TileMask changed = changed_since(scene_of(model, frame, RasterOutput::light), shown.changes, threads_);
+  TileMask changed = changed_since(scene_of(model, frame, {RasterOutput::light}), shown.changes, threads_);
   const Area curves = area_of(changed_curves(shown.frame, frame, world_to_clip(frame)), frame.width, frame.height);
   if (curves.pixels() > 0)
     changed.add(PixelBox{curves.left - beside, curves.top - beside, curves.left + curves.width + beside,
@@ -330,14 +330,14 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
     area = common_area(area, {box.left, box.top, box.right - box.left, box.bottom - box.top});
   }
   if (area.pixels() > 0 &&
-      !draw_area(drawn, area, tiles ? &*tiles : nullptr, RasterOutput::light, times, pause, view.light))
+      !draw_area(drawn, area, {RasterOutput::light, {}, tiles ? &*tiles : nullptr}, times, pause, view.light))
     return drawing_given_up();
   const DrawClock clock(times);
   Model& model = grown(drawn);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, model.raster->version()};
   FloatImage light;
-  if (frame.ground) light = view.light, darken(drawn, model, RasterOutput::light, light);
+  if (frame.ground) light = view.light, darken(drawn, model, {RasterOutput::light}, light);
   Picture picture = finish(view, frame.ground ? light : view.light, area);
   const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
   times.counters.redrawn = pixels / static_cast<double>(view.pixels());

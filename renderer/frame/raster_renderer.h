@@ -52,14 +52,19 @@ class RasterRenderer {
   /// Grows what changed. What is kept of other models is dropped where all take too much, the longest unused first.
   Model& grown(const FurFrame& frame);
   void keep_within_bounds(const Model& own);
-  RasterScene scene_of(Model& model, const FurFrame& frame, RasterOutput shown) const;
-  /// Draws what `frame`, which has the size of its light, shows in an area, or in some tiles of it, into a picture;
-  /// false when it is given up.
-  bool draw_area(const FurFrame& frame, const Area& area, const TileMask* tiles, RasterOutput shown, DrawTimes& times,
-                 const Pause& pause, FloatImage& picture);
+  /// What of a frame is drawn.
+  struct Wanted {
+    RasterOutput shown;
+    std::span<const glm::vec3> field = {};  // of each vertex, where that is shown
+    const TileMask* tiles = nullptr;        // null for all
+  };
+  RasterScene scene_of(Model& model, const FurFrame& frame, const Wanted& wanted) const;
+  /// Draws an area of a frame that has the size of its light into a picture; false when it is given up.
+  bool draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times, const Pause& pause,
+                 FloatImage& picture);
   /// What the ground is seen of, where there is one.
-  void darken(const FurFrame& frame, Model& model, RasterOutput shown, FloatImage& light) const;
-  Result<FloatImage> draw_shown(const FurFrame& frame, RasterOutput shown, DrawTimes& times, const Pause& pause);
+  void darken(const FurFrame& frame, Model& model, const Wanted& wanted, FloatImage& picture) const;
+  Result<FloatImage> draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times, const Pause& pause);
   /// What of a view's light is not as it was when it was shown.
   TileMask changed_tiles(const FurFrame& frame, const ShownFrame& shown);
   /// finish(view, light, area that was drawn).

@@ -60,7 +60,7 @@ class ViewCache {
 };
 
 /// A view's light as a picture of 8 bits, of which `changed` of the light is not finished yet; the view keeps it where
-/// nothing lies over it. `light` is the view's own, or that with what is not in it.
+/// nothing lies over it. The input's light is the view's own, or that with the ground.
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
 /// ShownFrame::format of such a picture.
 int kept_format(const FurFrame& frame);

@@ -43,7 +43,7 @@ HWY_INLINE Real coarse(Real number) {
   return select(number < bits_kept_from, floor(number * (1 / step) + 0.5f) * step, kept);
 }
 
-/// What light comes through `body`, if any: where none does all cells are alike.
+/// As cells are read: in coarse steps, and all alike behind a body that no light gets through.
 HWY_INLINE Real as_seen(Real number, Mask odd) {
   const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of a cell
   const Real most = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));

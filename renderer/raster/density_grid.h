@@ -37,7 +37,7 @@ class DensityGrid {
   std::span<const Crossed> crossed(std::size_t light) const { return lights_[light].crossed(); }
   std::size_t bytes() const;
 
-  /// Counts updates that changed anything; below, `since` is what it was at some time.
+  /// Counts updates; below, `since` is what it was at some time.
   std::uint64_t version() const { return version_; }
   /// Of the last update that changed fur.
   std::uint64_t fur_version() const { return fur_version_; }

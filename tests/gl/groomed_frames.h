@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <vector>
@@ -62,6 +63,29 @@ class GroomedFrames : public ::testing::Test {
     }
     model.settings.curves = {group};
     return model;
+  }
+
+  /// The frame after changes, and the same where nothing is known of the one before.
+  virtual Drawn draw_after(const FurredModel& model, const std::vector<DirtyRange>& dirty) = 0;
+  virtual void forget_views() = 0;
+
+  Image whole(const FurredModel& model) {
+    forget_views();
+    const Drawn drawn_whole = draw_after(model, {});
+    EXPECT_EQ(drawn_whole.redrawn, 1);
+    return drawn_whole.image;
+  }
+
+  /// Draws after each of some strokes, and once more whole; the least share of the picture that a stroke drew.
+  double expect_same_bits(FurredModel& model, int strokes = 3) {
+    draw_after(model, stroke(model));  // from here on it is painted
+    double smallest = 1;
+    for (int i = 0; i < strokes; ++i) {
+      const Drawn part = draw_after(model, stroke(model));
+      EXPECT_EQ(part.image.rgba, whole(model).rgba) << "stroke " << i << ", " << part.redrawn << " of the picture";
+      smallest = std::min(smallest, part.redrawn);
+    }
+    return smallest;
   }
 
   std::set<std::uint64_t> known;

@@ -23,6 +23,11 @@ class MarchedFrames : public GroomedFrames {
     return frame_for(marched, model, dirty);
   }
 
+  Drawn draw_after(const FurredModel& model, const std::vector<DirtyRange>& dirty) override {
+    return drawn(model, dirty);
+  }
+  void forget_views() override { marched.clear_view_cache(); }
+
   MarchedRenderer marched{2};
 };
 

@@ -26,27 +26,16 @@ class RasterViews : public GroomedFrames {
     return {std::move(image).value(), times.counters.redrawn};
   }
 
-  Image whole(const FurredModel& model) {
-    raster.clear_view_cache();
-    const Drawn drawn_whole = drawn(model);
-    EXPECT_EQ(drawn_whole.redrawn, 1);
-    return drawn_whole.image;
+  Drawn draw_after(const FurredModel& model, const std::vector<DirtyRange>& dirty) override {
+    return drawn(model, dirty);
   }
+  void forget_views() override { raster.clear_view_cache(); }
 
-  /// Draws after each of some strokes, and once more whole, also by a drawer that saw no stroke; the least share of the
-  /// picture that a stroke drew.
-  double expect_same_bits(FurredModel& model, int strokes = 3) {
-    drawn(model, stroke(model));  // from here on it is painted
-    double smallest = 1;
-    for (int i = 0; i < strokes; ++i) {
-      const Drawn part = drawn(model, stroke(model));
-      EXPECT_EQ(part.image.rgba, whole(model).rgba) << "stroke " << i << ", " << part.redrawn << " of the picture";
-      smallest = std::min(smallest, part.redrawn);
-    }
+  /// The same picture from a drawer that saw no stroke.
+  void expect_grown_at_once(const FurredModel& model) {
     const Image last = drawn(model).image;
     known.clear(), raster.forget_all();
-    EXPECT_EQ(drawn(model).image.rgba, last.rgba) << "grown at once";
-    return smallest;
+    EXPECT_EQ(drawn(model).image.rgba, last.rgba);
   }
 
   RasterRenderer raster{2};
@@ -57,6 +46,7 @@ TEST_F(RasterViews, AStrokeDrawsItsPartWithTheBitsOfAWholeFrame) {
   for (const double scale : {1.0, 0.6}) {
     request.knobs.scale = scale;
     EXPECT_LT(expect_same_bits(model, 5), 0.7);
+    expect_grown_at_once(model);
   }
   request.knobs.scale = 1, request.knobs.raster = {.strands = 1000, .light_of = 1};
   EXPECT_LT(expect_same_bits(model), 0.7);
@@ -180,6 +170,21 @@ TEST_F(RasterViews, FieldsAreShownOnTheFurAndNotOnlyOnItsSkin) {
   const FloatImage overlay = over();
   EXPECT_GT(shown_share(overlay, [&](std::size_t i) { return fur.rgba[4 * i + 3] > 200; }), 0.99);
   EXPECT_EQ(shown_share(overlay, [&](std::size_t i) { return fur.rgba[4 * i + 3] == 0; }), 0);
+}
+
+TEST_F(RasterViews, AnotherFieldInThePauseIsNotMistakenForIt) {
+  const FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.05});
+  request.camera.automatic = AutoView::none, request.camera.position = {0, 0, 0.8}, request.camera.target = {0, 0, 0};
+  request.width = 1100, request.height = 1100, request.overlay = Overlay::direction;
+  const FurFrame frame = frame_of(model);
+  FurFrame other = frame;
+  other.overlay = Overlay::density, other.width = other.height = 64;
+  DrawTimes times;
+  int pauses = 0;
+  const auto between = [&] { return ++pauses > 0 && raster.field_overlay(other, times, {}).ok(); };
+  const FloatImage alone = raster.field_overlay(frame, times, {}).value();
+  EXPECT_EQ(raster.field_overlay(frame, times, between).value().rgba, alone.rgba);
+  EXPECT_GT(pauses, 0);
 }
 
 }  // namespace

@@ -10,27 +10,7 @@
 namespace pelage::testing::view_cache_test {
 namespace {
 
-class CachedViews : public MarchedFrames {
- protected:
-  Image whole(const FurredModel& model) {
-    marched.clear_view_cache();
-    const Drawn drawn_whole = drawn(model);
-    EXPECT_EQ(drawn_whole.redrawn, 1);
-    return drawn_whole.image;
-  }
-
-  /// Draws after each of some strokes, and once more whole; the least share of the picture that a stroke drew.
-  double expect_same_bits(FurredModel& model, int strokes = 3) {
-    drawn(model, stroke(model));  // from here on it is painted
-    double least = 1;
-    for (int i = 0; i < strokes; ++i) {
-      const Drawn part = drawn(model, stroke(model));
-      EXPECT_EQ(part.image.rgba, whole(model).rgba) << "stroke " << i << ", " << part.redrawn << " of the picture";
-      least = std::min(least, part.redrawn);
-    }
-    return least;
-  }
-};
+using CachedViews = MarchedFrames;
 
 TEST_F(CachedViews, AStrokeDrawsItsPartWithTheBitsOfAWholeFrame) {
   FurredModel model = animal();
