@@ -1,4 +1,4 @@
-# pelage_shaders(TARGET file...): expands, checks and embeds shaders. passes/fur/fur.frag becomes
+# pelage_shaders(TARGET file...): expands, checks and embeds shaders. shells/fur/fur.frag becomes
 # `extern const char* const pelage::shaders::fur_frag`. A typo in a shader fails the build.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)

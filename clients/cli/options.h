@@ -92,7 +92,7 @@ struct Options {
   std::string output = "frame.png";
   Parameters frame;          // as in the address of frame.png
   Parameters trace;          // members of Tracing
-  bool progressive = false;  // shells, and then strands over the same file
+  bool progressive = false;  // a rasterized picture, and then traced ones over the same file
   std::optional<int> until_pass;
   std::optional<double> for_seconds;
   std::optional<double> x, y;               // pixels
@@ -114,8 +114,7 @@ struct Options {
   std::vector<std::string> scenes;  // ids or names; none for the built-in ones
   bool quick = false, resume = false;
   int size = 256;      // pixels of a side
-  int truth = 512;     // shells of R1
-  int r2_passes = 64;  // of R2
+  int r2_passes = 64;  // of the truth, traced strands (R2)
   int repeats = 2;     // of each timing
   // calibrate
   Parameters server_options;  // of pelaged, with their dashes

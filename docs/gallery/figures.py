@@ -16,8 +16,6 @@ REFERENCE_LIGHT = [
         {"direction": [0.2, -0.9, 0.35], "colour": [1, 0.96, 0.9], "intensity": 1.7, "cast_shadow": "penumbra"},
         {"direction": [-0.7, -0.3, -0.6], "colour": [0.85, 0.92, 1], "intensity": 0.45, "cast_shadow": "penumbra"},
         {"direction": [0.6, -0.4, 0.5], "colour": [1, 0.98, 0.95], "intensity": 0.25, "cast_shadow": "penumbra"}]}]
-FINE = {"shells": 24, "shadow_maps": True, "shadow_resolution": 1024, "scale": 1.5}
-SIMPLE = {"shells": 24, "scale": 1.5}
 ONE_LIGHT = {"direction": [-0.5, -0.8, -0.45], "intensity": 1.7}
 
 
@@ -42,8 +40,16 @@ def shared(name, **options):
     return {"file": str(SHARED / name), "options": {"format": name.split(".")[-1], **options}}
 
 
-def picture(title, model, *steps, fur_of=None, quality=None, camera=None, **frame):
-    request = {"quality": quality or FINE, **({"camera": camera} if camera else {}), **frame}
+def shells(**settings):
+    """The layered method of the papers, which a GL draws."""
+    return {"method": "shells", "scale": 1.5, "shells": {"count": 24, **settings}}
+
+
+MAPS = {"shadow_maps": True, "shadow_resolution": 1024}
+
+
+def picture(title, model, *steps, fur_of=None, quality="detailed", camera=None, **frame):
+    request = {"quality": quality, **({"camera": camera} if camera else {}), **frame}
     return {"title": title, "model": model, "fur": fur_of or {}, "steps": [s for s in steps if s], "frame": request}
 
 
@@ -78,9 +84,6 @@ CLOSE = eye([0.0, 0.55, 0.75], [0.0, 0.0, 0.0], 25)
 FACE = eye([-0.75, 1.1, 1.9], [0.0, 0.86, 0.42], 19)
 BACK = eye([-2.3, 1.5, 0.2], [0.0, 0.72, -0.3], 26)
 PULL = {"op": "attract", "point": [-0.15, 1.1, -0.25], "radius": 0.35, "strength": 1, "duration": 10, "threshold": 0}
-WHISKERS = {"op": "set_curves", "groups": [{"width_root": 0.004, "width_tip": 0.001, "fill": 5, "curves": [
-    [[0.1, 0.5, 0.8], [0.3, 0.9, 1.0], [0.7, 1.15, 1.1]], [[0.1, 0.75, 0.6], [0.35, 1.1, 0.7], [0.8, 1.3, 0.6]],
-    [[0.1, 0.95, 0.25], [0.35, 1.3, 0.2], [0.8, 1.4, 0.0]]]}]}
 EAR = eye([-0.35, 2.3, 1.9], [0.05, 0.9, 0.12], 17)
 
 PAINTED_CREATURE = builtin("creature", 40000)
@@ -111,67 +114,53 @@ PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere
 
 FIGURES = [
     {"name": "per_pixel", "title": "Light at the vertices, light in each pixel (GPU fur, figure 1)",
-     "text": "`lengyel`, the baseline of the paper, lights vertices, so its strands have no sides.",
-     "pictures": [picture(name, TORUS, look(shading=name), fur_of=fur(0.05, 0.5), quality=SIMPLE)
+     "text": "In shells `lengyel`, the baseline of the paper, lights vertices, so its strands have no sides.",
+     "pictures": [picture(name, TORUS, look(shading=name), fur_of=fur(0.05, 0.5), quality=shells())
                   for name in ("lengyel", "kajiya")]},
     {"name": "lodged", "title": "Lodged fur, and a pattern (GPU fur, figure 2)",
      "text": "`lodge` presses patches of strands to one side. The zebra's stripes need no texture coordinates.",
-     "pictures": [picture("lodged", TORUS, coat(lodge=0.5), fur_of=fur(0.05, 0.4), quality=SIMPLE),
+     "pictures": [picture("lodged", TORUS, coat(lodge=0.5), fur_of=fur(0.05, 0.4)),
                   picture("zebra", glmark("horse"), look_file("zebra"), studio(), fur_of=fur(0.012, 0.85))]},
     {"name": "single_hairs", "title": "Shadows of single hairs (GPU fur, figure 6)",
      "text": "Sparse fur on a plane. The shadow maps of the shells hold each strand.",
      "pictures": [picture(title, PLANE, coat(count=250, clump=0, width_root=0.002, width_tip=0.001, tile=0.2),
                           look(ambient=0.3, skin=[0.75, 0.7, 0.62]), lights({**ONE_LIGHT, "self_shadow_maps": maps}),
-                          fur_of=fur(0.05, 0.35), camera=CLOSE, quality={**FINE, "shadow_maps": maps, "shadow_resolution": 2048})
+                          fur_of=fur(0.05, 0.35), camera=CLOSE, quality=shells(shadow_maps=maps, shadow_resolution=2048))
                   for title, maps in (("without", False), ("with shadow maps", True))]},
     {"name": "self_shadow", "title": "Self-shadow (GPU fur, figure 7)",
-     "text": "None, the estimate that interactive frames use, and shadow maps of the shells.",
+     "text": "In shells: none, the estimate `self_shadow`, and `shadow_maps`.",
      "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "self_shadow_maps": maps}), fur_of=fur(0.03, 0.5),
-                          quality={**FINE, "self_shadow": shadow, "shadow_maps": maps})
+                          quality=shells(self_shadow=shadow, **(MAPS if maps else {})))
                   for title, shadow, maps in (("none", False, False), ("estimate", True, False), ("maps", True, True))]},
     {"name": "cast_shadow", "title": "Shadow of the body on itself (GPU fur, figure 8)",
-     "text": "`cast_shadow` of a light 8 degrees wide. `soft` is the paper's shadow width; `penumbra` is closest to traced "
-             "strands.",
+     "text": "In shells: `cast_shadow` of a light 8 degrees wide. `soft` is the paper's shadow width; `penumbra` is closest "
+             "to traced strands.",
      "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "angle_degrees": 8, "cast_shadow": kind}),
-                          fur_of=fur(0.015, 0.6)) for kind in ("none", "hard", "soft", "penumbra")]},
-    {"name": "light_maps", "title": "The maps of a soft shadow (GPU fur, figure 9)",
-     "text": "What the light sees from above: depth (nearer is lighter), inverted occlusion (white where skin is hidden from "
-             "the light), shadow width; and the two shadows.",
-     "pictures": [picture(title, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "cast_shadow": kind}), overlay=overlay,
-                          fur_of=fur(0.015, 0.6), quality={**FINE, "shadow_resolution": 512})
-                  for title, kind, overlay in (("depth", "soft", "light_depth"), ("inverted occlusion", "soft", "light_occlusion"),
-                                               ("shadow width", "soft", "shadow_width"), ("hard", "hard", "none"),
-                                               ("soft", "soft", "none"))]},
-    {"name": "curve_shadows", "title": "Shadows of guide curves",
-     "text": "Thirteen curves over short fur. The soft shadow fades the further it falls.",
-     "pictures": [picture(title, builtin("sphere", 3000), WHISKERS, coat(clump=0.1), fur_of=fur(0.008, 0.6),
-                          *([lights({"direction": [-0.25, -1, -0.25], "intensity": 1.7, "cast_shadow": kind})]),
-                          camera=eye([1.2, 2.6, 2.6], [0.1, 0.35, 0.35], 24))
-                  for title, kind in (("none", "none"), ("hard", "hard"), ("soft", "soft"))]},
+                          fur_of=fur(0.015, 0.6), quality=shells(**MAPS)) for kind in ("none", "hard", "soft", "penumbra")]},
     {"name": "curves", "title": "Two lean curves (fur modelling, 5.1)",
      "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
-                          fur_of=fur(0.08, lean), quality=SIMPLE)
+                          fur_of=fur(0.08, lean))
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
     {"name": "fields", "title": "Fields over the picture",
      "text": "Overlays: direction as hue, direction as short lines, length.",
-     "pictures": [picture(title, CREATURE, studio(), overlay=overlay, quality=SIMPLE)
+     "pictures": [picture(title, CREATURE, studio(), overlay=overlay)
                   for title, overlay in (("direction", "direction"), ("short lines", "strokes"), ("length", "length"))]},
     {"name": "attract", "title": "A stick that pulls (fur modelling)",
      "text": "[attract](tools/attract.md) for ten seconds, as fur and as short lines. Fur turns to the stick and grows, up to "
              "three times.",
-     "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay, quality=SIMPLE)
+     "pictures": [picture(f"{title}, {kind}", CREATURE, studio(), tool, camera=BACK, overlay=overlay)
                   for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
                   for title, tool in (("before", None), ("after", PULL))]},
     {"name": "difference", "title": "What a step has changed",
      "text": "The overlay `difference` ([history](history.md)): grey where nothing has changed, yellow most.",
-     "pictures": [picture(title, CREATURE, studio(), tool, camera=BACK, quality=SIMPLE, **overlay)
+     "pictures": [picture(title, CREATURE, studio(), tool, camera=BACK, **overlay)
                   for title, tool, overlay in (("before", None, {}), ("after", PULL, {}),
                                                ("difference", PULL, {"overlay": "difference", "overlay_from": 1}))]},
     {"name": "painted", "title": "Painted fields",
      "text": "Spots in two colours, a thinned, a bare and a wet patch, painted with [paint](tools/paint.md); two overlays; and "
              "four fields near by, each on one half of a plane.",
-     "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay, quality=FINE)
+     "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay)
                     for title, commands, overlay in (("before", [], "none"), ("spots", SPOTS, "none"),
                                                      ("thinned, bare and wet", [*SPOTS, *PATCHES], "none"),
                                                      ("density", [*SPOTS, *PATCHES], "density"), ("wetness", [*SPOTS, *PATCHES], "wetness"))),
@@ -179,23 +168,17 @@ FIGURES = [
                     for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
                                                 ("curl", "curl", 0.06)))]},
     {"name": "stages", "title": "From shells to fur",
-     "text": "More shells give firmer fur. `adaptive` takes as many as each place needs. Guard hairs add strands at "
-             "the silhouette.",
-     "pictures": [picture(title, CREATURE, studio(), quality={"scale": 1.5, **quality}, overlay=overlay)
-                  for title, quality, overlay in (
-                      ("4 shells", {"shells": 4, "shell_policy": "uniform"}, "none"),
-                      ("8 shells", {"shells": 8, "shell_policy": "uniform"}, "none"),
-                      ("16 shells", {"shells": 16, "shell_policy": "uniform"}, "none"),
-                      ("adaptive, up to 32", {"shells": 32, "shell_policy": "adaptive"}, "none"),
-                      ("how many", {"shells": 32, "shell_policy": "adaptive"}, "shell_count"),
-                      ("guard hairs", {"shells": 32, "guard_hairs": 20000}, "none"))]},
+     "text": "The method `shells`: more shells give firmer fur. `adaptive` takes as many as each place needs.",
+     "pictures": [picture(title, CREATURE, studio(), quality=shells(count=count, policy=policy))
+                  for title, count, policy in (("4 shells", 4, "uniform"), ("8 shells", 8, "uniform"), ("16 shells", 16, "uniform"),
+                                               ("adaptive, up to 32", 32, "adaptive"))]},
     {"name": "tufts", "title": "Tufts",
      "text": "Clumps larger than the tile, anchored on the body.",
      "pictures": [picture(title, CREATURE, coat(tufts={"gather": gather, "size": size}), studio())
                   for title, gather, size in (("none", 0, 0.05), ("gather .4", 0.4, 0.05), ("gather 1, small", 1, 0.04))]},
     {"name": "forms", "title": "Forms of fur",
      "text": "One coat on one sphere, a [setting](fur.md#coat) at a time.",
-     "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.05, 0.45), quality=SIMPLE,
+     "pictures": [picture(name, builtin("sphere", 3000), coat(**settings), fur_of=fur(0.05, 0.45),
                           camera=eye([0.9, 1.4, 3.4], [0.25, 0.35, 0.5], 22))
                   for name, settings in (("straight", {"bend": 0, "clump": 0}), ("bent", {"bend": 1.2, "clump": 0}),
                                          ("wavy", {"wave": 0.08, "wave_turns": 3}),
@@ -219,7 +202,7 @@ FIGURES = [
                   for name in ("lengyel", "kajiya", "kajiya_kay", "scheuermann", "marschner", "energy_conserving")]},
     {"name": "eye", "title": "The eye",
      "text": "Cornea, iris, lids ([eyes](eyes.md)); bare skin, whiskers and lashes around it.",
-     "pictures": [picture("face", CREATURE, studio(), camera=FACE, quality={**FINE, "eye_steps": 16})]},
+     "pictures": [picture("face", CREATURE, studio(), camera=FACE)]},
     {"name": "special", "title": "Hard cases",
      "text": "A sleek horse, white fur lit from behind, an agouti fox, an ear in front of the flank, a parting.",
      "pictures": [picture("sleek horse", glmark("horse"),
@@ -240,7 +223,7 @@ FIGURES = [
                                         for side in (-1, 1) for z in (-0.4, 0, 0.4)]},
                           fur_of=fur(0.03, 0.3), camera=eye([0.05, 0.35, 0.75], [0, 0, 0.05], 30))]},
     {"name": "animals", "title": "Four animals",
-     "text": "Four coats as shells, with the settings and light of reference pictures made of strands.",
+     "text": "Four coats with the settings and light of reference pictures.",
      "pictures": [picture(f"{title}, {tier}", model, look(colour_source="coat", **shade), studio(*REFERENCE_LIGHT),
                           coat(length_spread=0.3, fine_clump_size=0.008, width_root=0.00044, width_tip=0.00015, **settings),
                           fur_of={**fur(length, lean), "form": "even"}, quality=tier)
@@ -281,7 +264,7 @@ FIGURES = [
                        [coat(ramp=[{"at": 0, "colour": [0.8, 0.78, 0.75]}, {"at": 1, "colour": [0.95, 0.94, 0.93]}])]))
                   for tier in ("interactive", "detailed", "reference")]},
     {"name": "close_strands", "title": "Close up",
-     "text": "A twentieth of the body: shells, and strands.",
+     "text": "A twentieth of the body in two qualities.",
      "pictures": [picture(f"{title}, {tier}", CREATURE, studio(), camera=camera, quality=tier)
                   for title, camera in (("face", FACE), ("flank", eye([-1.6, 0.9, 0.6], [-0.2, 0.65, -0.1], 14)))
                   for tier in ("detailed", "reference")]},
@@ -309,6 +292,6 @@ FIGURES = [
 SECTIONS = [("Animals", ["looks", "recipes", "animals", "special", "eye"]),
             ("Coats", ["forms", "tufts", "lodged"]),
             ("Grooming", ["painted", "attract", "fields", "difference"]),
-            ("Light and shading", ["shading", "self_shadow", "cast_shadow", "single_hairs", "curve_shadows", "lights"]),
+            ("Light and shading", ["shading", "self_shadow", "cast_shadow", "single_hairs", "lights"]),
             ("Quality", ["stages", "methods", "close_strands", "passes", "transport"]),
-            ("Figures of the papers", ["per_pixel", "light_maps", "curves"])]
+            ("Figures of the papers", ["per_pixel", "curves"])]

@@ -22,13 +22,13 @@ SIZE = 420
 
 
 class Server:
-    """A pelaged on a free port of this machine with a folder of its own."""
+    """A pelaged on a free port of this machine with a folder of its own, and a GL that draws shells."""
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
         port = pathlib.Path(self.folder.name) / "port"
         self.process = subprocess.Popen([BIN / "pelaged", "--listen", "127.0.0.1:0", "--port-file", port, "--data",
-                                         pathlib.Path(self.folder.name) / "data"], stdout=subprocess.DEVNULL)
+                                         pathlib.Path(self.folder.name) / "data", "--gl", "osmesa"], stdout=subprocess.DEVNULL)
         while not port.exists():
             if self.process.poll() is not None:
                 sys.exit("pelaged did not start")

@@ -36,8 +36,7 @@ LIGHTS = [{"kind": "directional", "direction": [0.5, -1, -0.6], "intensity": 1.1
 
 
 def draw(scene: pelage.Scene, op: str) -> Image.Image:
-    quality: Dict[str, Any] = {"shells": 28, "shadow_maps": True, "scale": 2}
-    frame = scene.frame(camera=CAMERAS.get(op, WHOLE), width=SIDE, height=SIDE, quality=quality, background="#e9e4dc")  # type: ignore[arg-type]
+    frame = scene.frame(camera=CAMERAS.get(op, WHOLE), width=SIDE, height=SIDE, quality="detailed", background="#e9e4dc")  # type: ignore[arg-type]
     return Image.open(io.BytesIO(frame.bytes)).convert("RGB")
 
 

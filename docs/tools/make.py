@@ -23,7 +23,7 @@ BIN = pathlib.Path(os.environ.get("PELAGE_BIN", ROOT / "build" / "release" / "bi
 SHARED = pathlib.Path(os.environ.get("PELAGE_SHARED", ROOT.parent / "shared")) / "meshes"
 FOLDER = ROOT / "docs" / "tools"
 SCHEMAS = Schemas(json.loads((BIN / "openapi.json").read_text(encoding="utf-8"))["components"]["schemas"])
-VIEW = ["--width", "420", "--height", "420", "--knob", "shells=24", "--knob", "shadow_maps=true", "--knob", "scale=1.5"]
+VIEW = ["--width", "420", "--height", "420", "--quality", "detailed"]
 
 # Tables
 

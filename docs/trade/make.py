@@ -18,8 +18,7 @@ from support.server import BIN, Server  # noqa: E402
 def report():
     server = Server()
     try:
-        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "128",
-                        "--truth", "256", "--passes", "24"], check=True)
+        subprocess.run([BIN / "pelage", "--server", server.address, "trade", "-o", FOLDER, "--size", "128"], check=True)
     finally:
         server.close()
 
@@ -32,8 +31,7 @@ def table(script, name, *arguments):
 
 
 def animals():
-    table("tiers.py", "tiers.md", "--size", "160", "--truth", "256", "--passes", "24", "--pictures", str(FOLDER))
-    subprocess.run([sys.executable, FOLDER / "convergence.py"], check=True)
+    table("tiers.py", "tiers.md", "--size", "160", "--passes", "64", "--pictures", str(FOLDER))
 
 
 STEPS = {"report": report,

@@ -115,6 +115,7 @@ struct Coat {
                              {0.55, {0.360f, 0.210f, 0.110f}},
                              {1.0, {0.620f, 0.440f, 0.270f}}};  // 1 to 4 stops
   Undercoat undercoat{};
+  int guard_hairs = 0;  // single hairs over the model, up to 1.25 times as long as the fur, [0, 100000]
   Ticking ticking{};
   Tufts tufts{};
   Pattern pattern{};

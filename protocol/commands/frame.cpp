@@ -6,16 +6,10 @@ namespace pelage {
 
 Knobs knobs_of(Tier tier) {
   switch (tier) {
-    case Tier::draft: return {.shells = 8, .steps = 4, .scale = 0.6, .min_radius = 120, .eye_steps = 1};
+    case Tier::draft: return {.eye_steps = 1, .raster = {.strands = 0.4, .light_of = 4}};
     case Tier::interactive: return {};
-    case Tier::detailed:
-      return {.shells = 32,
-              .scale = 2,
-              .eye_steps = 16,
-              .shadow_maps = true,
-              .shadow_resolution = 1024,
-              .order = FragmentOrder::sorted};
-    case Tier::reference: return {.eye_steps = 16, .method = Method::strands};
+    case Tier::detailed: return {.scale = 2, .eye_steps = 16, .raster = {.strands = 1000, .light_of = 2}};
+    case Tier::reference: return {.method = Method::strands, .eye_steps = 16};
   }
   assert(false);
   return {};

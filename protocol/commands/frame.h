@@ -35,15 +35,18 @@ struct View {
 // What a frame request says: the size, the camera and the quality.
 
 enum class Tier { draft, interactive, detailed, reference };
-enum class Method { shells, raster, strands };  // raster: strands, rasterized; strands: all of them, ray traced
+/// raster: strands, rasterized; strands: all of them, ray traced; shells: the layers of GPU fur, drawn by a GL.
+enum class Method { raster, strands, shells };
 /// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
 /// whole paths that scatter from strand to strand.
 enum class Transport { transmittance, paths };
 /// Which model traced strands scatter by: the look's, as shells, or energy_conserving whatever the look says. Paths
 /// scatter by energy_conserving in either case: no other model conserves energy.
 enum class StrandScattering { look, energy_conserving };
-enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer shells where the view needs fewer
-enum class FragmentOrder { shells, sorted };   // sorted: the fragments of each pixel by depth, slow and exact
+enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer shells where the view needs fewer (fur modelling 2)
+/// four_pass: skin, depth of dense fur, fur that faces away, fur that faces the camera (after Scheuermann 2004).
+/// sorted: the fragments of each pixel by depth, slow and exact.
+enum class FragmentOrder { four_pass, sorted };
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
 /// `npy` is a NumPy array of the pixels of `png`, bytes [height, width, 4]; `npy_linear` one of what an EXR of floats
@@ -53,8 +56,7 @@ enum class FrameFormat { png, png16, jpeg, exr, npy, npy_linear };
 /// Whether the format holds linear light and AOVs, without exposure, tone map and background.
 constexpr bool is_linear(FrameFormat format) { return format == FrameFormat::exr || format == FrameFormat::npy_linear; }
 enum class ExrType { half, single };
-/// What a picture can show over the frame: a field on the skin; the count of shells; or, instead of it, a map of the
-/// first light that casts a shadow, as the light sees the model (GPU fur 4).
+/// What a picture can show over the frame: a field, on the fur; or, instead of it, the shape of the model.
 enum class Overlay {
   none,
   direction,
@@ -63,10 +65,6 @@ enum class Overlay {
   density,
   wetness,
   mask,
-  shell_count,
-  light_depth,
-  light_occlusion,
-  shadow_width,
   bald,       // the skin alone, in plain grey
   wire,       // its triangles
   difference  // how much the fields have changed since overlay_from
@@ -75,16 +73,16 @@ enum class Overlay {
 /// What an EXR can hold beside colour. All but beauty and alpha leave out the ground. Beauty, albedo and direct are
 /// multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel.
 enum class Aov {
-  beauty,      // R, G, B, A: linear light without exposure, tone map and background
-  alpha,       // A
-  depth,       // Z: distance along the view of the first fur or skin over half opacity, model's unit; infinity for none
-  position,    // model's coordinates
-  normal,      // of the skin below, unit
-  tangent,     // of the fur from root to tip, unit; 0 where the skin is bare
-  albedo,      // linear
-  direct,      // what lights add, without the ambient part, linear
-  shadow,      // share of that light that shadows leave, [0, 1]; 1 where none comes
-  shell_count  // fragments of shells that were shaded, mean over the pixel; of strands the samples that were taken
+  beauty,    // R, G, B, A: linear light without exposure, tone map and background
+  alpha,     // A
+  depth,     // Z: distance along the view of the first fur or skin over half opacity, model's unit; infinity for none
+  position,  // model's coordinates
+  normal,    // of the skin below, unit
+  tangent,   // of the fur from root to tip, unit; 0 where the skin is bare
+  albedo,    // linear
+  direct,    // what lights add, without the ambient part, linear
+  shadow,    // share of that light that shadows leave, [0, 1]; 1 where none comes
+  sample_count  // segments of strands that were blended, mean over the pixel; of traced strands the samples
 };
 
 /// How strands are traced. A pass adds a sample to each pixel that still needs some.
@@ -111,23 +109,26 @@ struct Rasterizing {
   bool operator==(const Rasterizing&) const = default;
 };
 
+/// How fur is drawn in layers (GPU fur).
+struct Layering {
+  int count = 16;  // of shells where the view needs most, [1, 1024]
+  ShellPolicy policy = ShellPolicy::uniform;
+  bool self_shadow = true;      // the one that needs no maps (science.md 4)
+  bool shadow_maps = false;     // draw the shadows that lights ask for
+  int shadow_resolution = 512;  // texels of a map's side, [1, 4096]
+  FragmentOrder order = FragmentOrder::four_pass;
+
+  bool operator==(const Layering&) const = default;
+};
+
 /// What a tier stands for, and what a request may set one by one.
 struct Knobs {
-  int shells = 16;  // [1, 1024], where the view needs most
-  ShellPolicy shell_policy = ShellPolicy::uniform;
-  int steps = 2;                                // texture steps inside a slab of all shells, [1, 16]
-  double scale = 1;                             // rendered size over asked size, [0.25, 2]
-  int min_radius = 0;                           // rendered pixels of the ball about the model's box, [0, 8192]: where a
-                                                // scale below 1 gives fewer, it is larger, up to 1
-  int eye_steps = 8;                            // into the iris: 0 flat, 1 parallax, more march, [0, 64]
-  bool self_shadow = true;                      // the one that needs no maps (science.md 4)
-  bool shadow_maps = false;                     // draw the shadows that lights ask for
-  int shadow_resolution = 512;                  // texels of a map's side, [1, 4096]
-  FragmentOrder order = FragmentOrder::shells;  // in which fur is blended
-  int guard_hairs = 0;                          // single hairs over the model, [0, 100000]; drawn near silhouettes
-  Method method = Method::shells;
+  Method method = Method::raster;
+  double scale = 1;         // rendered size over asked size, [0.25, 2]; not of method strands
+  int eye_steps = 8;        // into the iris: 0 flat, 1 parallax, more march, [0, 64]; not of method shells
   Rasterizing raster = {};  // of method raster
   Tracing trace = {};       // of method strands
+  Layering shells = {};     // of method shells
 
   bool operator==(const Knobs&) const = default;
 };
@@ -140,7 +141,7 @@ enum class TraceEnd { none, passes, noise, seconds };
 
 /// What a traced picture is made of.
 struct TraceReport {
-  int passes = 0;      // 0 for shells
+  int passes = 0;      // 0 for what is not traced
   double samples = 0;  // mean of a pixel
   double noise = 0;    // estimated mean error of a shown channel
   std::size_t strands = 0;
@@ -180,11 +181,11 @@ struct FrameRequest {
   Overlay overlay = Overlay::none;                 // not in an EXR
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::optional<Tracing> progressive =
-      {};  // shells now, and strands traced while somebody waits for them (`after_pass`)
+      {};  // rasterized strands now, traced ones while somebody waits for them (`after_pass`)
   std::optional<std::uint64_t> revision = {};  // of this model: the scene as it was then; without progressive
   std::optional<double> time =
       {};                   // seconds, [-1e6, 1e6]: when the wind has moved the fur so; the scene's time unless given
-  double max_seconds = 60;  // refused where drawing shells is expected to take longer, [1, 86400]
+  double max_seconds = 60;  // refused where drawing is expected to take longer, [1, 86400]
   std::string view;         // name of the viewer; of several frames asked for one view only the newest is drawn
 
   bool plans() const { return budget_ms || max_error; }

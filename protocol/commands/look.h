@@ -67,9 +67,8 @@ enum class CastShadow { none, hard, soft, penumbra };
 /// Directional: `direction` is where the light goes, in the model's coordinates. Point: `position`, falling with the
 /// square of distance so that intensity 1 gives white at distance `size`. Spot: a point light inside a cone. Area: a
 /// rectangle about `position` that shines along `direction` by the cosine, as bright from afar as a point light. Traced
-/// strands see the lights' sizes; shells see points, and a rectangle from its middle.
-/// Shadows need maps, which a frame draws when its knobs allow them (`shadow_maps`) and keeps until fields or light
-/// change.
+/// strands see the lights' sizes, rasterized ones soften the shadow of the body by them; shells see points, and a
+/// rectangle from its middle. The last three are for shells, whose knobs have to ask for maps.
 struct Light {
   LightKind kind = LightKind::directional;
   glm::dvec3 direction{0, -1, 0};

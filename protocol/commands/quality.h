@@ -18,8 +18,8 @@ enum class PlanEnd {
   cheapest  // even the cheapest cost more than the budget
 };
 
-/// Of a frame of shells, before it is drawn. Error is the mean LDR-FLIP over the fur's mask against the same fur in
-/// many sorted shells (R1 of science.md 6). Cost is the milliseconds that pass while this machine draws it.
+/// Of a frame of rasterized strands, before it is drawn. Error is the mean LDR-FLIP over the fur's mask against the
+/// same strands, traced (R2 of science.md 6). Cost is the milliseconds that pass while this machine draws it.
 struct FrameEstimate {
   double error = 0;         // of half of the frames in views like it, [0, 1]
   double error_safety = 1;  // 1 or more: 95% of frames have at most error times it

@@ -52,8 +52,9 @@ class QueryMembers {
   void object(MemberName name, const std::optional<Look>&, const char* = "") {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
-  void object(MemberName, const Rasterizing&, const char* = "") {}  // for POST alone, as Tracing
-  void object(MemberName, const Tracing&, const char* = "") {}
+  void object(MemberName name, const Rasterizing& raster, const char* = "") { add_below(name, raster); }
+  void object(MemberName, const Tracing&, const char* = "") {}  // for POST alone, as the next
+  void object(MemberName, const Layering&, const char* = "") {}
   void object(MemberName name, const std::optional<Crop>&, const char* = "") { add(name, Kind::crop); }
   void object(MemberName name, const Camera&, const char* = "") {
     for (const Camera& form : {Camera{}, Camera{.automatic = AutoView::none}}) add_below(name, form);

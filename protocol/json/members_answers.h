@@ -35,7 +35,7 @@ void members(V& v, Visited<V, FrameEstimate>& c) {
   v.number("error_safety", c.error_safety, one_or_more.in("factor"), "95% of frames have at most `error` times it.");
   std::size_t reference = 0;
   v.name("reference", reference, json_names::error_references,
-         "What errors are measured against: the same fur and light in 1024 or fewer sorted shells.");
+         "What errors are measured against: the same strands, traced.");
   v.number("cost_ms", c.cost_ms, not_negative.in("milliseconds"),
            "Drawing time, as of `budget_ms`, before the frame was drawn.");
   v.number("cost_safety", c.cost_safety, one_or_more.in("factor"), "95% of frames cost at most `cost_ms` times it.");
@@ -92,7 +92,7 @@ void members(V& v, Visited<V, FrameProgressList>& c) {
 template <class V>
 void members(V& v, Visited<V, TraceReport>& c) {
   v.answer("TraceReport", "How far a traced picture is.");
-  v.integer("passes", c.passes, {0, limits::trace_passes}, "Passes in this picture; 0 for shells.");
+  v.integer("passes", c.passes, {0, limits::trace_passes}, "Passes in this picture; 0 where nothing is traced.");
   v.number("samples", c.samples, not_negative.in("samples"), "Samples of a pixel, on average.");
   v.number("noise", c.noise, share, "Estimated mean error of a shown channel.");
   v.counter("strands", c.strands, "Number of strands.");

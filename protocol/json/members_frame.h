@@ -57,45 +57,41 @@ void members(V& v, Visited<V, Rasterizing>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, Layering>& c) {
+  v.type("Layering", "How fur is drawn in layers, as the papers on GPU fur have it.");
+  v.integer("count", c.count, {1, limits::shells}, "Number of shells where the view needs most.");
+  v.name("policy", c.policy, json_names::shell_policies,
+         "How shells are chosen. adaptive: fewer where fur is seen from above or is small on the picture.");
+  v.boolean("self_shadow", c.self_shadow, "Whether fur shades itself.");
+  v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
+  v.integer("shadow_resolution", c.shadow_resolution, {1, 4096, "texels"}, "Texels along the side of a shadow map.");
+  v.name(
+      "order", c.order, json_names::fragment_orders,
+      "Order in which fur is blended. four_pass: the skin, the depth of dense fur, fur that faces away, fur that faces "
+      "the camera. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and "
+      "slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Knobs>& c) {
   v.type("Knobs", "What a frame is drawn with. What is not given is as in the interactive tier.");
-  v.name(
-      "method", c.method, json_names::methods,
-      "How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU; of the "
-      "other knobs it takes `raster`, `scale`, `eye_steps` and `guard_hairs`. strands: every strand of the coat, ray "
-      "traced; of the other knobs it takes `trace`, `eye_steps` and `guard_hairs`.");
-  if (v.shows(c.method == Method::shells)) {
-    v.integer("shells", c.shells, {1, limits::shells}, "Number of shells where the view needs most.");
-    v.integer("steps", c.steps, {1, 16}, "Texture steps inside each slab.");
-    v.integer("min_radius", c.min_radius, {0, 8192, "pixels"},
-              "Smallest radius of the ball about the model's box, in rendered pixels: where a scale below 1 gives "
-              "fewer, the scale is larger, up to 1, so that what is small on the picture keeps its form. The answer's "
-              "knobs have the scale that came of it; the tier draft has 120.");
-    v.boolean("self_shadow", c.self_shadow, "Whether fur shades itself.");
-    v.boolean("shadow_maps", c.shadow_maps, "Whether shadows that lights ask for are drawn from maps.");
-    v.integer("shadow_resolution", c.shadow_resolution, {1, 4096, "texels"}, "Texels along the side of a shadow map.");
-    v.name("shell_policy", c.shell_policy, json_names::shell_policies,
-           "How shells are chosen. adaptive: fewer where fur is seen from above or is small on the picture.");
-    v.name("order", c.order, json_names::fragment_orders,
-           "Order in which fur is blended. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and "
-           "slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it "
-           "makes beauty and alpha; the others stay in the order of shells.");
-  }
+  v.name("method", c.method, json_names::methods,
+         "How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU. strands: "
+         "every strand of the coat, ray traced. shells: skin and fur alone in layers, by a GL; refused with 422 where "
+         "the server has none. It draws no eyes, curves, ground, overlays, and of AOVs beauty and alpha.");
   if (v.shows(c.method != Method::strands))
     v.number("scale", c.scale, {0.25, 2, "factor"},
              "Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2.");
-  v.integer(
-      "eye_steps", c.eye_steps, {0, 64},
-      "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray marching "
-      "through the iris.");
-  v.integer(
-      "guard_hairs", c.guard_hairs, {0, 100000},
-      "Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near silhouettes; of "
-      "strands about as many stand so.");
+  if (v.shows(c.method != Method::shells))
+    v.integer("eye_steps", c.eye_steps, {0, 64},
+              "Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray "
+              "marching through the iris.");
   if (v.shows(c.method == Method::raster))
     v.object("raster", c.raster, "The choice of strands that are rasterized; with method raster only.");
   if (v.shows(c.method == Method::strands))
     v.object("trace", c.trace, "How strands are traced; with method strands only.");
+  if (v.shows(c.method == Method::shells))
+    v.object("shells", c.shells, "How fur is drawn in layers; with method shells only.");
 }
 
 template <class V>
@@ -123,12 +119,13 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and whose error, as "
       "95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is the "
       "milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and encoding "
-      "are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top.");
+      "are not in it, nor is growing strands after their coat or their model has changed. AOVs of an EXR beside "
+      "beauty, and overlays, come on top.");
   v.number("max_error", c.max_error, max_error,
            "Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames: mean FLIP "
-           "where there is fur, against the same fur in many sorted shells.");
+           "where there is fur, against the same strands, traced.");
   v.number("max_seconds", c.max_seconds, {1, limits::frame_seconds, "seconds"},
-           "Refuses the frame where drawing shells is expected to take longer; a dry run says how long.");
+           "Refuses the frame where drawing is expected to take longer; a dry run says how long.");
   v.number("time", c.time, moment,
            "Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless "
            "given. The same time gives the same picture, whatever was drawn before.");
@@ -154,20 +151,17 @@ void members(V& v, Visited<V, FrameRequest>& c) {
         bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
         "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
         "pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
-        "of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and shell_count.");
+        "of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count.");
   v.name("overlay", c.overlay, json_names::overlays,
-         "Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness and "
+         "Shows a field on the fur. Not in linear light. density, wetness and "
          "mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since "
          "`overlay_from`, with the same colours: of the field that changed most, the change over what counts as much "
          "(direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed. "
-         "light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts a shadow, "
-         "as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where "
-         "skin that faces the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged "
-         "again. Refused where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the "
-         "model for one map. bald and wire hide the frame too: the skin in plain grey without its fur, to find places "
+         "bald and wire hide the frame: the skin in plain grey without its fur, to find places "
          "on it, and the same with the edges of its triangles.");
   v.special("progressive", c.progressive,
-            "Draws shells at once; strands of the same revision are then traced while somebody waits for them with "
+            "Draws rasterized strands at once; all strands of the same revision are then traced while somebody waits "
+            "for them with "
             "`after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to "
             "this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, "
             "the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16 "

@@ -110,6 +110,8 @@ void members(V& v, Visited<V, Coat>& c) {
          "How a strand bends as it leans: in an arc, or most at the root, as y = K sqrt(x).");
   v.objects("ramp", c.ramp, {1, limits::ramp_stops}, "Colour along the strand.");
   v.object("undercoat", c.undercoat);
+  v.integer("guard_hairs", c.guard_hairs, {0, 100000},
+            "Single hairs over the whole model that stand out of the fur, up to 1.25 times as long.");
   v.object("ticking", c.ticking);
   v.object("tufts", c.tufts);
   v.object("pattern", c.pattern);
@@ -177,8 +179,7 @@ template <class V>
 void members(V& v, Visited<V, CurveGroup>& c) {
   v.type("CurveGroup",
          "Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are "
-         "filled in. They take the look's shading model, cast no shadow, and of the AOVs of an EXR are in beauty and "
-         "alpha alone.");
+         "filled in. They take the look's shading model, and cast shadows where strands are traced.");
   v.curves(required("curves"), c.curves, {1, limits::curves}, {2, limits::curve_points},
            "Guides: the points that a smooth curve passes through, root first.");
   v.number("width_root", c.width_root, {0, 0.1, "sizes"}, "Width of a curve at its root.");
@@ -301,16 +302,17 @@ void members(V& v, Visited<V, Light>& c) {
   v.number("cone_degrees", c.cone_degrees, {0.1, 90, "degrees"}, "Half angle of a spot light.");
   v.number("cone_softness", c.cone_softness, share, "Share of the cone over which a spot light fades.");
   v.number("angle_degrees", c.angle_degrees, {0, 90, "degrees"},
-           "Half angle that a directional light spans, for traced strands and a `penumbra`.");
+           "Half angle that a directional light spans: wider lights cast softer shadows.");
   v.number("radius", c.radius, {0, 10, "sizes"},
-           "Radius of the ball that a point or spot light is, for traced strands and a `penumbra`.");
+           "Radius of the ball that a point or spot light is: larger ones cast softer shadows.");
   v.number("width", c.width, {0.001, 100, "sizes"}, "Width of an area light; its sides along it are level.");
   v.number("height", c.height, {0.001, 100, "sizes"}, "Height of an area light.");
   v.boolean("self_shadow_maps", c.self_shadow_maps,
-            "Draws shadow maps of the shells in place of the estimate, in frames with `shadow_maps`.");
+            "Of method shells with `shadow_maps`: draws shadow maps of the shells in place of the estimate.");
   v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
-         "Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one that "
-         "`shadow_scale` widens, or blurred by the light's size, nearest to traced strands.");
+         "Of method shells with `shadow_maps`: shadow of one part of the body on another, with a sharp edge, with one "
+         "that "
+         "`shadow_scale` widens, or blurred by the light's size. Strands take the shadow of every light.");
   v.number("shadow_scale", c.shadow_scale, {0, 1000, "factor"},
            "Larger makes the edge of a `soft` cast shadow narrower.");
 }
@@ -348,7 +350,7 @@ void members(V& v, Visited<V, Ground>& c) {
   v.type("Ground", "A level ground that catches shadow. It darkens the background and shows nothing else.");
   v.boolean("visible", c.visible, "Whether there is a ground.");
   v.number("height", c.height, coordinate, "Height of the ground, the model's y; its lowest point when absent.");
-  v.number("shadow", c.shadow, share, "How dark cast shadows get on it, in frames with `shadow_maps`.");
+  v.number("shadow", c.shadow, share, "How dark cast shadows get on it.");
   v.number("contact", c.contact, share, "How dark it gets under the model.");
 }
 

@@ -21,7 +21,9 @@ inline constexpr NamedWords named_words<Units>{
 
 template <>
 inline constexpr NamedWords named_words<Tier>{
-    "Tier", "How well a frame is drawn. draft, interactive and detailed are shells; reference traces strands."};
+    "Tier",
+    "How well a frame is drawn. draft, interactive and detailed rasterize more and more of the strands that reference "
+    "traces."};
 
 template <>
 inline constexpr NamedWords named_words<AutoView>{
@@ -53,8 +55,7 @@ inline constexpr NamedWords named_words<Field>{
 template <>
 inline constexpr NamedWords named_words<Aov>{
     "Aov",
-    "An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground, and are drawn with "
-    "one sample for each drawn pixel.\n"
+    "An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground.\n"
     "Beauty, albedo and direct are multiplied by alpha; position, normal, tangent and shadow are means over what "
     "covers the pixel.\n"
     "depth: distance along the view of what first brings the opacity over half (skin, fur, eyes, hairs and curves), in "
@@ -63,6 +64,7 @@ inline constexpr NamedWords named_words<Aov>{
     "hairs and curves, from root to tip; 0 on bare skin and eyes.\n"
     "direct: what lights add, without the ambient part. shadow: share of that light that shadows leave, 1 where none "
     "comes and on eyes, which take no shadow.\n"
-    "shell_count: shells drawn at the pixel; hairs and curves are none.\n"};
+    "sample_count: segments of strands that were blended in the pixel; of traced strands the samples that were "
+    "taken.\n"};
 
 }  // namespace pelage::json_parts

@@ -124,7 +124,7 @@ inline constexpr std::array<Name<Tier>, 4> tiers{{{"draft", Tier::draft},
                                                   {"detailed", Tier::detailed},
                                                   {"reference", Tier::reference}}};
 inline constexpr std::array<Name<Method>, 3> methods{
-    {{"shells", Method::shells}, {"raster", Method::raster}, {"strands", Method::strands}}};
+    {{"raster", Method::raster}, {"strands", Method::strands}, {"shells", Method::shells}}};
 inline constexpr std::array<Name<Transport>, 2> transports{
     {{"transmittance", Transport::transmittance}, {"paths", Transport::paths}}};
 inline constexpr std::array<Name<StrandScattering>, 2> strand_scatterings{
@@ -145,11 +145,11 @@ inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::aske
                                                          {"best", PlanEnd::best},
                                                          {"cheapest", PlanEnd::cheapest}}};
 /// What the error of a FrameEstimate is measured against: one of them, which the struct does not say.
-inline constexpr std::array<Name<std::size_t>, 1> error_references{{{"sorted_shells", 0}}};
+inline constexpr std::array<Name<std::size_t>, 1> error_references{{{"traced_strands", 0}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
 inline constexpr std::array<Name<FragmentOrder>, 2> fragment_orders{
-    {{"shells", FragmentOrder::shells}, {"sorted", FragmentOrder::sorted}}};
+    {{"four_pass", FragmentOrder::four_pass}, {"sorted", FragmentOrder::sorted}}};
 inline constexpr std::array<Name<ToneMap>, 2> tone_maps{{{"none", ToneMap::none}, {"filmic", ToneMap::filmic}}};
 inline constexpr std::array<Name<ExportFormat>, 6> export_formats{{{"usda", ExportFormat::usda},
                                                                    {"hair", ExportFormat::hair},
@@ -175,18 +175,14 @@ inline constexpr std::array<Name<Aov>, 10> aovs{{{"beauty", Aov::beauty},
                                                  {"albedo", Aov::albedo},
                                                  {"direct", Aov::direct},
                                                  {"shadow", Aov::shadow},
-                                                 {"shell_count", Aov::shell_count}}};
-inline constexpr std::array<Name<Overlay>, 14> overlays{{{"none", Overlay::none},
+                                                 {"sample_count", Aov::sample_count}}};
+inline constexpr std::array<Name<Overlay>, 10> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},
                                                          {"length", Overlay::length},
                                                          {"density", Overlay::density},
                                                          {"wetness", Overlay::wetness},
                                                          {"mask", Overlay::mask},
-                                                         {"shell_count", Overlay::shell_count},
-                                                         {"light_depth", Overlay::light_depth},
-                                                         {"light_occlusion", Overlay::light_occlusion},
-                                                         {"shadow_width", Overlay::shadow_width},
                                                          {"difference", Overlay::difference},
                                                          {"bald", Overlay::bald},
                                                          {"wire", Overlay::wire}}};

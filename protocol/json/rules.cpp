@@ -8,18 +8,17 @@ namespace {
 
 bool given(const Value& value, const char* name) { return value.tree().is_object() && value.tree().contains(name); }
 
-/// What shells draw and strands do not.
-void check_strands(const Value& value, const FrameRequest& request) {
-  const bool strands = request.knobs.method == Method::strands;
-  if (strands && request.progressive) {
-    value.refuse_below("progressive", "Strands improve what shells have drawn.", "a quality of shells");
-  }
-  const Overlay overlay = request.overlay;
-  const bool of_shells = overlay == Overlay::shell_count || overlay == Overlay::light_depth ||
-                         overlay == Overlay::light_occlusion || overlay == Overlay::shadow_width;
-  if ((request.knobs.method != Method::shells || request.progressive) && of_shells) {
-    value.refuse_below("overlay", "Strands have no such map.", "a field, or method shells without progressive");
-  }
+/// What one method does and others do not.
+void check_drawing(const Value& value, const FrameRequest& request) {
+  const Method method = request.knobs.method;
+  if (method != Method::raster && request.progressive)
+    value.refuse_below("progressive", "Traced strands improve what was rasterized.", "method raster");
+  if (method != Method::shells) return;
+  if (request.overlay != Overlay::none)
+    value.refuse_below("overlay", "Overlays lie on strands.", "none, or method raster or strands");
+  const auto drawn = [](Aov aov) { return aov == Aov::beauty || aov == Aov::alpha; };
+  if (!std::all_of(request.aovs.begin(), request.aovs.end(), drawn))
+    value.refuse_below("aovs", "Shells have no such AOV.", "beauty and alpha, or method raster or strands");
 }
 
 /// Nothing waits for news of the past.
@@ -43,10 +42,11 @@ void check_size(const Value& value, const FrameRequest& request) {
     value.refuse_below("quality", "The quality's scale renders the frame too large.",
                        "scale x width and scale x height at most " + std::to_string(limits::frame_pixels));
   }
-  const bool sorted = request.knobs.order == FragmentOrder::sorted;
+  const Layering& shells = request.knobs.shells;
+  const bool sorted = request.knobs.method == Method::shells && shells.order == FragmentOrder::sorted;
   const Crop drawn = request.crop.value_or(Crop{.width = request.width, .height = request.height});
   const double pixels = request.knobs.scale * drawn.width * request.knobs.scale * drawn.height;
-  if (sorted && pixels * request.knobs.shells > limits::sorted_fragments) {
+  if (sorted && pixels * shells.count > limits::sorted_fragments) {
     value.refuse_below("quality", "The frame is too large to be sorted at once.",
                        "drawn pixels x shells at most " + std::to_string(limits::sorted_fragments) +
                            "; a crop or the tiles of a job draw fewer");
@@ -93,15 +93,13 @@ void check_overlay(const Value& value, const FrameRequest& request) {
 
 /// Of one method alone.
 void check_method(const Value& value, const Knobs& knobs) {
-  const bool traced = knobs.method == Method::strands;
-  for (const char* name :
-       {"shells", "shell_policy", "steps", "min_radius", "self_shadow", "shadow_maps", "shadow_resolution", "order"}) {
-    if (knobs.method != Method::shells && given(value, name))
-      value.refuse_below(name, "Strands have no shells.", "method shells");
-  }
+  const bool traced = knobs.method == Method::strands, layered = knobs.method == Method::shells;
   if (traced && given(value, "scale"))
-    value.refuse_below("scale", "Strands are traced at the asked size.", "method shells or raster");
+    value.refuse_below("scale", "Strands are traced at the asked size.", "method raster or shells");
+  if (layered && given(value, "eye_steps"))
+    value.refuse_below("eye_steps", "Shells are drawn without eyes.", "method raster or strands");
   if (!traced && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
+  if (!layered && given(value, "shells")) value.refuse_below("shells", "Strands have no shells.", "method shells");
   if (knobs.method != Method::raster && given(value, "raster"))
     value.refuse_below("raster", "Nothing is rasterized.", "method raster");
 }
@@ -117,7 +115,7 @@ void check(const Value& value, const PickFarthest& farthest) {
 
 void check(const Value& value, const FrameRequest& request) {
   check_dial(value, request);
-  check_strands(value, request);
+  check_drawing(value, request);
   check_size(value, request);
   check_crop(value, request);
   check_layers(value, request);

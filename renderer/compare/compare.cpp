@@ -199,7 +199,7 @@ std::size_t count_non_finite(const FloatImage& reference, const FloatImage& test
   return count;
 }
 
-/// The filmic curve of the resolve pass (passes/resolve/resolve.frag).
+/// The filmic curve of renderer/finish/encode.cpp.
 double film(double x) {
   x = std::min(x, 1e4) * 0.72;
   return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);

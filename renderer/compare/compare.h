@@ -90,7 +90,7 @@ struct PictureError {
   std::vector<float> flip;                // the error map, one for each pixel, rows from the top; empty without figures
 };
 
-/// What FLIP looks at, in linear light: as the resolve pass does it, the colour itself is tone mapped, then laid over
+/// What FLIP looks at, in linear light: as renderer/finish does it, the colour itself is tone mapped, then laid over
 /// the background.
 FloatImage as_displayed(const FloatImage& image, const CompareOptions& options);
 

@@ -14,11 +14,11 @@ namespace pelage {
 /// Beyond its ends the curve goes on as it came, so two points give a straight line. Finite for points that coincide.
 glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t);
 
-// Groups of guided curves as strips that a shader widens: guides are evaluated and others filled in between them.
+// Groups of guided curves as lines of points: guides are evaluated and others filled in between them.
 
 inline constexpr int curve_segments = 48;
 
-/// A place on a curve. curve.vert mirrors it.
+/// A place on a curve.
 struct CurvePoint {
   glm::vec3 place{0};
   float fur = 0;  // height above the skin at the root, in heights of the fur there, [0, 2]
@@ -26,7 +26,7 @@ struct CurvePoint {
 };
 static_assert(sizeof(CurvePoint) == 16);
 
-/// What a curve looks like. curve.vert mirrors it.
+/// What a curve looks like.
 struct CurveStyle {
   glm::vec4 root{0}, tip{0};  // colour, linear; width, sizes
   glm::vec4 normal{0};        // of the skin at the root, unit; a random number in [0, 1)

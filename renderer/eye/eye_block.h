@@ -1,4 +1,4 @@
-// The uniform block of renderer/shaders/eye_block.glsl, laid out as std140 wants it.
+// The eyes of a frame, as renderer/optics reads them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// From premultiplied linear light to the picture without a GL: size, exposure, tone map, background, sRGB, overlay. The
-// twin of renderer/passes/resolve/resolve.frag.
+// From premultiplied linear light to the picture: size, exposure, tone map, background, sRGB, overlay.
 #pragma once
 
 #include "protocol/base/parallel.h"

@@ -1,4 +1,4 @@
-// Light of one size at the pixels of a picture of another: the twin of renderer/shaders/gather.glsl.
+// Light of one size at the pixels of a picture of another.
 #pragma once
 
 #include <array>

@@ -4,9 +4,9 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "renderer/frame/clip_box.h"
+#include "renderer/image/area.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/passes/sorted/sorted_pass.h"
-#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 

@@ -22,12 +22,12 @@ class CpuStopwatch {
   double start_ = now();
 };
 
-/// Adds the time that it lives to a frame's, but what was added to `shadow` meanwhile.
+/// Adds the time that it lives to a frame's.
 class DrawClock {
  public:
-  explicit DrawClock(DrawTimes& times) : times_(times), shadow_(times.shadow) {}
+  explicit DrawClock(DrawTimes& times) : times_(times) {}
   ~DrawClock() {
-    times_.draw += passed_.milliseconds() - (times_.shadow - shadow_);
+    times_.draw += passed_.milliseconds();
     times_.cpu += worked_.milliseconds();
   }
   DrawClock(const DrawClock&) = delete;
@@ -35,7 +35,6 @@ class DrawClock {
 
  private:
   DrawTimes& times_;
-  double shadow_;
   Stopwatch passed_;
   CpuStopwatch worked_;
 };

@@ -11,6 +11,7 @@
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/overlay/field_picture.h"
+#include "renderer/overlay/shape_picture.h"
 #include "renderer/raster/changed.h"
 #include "renderer/raster/model_copy.h"
 #include "renderer/raster/raster.h"
@@ -28,7 +29,7 @@ constexpr std::size_t max_bytes = 512u << 20;  // that is grown of all models to
 GrowRecipe recipe_of(const FurFrame& frame, bool has_colours, double whole_coats) {
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, has_colours)};
   const double expected = whole_coats * frame.coat.count / (frame.coat.tile * frame.coat.tile);
-  recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
+  recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
   recipe.share = std::min(max_strands / std::max(expected, 1.0), 1.0);
   recipe.widening = 1 / recipe.share;
   return recipe;
@@ -77,7 +78,7 @@ RasterOutput output_of(Aov aov) {
     case Aov::albedo: return RasterOutput::albedo;
     case Aov::direct: return RasterOutput::direct;
     case Aov::shadow: return RasterOutput::shadow;
-    case Aov::shell_count: return RasterOutput::count;
+    case Aov::sample_count: return RasterOutput::count;
     default: return RasterOutput::light;
   }
 }
@@ -136,26 +137,37 @@ FloatImage aov_picture(const FurFrame& frame, Aov aov, const FloatImage& drawn, 
   return picture;
 }
 
+/// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
+/// side.
+FurFrame plate_of(const FurFrame& frame) {
+  constexpr int max_pixels = 2048;  // along a side, of a picture that is larger than its frame
+  const int factor = 2 * std::max(frame.width, frame.height) <= max_pixels ? 2 : 1;
+  FurFrame plate = frame;
+  plate.width *= factor, plate.height *= factor, plate.crop.reset();
+  return plate;
+}
+
 }  // namespace
 
 /// What is kept of a model: its fur as it stood when it was drawn last.
 struct RasterRenderer::Model {
-  Model(const FurModel& model, const FurFields& fields) : copy(model, fields), whole_coats(whole_coats_of(model)) {}
+  Model(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room)
+      : copy(model, fields), whole_coats(whole_coats_of(model)), raster(std::make_unique<Raster>(threads, room)) {}
 
   ModelCopy copy;
   double whole_coats;
   std::uint64_t used = 0;
   GrownFur fur;
-  std::unique_ptr<Raster> raster;  // null where nothing is grown
+  std::unique_ptr<Raster> raster;
   // What the fur was grown of:
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
 
-  void grow(const FurFrame& frame, int threads, const std::shared_ptr<RasterRoom>& room) {
-    const GrowRecipe wanted = recipe_of(frame, copy.model().has_colours, whole_coats);
+  GrowRecipe recipe_for(const FurFrame& frame) const { return recipe_of(frame, copy.model().has_colours, whole_coats); }
+  void grow(const FurFrame& frame, int threads) {
+    const GrowRecipe wanted = recipe_for(frame);
     if (recipe == wanted && changes == copy.changes() && curves == frame.curves) return;
-    if (!raster) raster = std::make_unique<Raster>(threads, room);
     fur.update(copy.model(), copy.fields(), wanted, threads, frame.curves);
     recipe = wanted, changes = copy.changes(), curves = frame.curves;
   }
@@ -174,9 +186,11 @@ struct RasterRenderer::Model {
                            at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
     return field;
   }
-  void drop() { fur = GrownFur(), raster.reset(), recipe.reset(); }
+  void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
+    fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
+  }
   /// That a drop would free.
-  std::size_t grown_bytes() const { return raster ? fur.bytes() + raster->bytes() : 0; }
+  std::size_t grown_bytes() const { return fur.bytes() + raster->bytes(); }
 };
 
 RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
@@ -184,7 +198,8 @@ RasterRenderer::~RasterRenderer() = default;
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
-  return models_.try_emplace(model.id, std::make_unique<Model>(model, fields)).first->second->copy.bytes();
+  return models_.try_emplace(model.id, std::make_unique<Model>(model, fields, threads_, room_))
+      .first->second->copy.bytes();
 }
 
 std::size_t RasterRenderer::update(std::uint64_t model, const FurFields& fields) {
@@ -214,7 +229,7 @@ void RasterRenderer::darken(const FurFrame& frame, Model& model, const Wanted& w
 RasterRenderer::Model& RasterRenderer::grown(const FurFrame& frame) {
   Model& own = *models_.at(frame.model);
   own.used = ++uses_;
-  own.grow(frame, threads_, room_);
+  own.grow(frame, threads_);
   keep_within_bounds(own);
   return own;
 }
@@ -226,7 +241,7 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
     if (model.get() != &own && model->recipe) others.push_back(model.get()), bytes += model->grown_bytes();
   std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
-    bytes -= (*oldest)->grown_bytes(), (*oldest)->drop();
+    bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
     views_.clear_shown();  // what has changed since then is not known any more
   }
 }
@@ -298,6 +313,49 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
       if (share > 1e-3f) seen[i] = {value[0] / value[2], value[1] / value[2], share};
     }
     return field_picture(frame, seen, threads_);
+  } catch (const std::bad_alloc&) {
+    return no_memory_for_frame();
+  }
+}
+
+FloatImage RasterRenderer::draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
+                                     RasterOutput shown) const {
+  FloatImage picture = empty_picture({frame.width, frame.height});
+  const RasterScene scene = model.raster->bare_scene_of(model.copy.model(), skin, frame, shown);
+  RasterTimes spent;
+  RasterCounts counts;
+  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->draw_box(scene, box, picture, spent, counts);
+  return picture;
+}
+
+Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTimes& times) {
+  const DrawClock clock(times);
+  try {
+    FurFrame bare = frame;
+    bare.eyes.clear(), bare.lights.clear(), bare.crop.reset();
+    Model& model = *models_.at(frame.model);
+    const FurModel& shape = model.copy.model();
+    const std::vector<std::array<SkinLook, 3>> skin(shape.triangles.size());
+    return shape_picture(frame, shape, draw_bare(model, bare, skin, RasterOutput::normal),
+                         draw_bare(model, bare, skin, RasterOutput::piece), threads_);
+  } catch (const std::bad_alloc&) {
+    return no_memory_for_frame();
+  }
+}
+
+Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTimes& times) {
+  const DrawClock clock(times);
+  try {
+    Model& model = *models_.at(frame.model);
+    const Grower grower(model.copy.model(), model.copy.fields(), model.recipe_for(frame));
+    std::vector<std::array<SkinLook, 3>> skin(model.copy.model().triangles.size());
+    for_each_in_parallel(
+        static_cast<std::uint32_t>(skin.size()), [&](std::uint32_t piece) { skin[piece] = grower.skin(piece); },
+        threads_);
+    const FurFrame plate = plate_of(frame);
+    const auto draw = [&](RasterOutput shown) { return draw_bare(model, plate, skin, shown); };
+    return Backplate{draw(RasterOutput::light), draw(RasterOutput::direct), draw(RasterOutput::albedo),
+                     draw(RasterOutput::normal), draw(RasterOutput::depth)};
   } catch (const std::bad_alloc&) {
     return no_memory_for_frame();
   }

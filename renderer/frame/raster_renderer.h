@@ -2,6 +2,7 @@
 // grows its part alone and draws the part of a picture that it may change.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,16 +11,18 @@
 
 #include "protocol/base/status.h"
 #include "renderer/frame/draw_times.h"
-#include "renderer/frame/pieces.h"
+#include "renderer/frame/pause.h"
 #include "renderer/frame/view_cache.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/strands/tracer.h"
 
 namespace pelage {
 
+class RasterRoom;
 enum class RasterOutput;
 struct RasterScene;
-class RasterRoom;
+struct SkinLook;
 class TileMask;
 
 /// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
@@ -37,6 +40,9 @@ class RasterRenderer {
   /// Of all copies of a model (FurModel::original), with their strands.
   std::size_t bytes_of(std::uint64_t original) const;
 
+  /// Grows what the frame shows and has changed, which drawing it else does first.
+  void grow(const FurFrame& frame) { grown(frame); }
+
   // As Renderer has them, but that with a crop what lies outside it is not drawn; `overlay` is of the frame's size,
   // null for none. The pause is called between boxes of about a million pixels.
   Result<Image> draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
@@ -45,6 +51,9 @@ class RasterRenderer {
                                             const Pause& pause);
   /// FurFrame::overlay, which is a field, on the fur itself, at the frame's size: sRGB with straight alpha.
   Result<FloatImage> field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause);
+  /// The same of what is the shape of the model.
+  Result<FloatImage> shape_overlay(const FurFrame& frame, DrawTimes& times);
+  Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes& times);
   void clear_view_cache() { views_.clear_shown(); }
 
  private:
@@ -65,6 +74,9 @@ class RasterRenderer {
   /// What the ground is seen of, where there is one.
   void darken(const FurFrame& frame, Model& model, const Wanted& wanted, FloatImage& picture) const;
   Result<FloatImage> draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times, const Pause& pause);
+  /// The skin and the eyes alone, in light that nothing stands in the way of.
+  FloatImage draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
+                       RasterOutput shown) const;
   /// What of a view's light is not as it was when it was shown.
   TileMask changed_tiles(const FurFrame& frame, const ShownFrame& shown);
   /// finish(view, light, area that was drawn).

@@ -1,4 +1,4 @@
-// Frames, whoever draws them: the one door in front of the GL passes, the marcher and the raster.
+// Frames, whoever draws them: the one door in front of rasterized strands and of shells.
 #pragma once
 
 #include <cstdint>
@@ -9,44 +9,45 @@
 
 #include "protocol/base/parallel.h"
 #include "protocol/base/status.h"
-#include "renderer/frame/gl_renderer.h"
-#include "renderer/frame/marched_renderer.h"
 #include "renderer/frame/raster_renderer.h"
+#include "renderer/shells/shells_renderer.h"
 
 namespace pelage {
 
 struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
   int threads = default_threads();                       // of what is drawn on the CPU
-  CoatSource coats = bake_here;                          // where slices come from
+  CoatSource coats = bake_here;                          // where slices come from, for shells
 };
 
-/// Draws shells by a GL where it has one, else on the CPU, and rasterized strands on the CPU. Of a frame with a crop
-/// all pictures have the crop's size, and the bits that the whole frame has there; light that is to be finished, and
-/// backplates, are of the whole. What traced strands stand on, and their finished picture, are made on the CPU in any
-/// case. Belongs to the thread and the context that it was made on.
+/// Rasterizes strands on the CPU, and draws shells by a GL where it has one. Of a frame with a crop all pictures have
+/// the crop's size, and the bits that the whole frame has there; light that is to be finished, and backplates, are of
+/// the whole. Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
-  /// By a GL, which outlives it. Fails (unavailable) when a program cannot be built.
+  /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
-  /// On the CPU.
-  explicit Renderer(const RendererOptions& options)
-      : threads_(options.threads), marched_(options.threads, options.coats), raster_(options.threads) {}
+  /// Without shells.
+  explicit Renderer(const RendererOptions& options) : threads_(options.threads), raster_(options.threads) {}
 
-  bool has(std::uint64_t model) const { return marched_.has(model); }
+  bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
   UploadCount add(const FurModel& model, const FurFields& fields);
-  /// Whether it can also rasterize the strands of a model that it has, and taking what that needs.
-  bool rasterizes(std::uint64_t model) const { return raster_.has(model); }
-  UploadCount add_strands(const FurModel& model, const FurFields& fields);
+  /// Whether a frame can be drawn: not shells without a GL (invalid, with a pointer into the request).
+  Status can_draw(const FurFrame& frame) const;
+  /// Whether it has what shells of a model need, and taking that, where there is a GL.
+  bool has_shells(std::uint64_t model) const { return shells_ && shells_->has(model); }
+  UploadCount add_shells(const FurModel& model, const FurFields& fields);
   /// Takes over the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws a model that it has; after changes of its fields alone, the CPU draws only the part of the picture that
-  /// they may touch, with the same bits. With `pause` a long drawing is done in pieces, with the same bits, and the
-  /// pause is called in between; its time does not count. Fails with conflict when the pause gives the drawing up, with
-  /// unavailable when the GL does not answer within a minute, with too_large when there is no memory for the size, and
-  /// with invalid when the GL cannot sort as asked.
+  /// Grows the strands of a frame that have changed: what drawing it would do first.
+  void grow(const FurFrame& frame);
+
+  /// Draws a model that it has, and as can_draw says; after changes of its fields alone only the part of the picture
+  /// that they may touch, with the same bits. With `pause` a long drawing of strands is done in boxes, with the same
+  /// bits, and the pause is called in between; its time does not count. Fails with conflict when the pause gives the
+  /// drawing up, with too_large when there is no memory for the size, and as ShellsRenderer::draw does.
   Result<Image> draw(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
   /// The same picture with 16 bits.
   Result<Image16> draw_deep(const FurFrame& frame, DrawTimes* times = nullptr, const Pause& pause = {});
@@ -61,48 +62,34 @@ class Renderer {
   /// frame's. The skin under fur has the colour of the roots. Fails with too_large when there is no memory for it.
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
   /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
-  /// overlay. `light` is premultiplied linear light. An overlay is a field, of a model that the
-  /// renderer rasterizes, or the model's shape; others are refused (invalid).
+  /// overlay. `light` is premultiplied linear light.
   Result<Image> finish(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
   Result<Image16> finish_deep(const FurFrame& frame, const FloatImage& light, DrawTimes* times = nullptr);
 
   /// Makes the next frame be drawn whole, for who measures or doubts.
-  void clear_view_cache();
+  void clear_view_cache() { raster_.clear_view_cache(); }
   /// What the frame reads of its coat and the renderer does not have yet: it gets it from its source once it draws.
-  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const {
-    if (frame.knobs.method == Method::raster) return {};
-    return gl_ ? gl_->missing_coat(frame) : marched_.missing_coat(frame);
-  }
-  /// What the coats take that are kept in memory.
-  std::size_t coat_bytes() const { return marched_.coat_bytes(); }
+  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const;
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.
-  std::size_t gl_bytes() const { return gl_ ? gl_->gl_bytes() : 0; }
+  std::size_t gl_bytes() const { return shells_ ? shells_->gl_bytes() : 0; }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
   /// Drops the copies of all models, and the pictures kept of them.
   void forget_all();
 
  private:
-  /// Of a frame that the GL draws; empty for none.
-  Result<FloatImage> overlay_over_gl(const FurFrame& frame, const Pause& pause);
-  /// draw(overlay, times) with what lies over the frame; null for nothing.
-  template <class Picture, class Draw>
-  Result<Picture> draw_by_gl(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
-
   /// What lies over strands, rasterized or traced: fields on the fur, or the shape of the model; empty for nothing.
-  Result<FloatImage> overlay_of_strands(const FurFrame& frame, DrawTimes& times, const Pause& pause);
-  /// draw(overlay, times) likewise.
+  Result<FloatImage> overlay_of(const FurFrame& frame, DrawTimes& times, const Pause& pause);
+  /// draw(overlay, times) with that; null for nothing.
   template <class Picture, class Draw>
-  Result<Picture> draw_raster(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
-  template <class Picture, class Finish>
-  Result<Picture> finish_traced(const FurFrame& frame, const FloatImage& light, DrawTimes* times, const Finish& finish);
+  Result<Picture> with_overlay(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
+  Result<FloatImage> draw_shells(const FurFrame& frame, DrawTimes& times);
 
   int threads_;
-  std::unique_ptr<GlRenderer> gl_;  // null: there is none
-  MarchedRenderer marched_;
   RasterRenderer raster_;
+  std::unique_ptr<ShellsRenderer> shells_;  // null: there is no GL
 };
 
 }  // namespace pelage

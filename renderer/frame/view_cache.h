@@ -10,10 +10,10 @@
 
 #include "renderer/finish/finish.h"
 #include "renderer/frame/areas.h"
+#include "renderer/frame/clip_box.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
-#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 
@@ -27,7 +27,6 @@ struct ShownFrame {
 struct CachedView {
   FloatImage light;
   Image picture;                    // finished, of 8 bits
-  float reach = 0;                  // Marcher::reach_of when it was drawn
   std::optional<ShownFrame> shown;  // that it shows; none: it is to be used again
   bool came_back = false;           // asked for more than once
 

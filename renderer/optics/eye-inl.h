@@ -1,5 +1,5 @@
-// An eye for several pixels at once: where rays meet its ball, cornea and lids, and what light comes back. The twin of
-// renderer/passes/eye/eye.frag, which has the sources. All places are in the eye's frame.
+// An eye for several pixels at once: where rays meet its ball, cornea and lids, and what light comes back.
+// All places are in the eye's frame.
 #if defined(PELAGE_OPTICS_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_EYE_INL_H_
 #undef PELAGE_OPTICS_EYE_INL_H_

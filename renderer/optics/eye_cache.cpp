@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_shapes = 4 * max_eyes;
-constexpr float lid_radius = 1.07f;  // renderer/shaders/eye_block.glsl
+constexpr float lid_radius = 1.07f;  // as in iris-inl.h
 
 /// The next level: the mean of two by two texels.
 std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int width, int height) {
@@ -44,7 +44,7 @@ TissueLevels tissue_levels() {
   return levels;
 }
 
-/// Pixels that the box around an eye may touch, as eye.vert has it: all where it reaches the near plane.
+/// Pixels that the box around an eye may touch; all where it reaches the near plane.
 PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 size) {
   const float side = 1.02f * lid_radius, top = 1.02f * std::max(lid_radius, eye.cornea.x + eye.cornea.y);
   glm::vec2 low(1e9f), high(-1e9f);

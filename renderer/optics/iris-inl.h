@@ -1,5 +1,5 @@
-// What is seen through the cornea of an eye, for several pixels at once: the iris behind it, marched or flat. The twin
-// of renderer/passes/eye/eye.frag, which has the sources. All places are in the eye's frame.
+// What is seen through the cornea of an eye, for several pixels at once: the iris behind it, marched or flat. All
+// places are in the eye's frame.
 #if defined(PELAGE_OPTICS_IRIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_IRIS_INL_H_
 #undef PELAGE_OPTICS_IRIS_INL_H_

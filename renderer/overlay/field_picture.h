@@ -42,8 +42,4 @@ class FieldValues {
 /// much of the pixel shows it. sRGB with straight alpha.
 FloatImage field_picture(const FurFrame& frame, const std::vector<glm::vec3>& seen, int threads);
 
-/// How often fur was shaded at each pixel (Aov::shell_count), from nothing to twice the shells, coloured as a length
-/// is.
-FloatImage count_overlay(const FloatImage& counts, int shells);
-
 }  // namespace pelage

@@ -38,7 +38,7 @@ PatternBlock make_pattern_block(const Coat& coat);
 bool has_pattern(const Coat& coat);
 
 // Markings and slow changes over the body. They are functions of the root's place (internal coordinates) and need no
-// UVs. Shells read them from a volume (pattern_volume.h) and from vertices: evaluated in each fragment they would cost
+// UVs. Shells read them from a volume (surface_volume.h) and from vertices: evaluated in each fragment they would cost
 // more than all else together.
 
 /// The colour of a strand whose root is at `place` with this normal (unit) and which would be `base` (linear) without a

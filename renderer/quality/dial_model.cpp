@@ -5,34 +5,41 @@
 
 namespace pelage {
 
-Knobs dial_knobs(int shells, int steps, double scale) {
+Knobs dial_knobs(double strands, int light_of, double scale) {
   Knobs knobs = knobs_of(Tier::interactive);
-  knobs.shells = shells, knobs.steps = steps, knobs.scale = scale;
+  knobs.raster = {.strands = strands, .light_of = light_of}, knobs.scale = scale;
   return knobs;
 }
 
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs) {
   constexpr double million = 1e6, hundred_thousand = 1e5;
-  const double segments = view.area * knobs.scale * knobs.scale * knobs.shells / million;
-  return {view.pixels / million, segments, segments * view.lights, segments * knobs.steps,
-          view.triangles * knobs.shells / hundred_thousand};
+  constexpr double aslant = 1.3;  // strands that stand on a pixel of what is seen, over those of one seen from above
+  const double pixels = view.pixels * knobs.scale * knobs.scale;
+  constexpr double widest = 1.5;  // pixels that kept strands are widened to (renderer/raster/cull.cpp)
+  const double wanted = aslant * knobs.raster.strands * view.area * knobs.scale * knobs.scale;
+  const double kept = std::min(view.strands, std::max(wanted, view.strands * view.width_pixels * knobs.scale / widest));
+  return {1,
+          pixels / million,
+          view.strands / hundred_thousand,
+          kept / hundred_thousand,
+          kept * view.lights / (knobs.raster.light_of * hundred_thousand),
+          kept * view.fur_pixels * knobs.scale / million,
+          view.area * knobs.scale * knobs.scale / hundred_thousand};
 }
 
 namespace {
 
-/// Of pixels, and of strands that are kept, of which the drawing is half and the light of one the rest.
-double raster_cost(const ViewFeatures& view, const Knobs& knobs) {
-  constexpr double million_pixels = 60, strand = 6e-4, light = 6e-4;  // milliseconds
-  const double scale = knobs.scale * knobs.scale;
-  const double kept = std::min(view.strands, 1.3 * knobs.raster.strands * view.area * scale);
-  return million_pixels * view.pixels * scale / 1e6 + kept * (strand + light / knobs.raster.light_of);
+double shells_cost(const ViewFeatures& view, const Layering& shells, double scale) {
+  constexpr double million_fragments = 100, sorted = 10;  // milliseconds on software, times as much
+  const double fragments = scale * scale * view.area * shells.count / 1e6;
+  return million_fragments * fragments * (shells.order == FragmentOrder::sorted ? sorted : 1);
 }
 
 }  // namespace
 
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs) {
   constexpr double min_cost = 1e-3;
-  if (knobs.method == Method::raster) return std::max(raster_cost(view, knobs), min_cost);
+  if (knobs.method == Method::shells) return std::max(shells_cost(view, knobs.shells, knobs.scale), min_cost);
   const std::array<double, cost_terms> terms = cost_terms_of(view, knobs);
   double sum = 0;
   for (std::size_t i = 0; i < cost_terms; ++i) sum += model.prices[i] * terms[i];

@@ -1,4 +1,4 @@
-// What frames of shells cost and how far they are from the truth, estimated from a view without drawing it.
+// What frames of rasterized strands cost and how far they are from the truth, estimated from a view without drawing it.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-inline constexpr std::size_t cost_terms = 5;
+inline constexpr std::size_t cost_terms = 7;
 
 /// Knobs that a planner may choose, and their error: that of a view where the fur is one pixel long, times its length
 /// in pixels to the power of `growth`.
@@ -33,14 +33,14 @@ struct DialModel {
 const DialModel& default_model();
 
 /// The tier `interactive` but for these: what rows differ in.
-Knobs dial_knobs(int shells, int steps, double scale);
+Knobs dial_knobs(double strands, int light_of, double scale);
 
-/// Millions of pixels of the picture, of segments between shells, of segments for each light and of samples; a hundred
-/// thousand triangles of shells.
+/// A frame; millions of pixels; a hundred thousand strands that are seen, that are kept of them, and that are lit by
+/// each light; millions of pixels that the kept ones cover; a hundred thousand pixels of furred skin.
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs);
 
-/// By the default prices: milliseconds above 0, without what eyes, curves, the ground and shadow maps add. Of a raster
-/// by docs/notes/2026-11-27-strand-raster.md, without what grows anew.
+/// By the default prices: milliseconds above 0, without what eyes, curves and the ground add, and what grows anew. Of
+/// shells, which no planner chooses, a guess.
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs);
 
 /// Mean FLIP of half of the views like this, (0, 1].

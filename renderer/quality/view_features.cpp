@@ -8,14 +8,13 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_triangles = 16384;  // that are looked at
-constexpr double furthest_back_facing =
-    -0.6;                                    // cosine from which on fur is drawn, as in renderer/visibility/shell_lod.h
-constexpr double nearest = 1e-3;             // distance along the view, sizes
-constexpr double places_across = 32;         // of the picture, that a triangle's parts are told apart at
-constexpr double max_parts = 16;             // along a triangle's side
-constexpr double max_depth_complexity = 16;  // of skin over the picture
-constexpr double max_fur = 1e6;              // pixels
+constexpr std::size_t max_triangles = 16384;   // that are looked at
+constexpr double furthest_back_facing = -0.6;  // cosine from which on fur is seen
+constexpr double nearest = 1e-3;               // distance along the view, sizes
+constexpr double places_across = 32;           // of the picture, that a triangle's parts are told apart at
+constexpr double max_parts = 16;               // along a triangle's side
+constexpr double max_depth_complexity = 16;    // of skin over the picture
+constexpr double max_fur = 1e6;                // pixels
 
 class Looker {
  public:
@@ -34,7 +33,7 @@ class Looker {
   const FurFrame& frame_;
   const FurredSkin& skin_;
   double focal_ = 1;  // pixels
-  double triangles_ = 0, area_ = 0, fur_ = 0;
+  double area_ = 0, fur_ = 0, sizes_ = 0;
   double seen_skin_ = 0;  // sizes^2
 };
 
@@ -54,7 +53,6 @@ void Looker::look(const glm::uvec3& t) {
                    to_camera = glm::dvec3(frame_.camera.position) - (a + b + c) / 3.0;
   const double size = glm::length(normal) * glm::length(to_camera);
   if (!(size > 0) || glm::dot(normal, to_camera) <= furthest_back_facing * size) return;
-  triangles_ += 1;
   const double length = (double{skin_.length[t.x]} + skin_.length[t.y] + skin_.length[t.z]) / 3;
   const std::array<glm::dvec3, 3> corners{seen(t.x, length), seen(t.y, length), seen(t.z, length)};
   if (std::max({corners[0].z, corners[1].z, corners[2].z}) <= nearest) return;
@@ -73,7 +71,8 @@ void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, doubl
       const double u = (i + third) / n, v = (j / 2 + third) / n;
       const glm::dvec3 at = corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v;
       if (!(at.x >= 0 && at.x < frame_.width && at.y >= 0 && at.y < frame_.height)) continue;
-      area_ += part, fur_ += part * length * focal_ / at.z, seen_skin_ += on_skin / (n * n);
+      area_ += part, fur_ += part * length * focal_ / at.z, sizes_ += part * focal_ / at.z,
+          seen_skin_ += on_skin / (n * n);
     }
   }
 }
@@ -81,11 +80,11 @@ void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, doubl
 ViewFeatures Looker::features(double times) const {
   ViewFeatures view;
   view.pixels = double(frame_.width) * frame_.height;
-  view.triangles = triangles_ * times * skin_.pieces;
   view.area = std::min(area_ * times * skin_.pieces, max_depth_complexity * view.pixels);
   view.fur_pixels = area_ > 0 ? std::min(fur_ / area_, max_fur) : 0;
   view.lights = static_cast<double>(frame_.lights.size());
   const Coat& coat = frame_.coat;
+  view.width_pixels = area_ > 0 ? std::min(coat.width_root * sizes_ / area_, max_fur) : 0;
   view.strands = seen_skin_ * times * coat.count / (coat.tile * coat.tile);
   return view;
 }

@@ -19,11 +19,11 @@ struct FurredSkin {
 /// Pixels are those of the asked size. All finite, 0 or more.
 struct ViewFeatures {
   double pixels = 1;      // of the picture
-  double triangles = 0;   // pieces whose shells are drawn
-  double area = 0;        // pixels that those pieces cover inside the picture, one over the other
+  double area = 0;        // pixels that pieces whose fur is seen cover inside the picture, one over the other
   double fur_pixels = 0;  // length of the fur where it is seen
   double lights = 0;
-  double strands = 0;  // of the coat, that stand on the skin of `area`
+  double strands = 0;       // of the coat, that stand on the skin of `area`
+  double width_pixels = 0;  // of a strand at its root where it is seen
 };
 
 /// At most some ten thousand triangles are looked at, evenly through the list. Deterministic.

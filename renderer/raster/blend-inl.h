@@ -105,8 +105,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
     return any(left_over > min_through);
   }
   const auto add = [&](int k, float* sum) HWY_ATTR {
-    Real sent = mul_add(share, s.more_light[k], s.light[k]);
-    if constexpr (shown == RasterOutput::light) sent = sent * sent;  // knots have its roots
+    const Real sent = mul_add(share, s.more_light[k], s.light[k]);
     store(mul_add(weight, sent, load(sum + at)), sum + at);
   };
   add(0, sums.red), add(1, sums.green), add(2, sums.blue);

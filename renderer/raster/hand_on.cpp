@@ -16,7 +16,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
   const bool single = part.role == StrandRole::curve;
-  const bool shares = !single && scene.shown == RasterOutput::light;
+  const bool shares = !single && is_coloured(scene.shown);
   const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
   const std::uint32_t own = (last + lit_of) / lit_of;
   place_.assign(own, none), lit_.clear(), of_.clear();
@@ -33,7 +33,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   light_strands(scene, part, std::span(lit_).subspan(whole), false, rest_);
   at_.clear();
   for (const std::uint32_t from : of_) at_.push_back(place_[from]);
-  hand_on_light(set, {ids, of_, at_, whole_, rest_}, first, placed);
+  hand_on_light(set, {ids, at_, whole_, rest_}, first, placed);
   return lit_.size();
 }
 

@@ -37,7 +37,10 @@ void LightStrands(const RasterScene& scene, const GrownPart& part, std::span<con
 }
 
 void HandOnLight(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
-  hand_on_all(set, sources, first, placed);
+  if (sources.whole.by_colour)
+    hand_on_all<true>(set, sources, first, placed);
+  else
+    hand_on_all<false>(set, sources, first, placed);
 }
 
 void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
@@ -45,7 +48,6 @@ void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segmen
     case RasterOutput::distance: return blend_all<RasterOutput::distance>(scene, segments, left, top, sums);
     case RasterOutput::depth: return blend_all<RasterOutput::depth>(scene, segments, left, top, sums);
     case RasterOutput::count: return blend_all<RasterOutput::count>(scene, segments, left, top, sums);
-    case RasterOutput::light: return blend_all<RasterOutput::light>(scene, segments, left, top, sums);
     default: return blend_all<RasterOutput::albedo>(scene, segments, left, top, sums);
   }
 }
@@ -141,7 +143,7 @@ CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells)
   return HWY_DYNAMIC_DISPATCH(RoundCells)(sums, as_seen, cells);
 }
 
-const char* raster_instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }
+const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }
 
 }  // namespace pelage
 #endif

@@ -38,13 +38,12 @@ void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStr
 inline constexpr std::uint32_t deep_of = 8;  // strands that one stands for
 inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
-/// What strands send to the camera, from some points of each, evenly from `from` in [0, 1) to the tip. Light is kept as
-/// its square roots, whose change along a strand is more even.
+/// What strands send to the camera, from some points of each, evenly from `from` in [0, 1) to the tip.
 struct LitPoints {
   static constexpr int max = 16;
   float from = 0;
-  int count = 2;  // of each strand
-  bool roots = false;
+  int count = 2;                 // of each strand
+  bool by_colour = false;        // over the colours of the points
   std::vector<glm::vec4> light;  // point by point, strand by strand; the fourth is 0
 };
 /// With `whole` from the root on, else from where they come to be seen.
@@ -53,8 +52,8 @@ void light_strands(const RasterScene& scene, const GrownPart& part, std::span<co
 
 /// Strands that are placed, and of each the lit one whose light it has.
 struct LightSources {
-  std::span<const std::uint32_t> ids, lit_ids, lit;  // own numbers in the part, the lit one's, and its place in these:
-  const LitPoints &whole, &rest;                     // first those that are drawn from the root on, then the others
+  std::span<const std::uint32_t> ids, lit;  // own numbers in the part, and the lit one's place in these:
+  const LitPoints &whole, &rest;            // first those that are drawn from the root on, then the others
 };
 /// Writes the light of their knots, by their colours: they are the strands of `placed` from `first` on.
 void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed);
@@ -109,6 +108,6 @@ void add_cells(std::span<const Crossed> cells, float share, float* sums);
 CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells);
 
 /// The instruction set in use, as "AVX2".
-const char* raster_instruction_set();
+const char* instruction_set();
 
 }  // namespace pelage

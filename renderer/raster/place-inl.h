@@ -139,13 +139,14 @@ HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& p
   return kept;
 }
 
-/// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider.
+/// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider,
+/// but not so wide that they would show beside the fur above them.
 HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way,
                             PlacedStrands& placed) {
   const int rest = segments - first;
   const float over = 1 / static_cast<float>(segments);
   const float wanted = way / min_segment * static_cast<float>(rest) * over;
-  const int count = wanted >= static_cast<float>(rest) ? rest : std::max(1, static_cast<int>(wanted));
+  const int count = std::min(rest, std::max(2, static_cast<int>(std::min(wanted, 64.0f))));
   const float step = static_cast<float>(rest) / static_cast<float>(count);
   const std::size_t at = placed.knots.size();
   placed.knots.resize(at + static_cast<std::size_t>(count) + 1), placed.along.resize(placed.knots.size());
@@ -154,8 +155,10 @@ HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wid
   for (int i = 0; i <= count; ++i, ++knot, ++along) {
     const int k = first + static_cast<int>(static_cast<float>(i) * step + 0.01f);
     knot->x = knots.x[k][lane], knot->y = knots.y[k][lane], knot->inverse = knots.inverse[k][lane];
-    knot->half_width = knots.half_width[k][lane] * (k < wide ? static_cast<float>(deep_of) : 1.0f);
+    knot->half_width = knots.half_width[k][lane];
     *along = static_cast<float>(k) * over;
+    const float above = way * (1 - *along);  // pixels of the strand
+    if (k < wide) knot->half_width = std::clamp(0.5f * above, knot->half_width, deep_of * knot->half_width);
   }
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }

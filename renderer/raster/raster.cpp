@@ -339,19 +339,26 @@ void Raster::darken_box(const RasterScene& scene, const PixelBox& box, FloatImag
       [&](std::uint32_t tile) { darken_tile(scene, box, static_cast<int>(tile), picture); }, threads_);
 }
 
-RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
-                             const RasterQuality& quality, RasterOutput shown) {
-  kept_->grid.update(model, fur.parts(), frame.lights, threads_);
-  if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
+RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin,
+                                  const FurFrame& frame, RasterOutput shown) {
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model);
   scene.width = frame.width, scene.height = frame.height;
-  scene.camera = picture_camera(frame), scene.quality = quality, scene.shown = shown;
+  scene.camera = picture_camera(frame), scene.shown = shown;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
                                     {frame.width, frame.height}));
   for (std::size_t i = 0; i < frame.lights.size(); ++i) scene.light_sizes[i] = size_of(frame.lights[i]);
-  scene.model = &model, scene.parts = fur.parts(), scene.grid = &kept_->grid, scene.skin = fur.skin();
+  scene.model = &model, scene.skin = skin;
+  return scene;
+}
+
+RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
+                             const RasterQuality& quality, RasterOutput shown) {
+  kept_->grid.update(model, fur.parts(), frame.lights, threads_);
+  if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
+  RasterScene scene = bare_scene_of(model, fur.skin(), frame, shown);
+  scene.quality = quality, scene.parts = fur.parts(), scene.grid = &kept_->grid;
   if (frame.ground && frame.ground->height < frame.camera.position.y)
     scene.ground = frame.ground, scene.sky = &kept_->sky;
   scene.keys = keys_of(scene);

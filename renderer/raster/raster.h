@@ -1,8 +1,10 @@
 // Strands drawn by a rasterizer on the CPU: the strands that are traced, culled, thinned, lit, sorted and blended.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "renderer/image/float_image.h"
@@ -63,6 +65,10 @@ class Raster {
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);
+  /// The same of the skin and the eyes alone, in light that nothing stands in the way of; `skin` has the look of each
+  /// piece.
+  RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,
+                            RasterOutput shown);
   /// Into a picture of the frame's size, without the ground.
   void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
                 RasterCounts& counts) const;

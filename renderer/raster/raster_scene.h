@@ -42,15 +42,21 @@ enum class RasterOutput {
   normal,    // of the skin below
   tangent,   // of strands, towards the tip
   direct,    // what lights add
+  piece,     // red: number of the model's piece that is seen, of skin alone
   field,     // RasterScene::field at the root or on the skin
   shadow,    // red: the luminance of that, green: what it would be without shadows
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
   count      // red: segments of strands that were blended; not premultiplied
 };
+/// Whether it goes as the colour of strands does.
+constexpr bool is_coloured(RasterOutput shown) {
+  return shown == RasterOutput::light || shown == RasterOutput::direct || shown == RasterOutput::albedo;
+}
 /// Whether strands send something of their own, from knot to knot.
 constexpr bool sends(RasterOutput shown) {
-  return shown != RasterOutput::distance && shown != RasterOutput::depth && shown != RasterOutput::count;
+  return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
+         shown != RasterOutput::count;
 }
 
 /// How wide a light is from a place: a far one the same from all.
@@ -90,8 +96,8 @@ struct RasterScene {
   DistanceKeys keys;                              // of what the parts lie between
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   std::span<const glm::vec3> field;               // of each vertex, where it is shown
-  const DensityGrid* grid = nullptr;
-  std::vector<EyeCamera> eyes;  // of optics.eyes
+  const DensityGrid* grid = nullptr;              // of what stands in the way of light; null where nothing does
+  std::vector<EyeCamera> eyes;                    // of optics.eyes
   std::optional<FurGround> ground;
   const SkyOverGround* sky = nullptr;  // over the ground
   std::array<LightSize, 8> light_sizes{};

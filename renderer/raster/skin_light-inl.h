@@ -116,6 +116,28 @@ HWY_INLINE SkinLooks skin_looks(const FrameOptics& optics, const SkinLanes& skin
   return looks;
 }
 
+/// Of a light, what strands and the body let through to each lane's place.
+class WayToSkin {
+ public:
+  HWY_INLINE WayToSkin(const RasterScene& scene, const SkinLanes& skin, Vec3 stopped)
+      : grid_(scene.grid), stopped_(stopped) {
+    if (!grid_) return;
+    const GridPlace& place = grid_->place();
+    cells_ = grid_lanes(place, skin.place + skin.normal * (off_skin * place.cell));
+  }
+  HWY_INLINE Vec3 through(int light) const {
+    if (!grid_) return Vec3(1.0f);
+    const CrossedLanes between = crossed_at(grid_->crossed(static_cast<std::size_t>(light)), cells_);
+    const Real strands = between.strands, body = between.body;
+    return each(stopped_, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+  }
+
+ private:
+  const DensityGrid* grid_;
+  Vec3 stopped_;
+  GridLanes cells_;
+};
+
 template <bool unshadowed>
 HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin, const SkinLooks& looks) {
   const FrameOptics& optics = scene.optics;
@@ -127,17 +149,14 @@ HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin,
   const Vec3 crossed = looks.furred * Vec3(frame.colour_above[0]);
   const Vec3 stopped = stopped_by_strand(crossed, 1.0f, frame.exponents.w);
   SentLight sum;
-  sum.ambient = frame.weights.x * looks.furred * environment_light(optics, skin.normal) *
-                ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, frame.exponents.w));
+  sum.ambient = frame.weights.x * looks.furred * environment_light(optics, skin.normal);
+  if (scene.grid) sum.ambient *= ambient_share(frame, 0.0f, above, stopped_by_strand(crossed, 0.6f, frame.exponents.w));
   sum.direct = sum.unshadowed = Vec3(0.0f);
   if (shows_bare) sum.ambient = mix(sum.ambient, sky_on_skin(optics, bare, surface), bare.share);
-  const GridPlace& grid = scene.grid->place();
-  const GridLanes cells = grid_lanes(grid, skin.place + skin.normal * (off_skin * grid.cell));
+  const WayToSkin way(scene, skin, stopped);
   for (int i = 0; i < optics.lights; ++i) {
-    const CrossedLanes between = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
     const Arriving light = light_at(optics, i, skin.place);
-    const Real strands = between.strands, body = between.body;
-    const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+    const Vec3 through = way.through(i);
     Vec3 sent = looks.furred * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
     if (shows_bare) sent = mix(sent, light_on_skin(optics, bare, surface, light.to_light), bare.share);
     sum.direct += light.radiance * sent * through;
@@ -153,6 +172,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
     case RasterOutput::normal: return skin.normal;
+    case RasterOutput::piece: return {to_real(skin.corners.piece), none, none};
     case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
     case RasterOutput::tangent:
     case RasterOutput::count: return Vec3(none);

@@ -29,6 +29,9 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
   return {channel(word), channel(hn::ShiftRight<10>(word)), channel(hn::ShiftRight<20>(word))};
 }
 
+/// Added to colours, so that black can be divided by.
+inline constexpr float over_black = 0.002f;
+
 /// Where a place lies among the cells of a grid.
 struct GridLanes {
   Int first;
@@ -69,9 +72,8 @@ HWY_INLINE CrossedLanes crossed_at(std::span<const Crossed> cells, const GridLan
 }
 
 /// Strands between a fibre and a light less those that the eye looks past: the hot spot (light-inl.h).
-HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real facing,
-                                   Real strands) {
-  Vec3 apart = fibre.to_camera * view.way - to_light * way_out(fibre.height, facing);
+HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real way, Real strands) {
+  Vec3 apart = fibre.to_camera * view.way - to_light * way;
   apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
   const Real x = 6.0f * view.widths * length(apart);
   const Real share = (1.0f + x * 0.16666667f) / (1.0f + x * (0.66666667f + x * 0.16666667f));
@@ -85,6 +87,7 @@ struct StrandLanes {
   Real height[LitPoints::max];
   Vec3 normal, ambient;
   Real number, longer;
+  Real thin;  // share of the coat that lies within a few cells of the grid, which sees it too thick, [0, 1]
   Shine shine;
 };
 
@@ -105,8 +108,16 @@ HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
   return {point.real(0), point.real(1), point.real(2)};
 }
 
-HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const GrownPart& part, const std::uint32_t* ids,
+/// 1 for a coat no higher than a cell and a half, 0 from four cells on.
+HWY_INLINE Real thinness(const RasterScene& scene, const DepthLanes& depth) {
+  const float cell = scene.grid->place().cell;
+  const Real height = dot(depth.tip - depth.root, depth.normal) / max(depth.reach, 0.01f);
+  return 1.0f - smoothstep(1.5f * cell, 4.0f * cell, height);
+}
+
+HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& part, const std::uint32_t* ids,
                                     const LitKnots& lit) {
+  const FrameOptics& optics = scene.optics;
   const StrandSet& set = *part.strands;
   const int segments = set.segments;
   const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1),
@@ -127,6 +138,7 @@ HWY_INLINE StrandLanes strand_lanes(const FrameOptics& optics, const GrownPart& 
     strand.height[p] = depth.reach * (static_cast<float>(lit.knot(p)) / static_cast<float>(segments));
   strand.normal = depth.normal, strand.number = gather(&set.roots[0].number, roots);
   strand.longer = depth.length * part.crowding;
+  strand.thin = part.role == StrandRole::coat ? thinness(scene, depth) : Real(0.0f);
   strand.shine = shine_of(optics.paint, gather(&set.roots[0].wetness, roots));
   strand.ambient = optics.frame.weights.x * environment_light(optics, strand.normal);
   return strand;
@@ -156,7 +168,7 @@ struct SentLight {
 };
 
 template <bool unshadowed>
-HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
+HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, Real thin, Vec3 ambient) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
   const float self_shadow = frame.exponents.w;
@@ -175,7 +187,10 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
     const Arriving light = light_at(optics, i, fibre.place);
     const Real facing = dot(fibre.normal, light.to_light);
     const CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
-    const Real strands = strands_not_shared(fibre, view, light.to_light, facing, crossed.strands);
+    const Real way = way_out(fibre.height, facing);
+    const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
+    const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
+    const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
     const Real body = crossed.body;
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
@@ -212,38 +227,39 @@ HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, c
 }
 
 /// What the scene shows of a fibre.
-HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Vec3 ambient) {
+HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Real thin, Vec3 ambient) {
   switch (scene.shown) {
     case RasterOutput::albedo: return fibre.colour;
     case RasterOutput::normal: return fibre.normal;
     case RasterOutput::tangent: return fibre.tangent;
-    case RasterOutput::direct: return strand_light<false>(scene, fibre, ambient).direct;
-    case RasterOutput::shadow: return strand_light<true>(scene, fibre, ambient).shadow();
+    case RasterOutput::direct: return strand_light<false>(scene, fibre, thin, ambient).direct;
+    case RasterOutput::shadow: return strand_light<true>(scene, fibre, thin, ambient).shadow();
     default: break;
   }
-  const SentLight light = strand_light<false>(scene, fibre, ambient);
+  const SentLight light = strand_light<false>(scene, fibre, thin, ambient);
   return light.ambient + light.direct;
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
                           bool whole_strand, LitPoints& light) {
   const LitKnots lit(part.strands->segments, whole_strand);
+  light.by_colour = is_coloured(scene.shown);
   light.from = static_cast<float>(lit.first) / static_cast<float>(lit.segments), light.count = lit.count;
-  light.roots = scene.shown == RasterOutput::light;
   const auto stride = static_cast<std::size_t>(lit.count);
   light.light.resize(ids.size() * stride);
   for (std::size_t i = 0; i < ids.size(); i += lane_count) {
     std::uint32_t lanes[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
-    const StrandLanes strand = strand_lanes(scene.optics, part, lanes, lit);
+    const StrandLanes strand = strand_lanes(scene, part, lanes, lit);
     const bool is_field = scene.shown == RasterOutput::field;
     const Vec3 field = is_field ? field_at_roots(scene, *part.strands, lanes) : Vec3(0.0f);
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
     for (std::size_t p = 0; p < stride; ++p) {
-      Vec3 sent =
-          is_field ? field
-                   : shown_of(scene, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)), strand.ambient);
-      if (light.roots) sent = each(sent, [](Real s) HWY_ATTR { return sqrt(max(s, 0.0f)); });
+      Vec3 sent = is_field ? field
+                           : shown_of(scene, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
+                                      strand.thin, strand.ambient);
+      if (light.by_colour)
+        sent = sent * each(unpacked_colour(strand.colour[p]), [](Real c) HWY_ATTR { return 1.0f / (c + over_black); });
       float red[lane_count], green[lane_count], blue[lane_count];
       store(sent.x, red), store(sent.y, green), store(sent.z, blue);
       for (std::size_t l = 0; l < there; ++l) light.light[(i + l) * stride + p] = {red[l], green[l], blue[l], 0};

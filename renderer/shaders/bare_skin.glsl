@@ -156,9 +156,6 @@ vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal) {
 #ifdef SHADOW_MAPS
     kept *= cast_light(i, place, open, normal);
 #endif
-#ifdef AOVS
-    keep_direct(bare.share * kept, bare.share * radiance * sent);
-#endif
     sum += kept;
   }
   return sum;

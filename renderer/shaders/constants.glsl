@@ -6,28 +6,16 @@ const int frame_binding = 0;
 const int pattern_binding = 1;
 const int shadow_binding = 2;
 const int scattering_binding = 3;
-const int eye_binding = 4;
 const int skin_binding = 5;
 const int paint_binding = 6;
 const int tuft_binding = 7;
 
 // Storage buffers.
-const int vertex_storage = 0;
-const int groom_storage = 1;
-const int variation_storage = 2;
-const int pass_storage = 3;  // of the one pass that is drawing: guard hairs
-const int curve_points_storage = 4;
-const int curve_styles_storage = 5;
-const int curve_numbers_storage = 6;
-const int fragment_lists_storage = 7;
-const int fragment_links_storage = 8;
-const int fragment_colours_storage = 9;
-const int paint_storage = 10;
-const int paint_colours_storage = 11;
+const int fragment_lists_storage = 1;
+const int fragment_links_storage = 2;
+const int fragment_colours_storage = 3;
 
-// Textures. What a pass over the whole target reads is bound as source_unit and overlay_unit.
-const int source_unit = 0;
-const int overlay_unit = 1;
+// Textures.
 const int shapes_unit = 0;
 const int colours_unit = 1;
 const int skin_images_unit = 2;
@@ -35,13 +23,8 @@ const int scattering_unit = 3;
 const int shell_maps_unit = 4;
 const int depth_maps_unit = 5;
 const int width_maps_unit = 6;
-const int contact_unit = 7;
 const int pattern_unit = 8;
-const int tissues_unit = 9;
-const int caustics_unit = 10;
-const int curve_maps_unit = 12;
 const int tuft_unit = 13;
-const int covered_unit = 14;
 const int clump_unit = 15;
 
 const int max_lights = 8;

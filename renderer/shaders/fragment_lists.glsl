@@ -1,5 +1,5 @@
 // Lists of fragments, one for each pixel of an area of the picture (Yang et al. 2010). Places count from 1; 0 ends a
-// list. renderer/passes/sorted mirrors the layout.
+// list. renderer/shells/sorted mirrors the layout.
 #include "constants.glsl"
 layout(std430, binding = fragment_lists_storage) coherent buffer FragmentLists {
   uint count;      // of fragments; over `capacity` the lists are not whole

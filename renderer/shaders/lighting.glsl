@@ -106,15 +106,6 @@ vec3 scatter_again(vec3 tangent, vec3 to_light, vec3 colour) {
   return 0.55 * scattering.weights.x * colour * sqrt(max(0.0, 1.0 - along * along));
 }
 
-#ifdef AOVS
-vec3 direct_light = vec3(0.0);  // of lights alone, summed up by what lights a fragment
-vec2 light_share = vec2(0.0);   // luminance of that light, and what it would be without shadows
-
-void keep_direct(vec3 kept, vec3 whole) {
-  direct_light += kept;
-  light_share += vec2(luminance(kept), luminance(whole));
-}
-#endif
 
 struct Fibre {
   vec3 place;
@@ -158,9 +149,6 @@ vec3 fibre_light(Fibre fibre) {
     light_at(i, fibre.place, to_light, radiance);
     float facing = dot(fibre.normal, to_light);
     float strands = strands_to_light(fibre, to_light, facing);
-#ifdef AOVS
-    vec3 unshadowed = radiance;
-#endif
 #ifdef SHADOW_MAPS
     strands = shell_depth(i, fibre.place, fibre.open, fibre.height, facing, strands);
     radiance *= cast_light(i, fibre.place, fibre.open, fibre.normal);
@@ -171,10 +159,6 @@ vec3 fibre_light(Fibre fibre) {
     }
     sum += radiance * scattered * transmittance(strands, crossed) *
            light_behind(SHADING_MODEL, facing, frame.exponents.z);
-#ifdef AOVS
-    vec3 arriving = scattered * light_behind(SHADING_MODEL, facing, frame.exponents.z);
-    keep_direct(radiance * arriving * transmittance(strands, crossed), unshadowed * arriving);
-#endif
   }
   return sum;
 }

@@ -1,13 +1,16 @@
 // The painted fields of a vertex that comes as attributes (renderer/upload/paint_buffers.h).
-#include "paint_vertex.glsl"
 
 #ifdef PAINT
 layout(location = 11) in vec4 vertex_amounts;
-layout(location = 12) in vec4 vertex_forms;  // curl, clump, mask
+layout(location = 12) in vec4 vertex_forms;  // curl, clump
+out vec4 amounts;                            // density, width, wetness, bare
+out vec2 forms;                              // curl, clump
 #endif
 #ifdef PAINT_COLOUR
 layout(location = 13) in vec4 vertex_root_paint;
 layout(location = 14) in vec4 vertex_tip_paint;
+out vec4 root_paint;  // times its cover, cover
+out vec4 tip_paint;
 #endif
 
 void hand_on_paint() {

@@ -1,7 +1,7 @@
 #include "constants.glsl"
 #include "luminance.glsl"
 
-// Markings over the body: shares of three colours, read from a volume about the surface (renderer/pattern/pattern_volume.h)
+// Markings over the body: shares of three colours, read from a volume about the surface (renderer/pattern/surface_volume.h)
 // and mixed as with_weights in renderer/pattern/pattern.cpp does.
 layout(std140, binding = pattern_binding) uniform PatternColours {
   vec4 colour, inner_colour, belly_colour;

@@ -31,30 +31,6 @@ float depth_below(int i, vec3 place, vec2 at) {
   return dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
 }
 
-#ifdef CURVE_SHADOWS
-layout(binding = curve_maps_unit) uniform sampler2DArray curve_maps;  // light that guided curves let through; a: depth of the nearest
-
-const float curve_bias = 0.001;  // sizes
-const float penumbra = 0.09;     // width of a soft light's over the distance that it falls, as on the ground
-
-// A curve is thinner than a texel. A depth map would hold it as a whole texel or not at all, so this one holds the share of
-// light that passes; it counts below the nearest curve of the four texels that are mixed. The penumbra of a soft light
-// thins it out the further it falls.
-float past_curves(int i, vec3 place) {
-  vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
-  vec2 at = vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
-  if (clip.w <= 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThan(at, vec2(1.0)))) return 1.0;
-  vec4 near = textureGather(curve_maps, vec3(at, shadow.slots[i].y), 3);
-  float nearest = min(min(near.x, near.y), min(near.z, near.w));
-  float below = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - nearest;
-  if (below <= curve_bias) return 1.0;
-  float stopped = 1.0 - texture(curve_maps, vec3(at, shadow.slots[i].y)).r;
-  mat4 to_clip = shadow.to_light[i];
-  float texels = 0.5 * float(textureSize(curve_maps, 0).x) * length(vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x)) / clip.w;
-  if (shadow.slots[i].z > 0.5) stopped /= 1.0 + penumbra * below * texels;
-  return 1.0 - stopped * smoothstep(curve_bias, 3.0 * curve_bias, below);
-}
-#endif
 
 // AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin (GPU fur 4). Where three bars cross, the map is white on both
 // sides of a shadow's edge: under the first bar the second is dark, beside it the third is. So white counts by how far in
@@ -131,9 +107,6 @@ bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
 float cast_light(int i, vec3 place, vec4 open, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
   float kept = is_penumbra(i) ? past_body_in_penumbra(i, open, normal) : past_body(i, place);
-#ifdef CURVE_SHADOWS
-  kept *= past_curves(i, place);
-#endif
   return kept;
 }
 

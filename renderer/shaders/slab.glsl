@@ -6,7 +6,6 @@ layout(binding = colours_unit) uniform sampler2DArray colours;  // strand colour
 uniform int shell_count;
 uniform int shell;
 uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
-uniform float part_begin, part_end;  // one over the distances along the view that are drawn, (part_begin, part_end]
 
 in vec3 place;
 in vec3 fibre_normal;
@@ -15,8 +14,6 @@ in vec2 pixel_speed;
 in float max_crossing;
 in float level;
 in float slant;
-
-bool in_part() { return gl_FragCoord.w > part_begin && gl_FragCoord.w <= part_end; }
 
 // Of the slab's middle, and from its lower to its upper end, over the height of the fur.
 #ifdef SHELL_LOD

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t judged_samples = 4;  // fewer say too little about their spread
 
-/// As passes/resolve/resolve.frag shows linear light.
+/// As renderer/finish/encode.cpp shows linear light.
 double shown(double linear) {
   const double x = 0.72 * std::clamp(linear, 0.0, 1e4);
   return srgb_from_linear(std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0));
@@ -41,7 +41,7 @@ std::array<bool, Film::part_count> Film::parts_of(std::span<const Aov> aovs, boo
       case Aov::albedo: need({body, albedo}); break;
       case Aov::direct: need({body, direct}); break;
       case Aov::shadow: need({body, light}); break;
-      case Aov::shell_count: need({body}); break;
+      case Aov::sample_count: need({body}); break;
     }
   }
   if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
@@ -167,7 +167,7 @@ double Film::noise(double exposure) const {
   return all.pixels > 0 ? all.sum / all.pixels : 0;
 }
 
-/// The rules of passes/aovs/gather.frag.
+/// In the conventions of Renderer::draw_aovs.
 glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
   const float covered = means_[body].empty() ? 0 : std::clamp(*at(body, pixel), 0.0f, 1.0f);
   const auto whole = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };
@@ -191,7 +191,7 @@ glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
       const float* mean = at(light, pixel);
       return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};
     }
-    case Aov::shell_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
+    case Aov::sample_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
   }
   assert(false);
   return {};

@@ -212,7 +212,7 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
   append_root(piece, copy, root, reach, set);
 }
 
-/// As hair.vert has it: no clumps and locks, a bow of its own, and some reach beyond the fur.
+/// No clumps and locks, a bow of its own, and some reach beyond the fur.
 void Grower::Impl::append_guard_hair(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
   const RootFields root = piece.opening.fields(share);

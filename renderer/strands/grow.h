@@ -22,8 +22,8 @@ struct GrowRecipe {
   Coat coat;
   bool model_colours = false;  // hue from the model, lightness from the ramp (base_colour.glsl)
   double share = 1;            // of the strands that grow, by a number of their own, (0, 1]
-  double guard_share = 0;  // of the strands that stand as guard hairs (renderer/passes/guard_hairs/hair.vert), [0, 1]
-  double widening = 1;     // factor on their width, >= 1: 1 / share keeps what they cover
+  double guard_share = 0;      // of the strands that stand as guard hairs, [0, 1]
+  double widening = 1;         // factor on their width, >= 1: 1 / share keeps what they cover
 
   bool operator==(const GrowRecipe&) const = default;
 };

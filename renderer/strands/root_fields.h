@@ -38,7 +38,7 @@ class LeanTable {
   std::vector<LeanRow> rows_;
 };
 
-// The fields of the surface where a strand is rooted, as renderer/passes/fur/fur_vertex.glsl hands them to fragments:
+// The fields of the surface where a strand is rooted, as renderer/shells/fur/fur_vertex.glsl hands them to fragments:
 // worked out at the corners of a piece and mixed.
 
 /// What fields say at a vertex. No padding.

@@ -41,7 +41,7 @@ class StrandForm {
 };
 
 // The colours of a strand where it stands: the tile's through the model's own, the pattern, paint and water, as
-// renderer/passes/fur/fur_fragment.glsl mixes them.
+// renderer/shells/fur/fur_fragment.glsl mixes them.
 
 /// A picture between its texels, linear; `uv` with v up, repeated.
 glm::vec3 sample_picture(const ImageView& image, glm::vec2 uv, const std::array<float, 256>& linear);

@@ -97,7 +97,7 @@ Result<World::Change> Tracer::Impl::grow(const FurModel& model, const FurFields&
   world.set_memory(memory - picture_bytes);
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
   const double expected = expected_strands(model, frame.coat);
-  recipe.guard_share = expected > 0 ? std::min(frame.knobs.guard_hairs / expected, 1.0) : 0;
+  recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
   thin_out(frame, expected, mean_length(fields.length), recipe);
   return world.update(model, fields, frame, recipe, workers, go_on);
 }

@@ -22,8 +22,8 @@ struct Backplate {
   FloatImage depth;  // 1 / distance along the view, 1 / sizes; 0 for none
 };
 
-// The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that the
-// marcher drew (Backplate), so that they look the same in both.
+// The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that was
+// rasterized (Backplate), so that they look the same in all tiers.
 
 /// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
 using GoOn = std::function<bool()>;

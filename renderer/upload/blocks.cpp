@@ -76,9 +76,9 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
       0.5f * glm::vec4(pixels * static_cast<float>(frame.width) / static_cast<float>(frame.height), -pixels, 0, 0);
   block.weights = glm::vec4(look.ambient, look.diffuse, look.specular, look.ambient_floor);
   block.exponents = glm::vec4(look.diffuse_exponent, look.specular_exponent, look.back_attenuation,
-                              frame.knobs.self_shadow ? look.self_shadow : 0.0);
+                              frame.knobs.shells.self_shadow ? look.self_shadow : 0.0);
   block.skin = {look.skin, takes_model_colours(look, model_has_colours) ? 1.0f : 0.0f};
-  block.counts = glm::vec4(frame.knobs.shells, crowding_of(coat), frame.lights.size(), coat.root_share);
+  block.counts = glm::vec4(frame.knobs.shells.count, crowding_of(coat), frame.lights.size(), coat.root_share);
   block.tile = glm::vec4(1 / coat.tile, finest_texel(frame, pixels), coat.lean_curve == LeanCurve::root ? 1 : 0,
                          largest_lightness(coat));
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "renderer/upload/model_buffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -206,18 +207,15 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
   gl.NamedBufferData(variation_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
 }
 
-void ModelBuffers::bind_storage(const Gl& gl) const {
-  static_assert(sizeof(RenderVertex) == vertex_floats * sizeof(float));
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, vertex_storage, fixed_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, groom_storage, groom_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, variation_storage, variation_.id());
-  paint_.bind_storage(gl);
-}
-
 ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
   const auto count = static_cast<GLsizei>(3 * triangles_.size());
   const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  return {{0, count}, {0, bare}, {bare, count - bare}, {}, {}};
+  return {.all = {0, count},
+          .bare = {0, bare},
+          .furred = {bare, count - bare},
+          .shown = {},
+          .back_facing = {},
+          .facing = {}};
 }
 
 namespace {
@@ -231,53 +229,31 @@ ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vec
 
 }  // namespace
 
-std::vector<ModelBuffers::DepthPart> ModelBuffers::parts_of_fur(const ShellLists& lists, const ShellView& view,
-                                                                std::vector<glm::uvec3>& elements) const {
-  const std::vector<DepthRange> ranges =
-      depth_parts(view.to_clip, positions_, triangles_.size() <= max_parted_triangles ? view.depth_parts : 1);
-  const std::vector<glm::vec2> distances = distances_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const int highest = max_lod(view.shells, view.policy);
-  const auto shells_in = [&](const DepthRange& range, const ShellLists::OfLods& triangles) {
-    std::array<DrawList, max_shell_lod + 1> of_lods;
-    for (std::size_t lod = 0; lod < of_lods.size(); ++lod)
-      of_lods[lod] = append(triangles_in(range, distances, triangles[lod]), elements);
-    std::vector<ShellList> shells;
-    for (int shell = 0; shell < view.shells; ++shell)
-      shells.push_back({shell, of_lods[static_cast<std::size_t>(std::min(gone_from(shell) - 1, highest))]});
-    return shells;
-  };
-  std::vector<DepthPart> parts;
-  for (const DepthRange& range : ranges) {
-    parts.push_back({range, shells_in(range, lists.back_facing), shells_in(range, lists.facing)});
-    std::reverse(parts.back().back_facing.begin(), parts.back().back_facing.end());
-  }
-  return parts;
-}
-
-ShellMesh ModelBuffers::mesh_in(const ShellView& view, std::span<const CellBox> cells) {
+ModelBuffers::DrawLists ModelBuffers::lists_for(const Gl& gl, const ShellView& view) {
   for (std::size_t i = 0; i < lods_.size(); ++i)
     lods_[i] = shell_lod(view, {positions_[i], normals_[i], lengths_[i], curvatures_[i]});
-  return {triangles_, centroids_, face_normals_, positions_, lengths_, lods_, cells};
-}
-
-FurWork ModelBuffers::work_of(const ShellView& view, glm::ivec2 pixels) {
-  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  return FurWork(mesh_in(view, cells), view, pixels);
-}
-
-ModelBuffers::DrawLists ModelBuffers::sort_for(const Gl& gl, const ShellView& view) {
-  const std::vector<CellBox> cells = cells_of_fur(view.to_clip, positions_, lengths_, view.stretch);
-  const ShellMesh mesh = mesh_in(view, cells);
   gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
-  const ShellLists lists = sort_triangles(mesh, view);
-
-  std::vector<glm::uvec3> elements = skin_elements();  // what lies outside the picture may throw a shadow into it
-  DrawLists result = lists_of_skin();
-  result.shown = append(shown_triangles(mesh, view), elements);
-  result.parts = parts_of_fur(lists, view, elements);
+  const ShellLists sorted = sort_triangles({triangles_, centroids_, face_normals_, positions_, lods_}, view);
+  const int highest = max_lod(view.shells, view.policy);
+  std::vector<glm::uvec3> elements = skin_elements();
+  DrawLists lists = lists_of_skin();
+  const auto shells_of = [&](const ShellLists::OfLods& of_lods) {
+    std::array<DrawList, max_shell_lod + 1> sent;
+    for (std::size_t lod = 0; lod < sent.size(); ++lod) sent[lod] = append(of_lods[lod], elements);
+    std::vector<std::pair<int, DrawList>> shells;
+    for (int shell = 0; shell < view.shells; ++shell)
+      shells.emplace_back(shell, sent[static_cast<std::size_t>(std::min(gone_from(shell) - 1, highest))]);
+    return shells;
+  };
+  lists.back_facing = shells_of(sorted.back_facing), lists.facing = shells_of(sorted.facing);
+  std::reverse(lists.back_facing.begin(), lists.back_facing.end());
+  std::vector<glm::uvec3> shown = sorted.facing[static_cast<std::size_t>(highest)];
+  const std::vector<glm::uvec3>& behind = sorted.back_facing[static_cast<std::size_t>(highest)];
+  shown.insert(shown.end(), behind.begin(), behind.end());
+  lists.shown = append(shown, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
-  return result;
+  return lists;
 }
 
 }  // namespace pelage

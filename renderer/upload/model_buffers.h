@@ -1,18 +1,16 @@
 // The one door from CPU arrays to GPU buffers: a model's vertices, split where corners differ, and its fields.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/surface_volume.h"
 #include "renderer/upload/paint_buffers.h"
-#include "renderer/visibility/depth_parts.h"
-#include "renderer/visibility/fur_work.h"
-#include "renderer/visibility/shell_lod.h"
+#include "renderer/upload/shell_lod.h"
 
 namespace pelage {
 
@@ -70,9 +68,6 @@ class ModelBuffers {
   VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
   /// The model's vertex of each render vertex.
   std::span<const std::uint32_t> welded() const { return welded_; }
-  /// Leaves the vertices, the fields and the variation at the storage bindings 0 to 2, as renderer/shaders/strand.glsl
-  /// reads them, and what is painted where PaintBuffers says.
-  void bind_storage(const Gl& gl) const;
   /// Slow changes of the fur at each render vertex (renderer/pattern); read by programs with a pattern only.
   void send_variation(const Gl& gl, std::span<const glm::vec4> values);
 
@@ -80,25 +75,15 @@ class ModelBuffers {
   struct DrawList {
     GLsizei first = 0, count = 0;
   };
-  struct ShellList {
-    int shell = 0;
-    DrawList list;
-  };
-  /// In the order of blending: back-facing outside in, then facing inside out.
-  struct DepthPart {
-    DepthRange range;
-    std::vector<ShellList> back_facing, facing;
-  };
   struct DrawLists {
-    DrawList all;                  // every triangle
-    DrawList bare, furred;         // those that bare skin may touch, and the others
-    DrawList shown;                // those whose fur is drawn
-    std::vector<DepthPart> parts;  // of the fur, far to near
+    DrawList all;           // every triangle
+    DrawList bare, furred;  // those that bare skin may touch, and the others
+    DrawList shown;         // those whose fur is drawn
+    // Of each shell, in the order of blending: outside in, then inside out.
+    std::vector<std::pair<int, DrawList>> back_facing, facing;
   };
   /// Sends the triangles to draw for a view, and the level of each vertex.
-  DrawLists sort_for(const Gl& gl, const ShellView& view);
-  /// How much is drawn where for a view that fills so many pixels.
-  FurWork work_of(const ShellView& view, glm::ivec2 pixels);
+  DrawLists lists_for(const Gl& gl, const ShellView& view);
 
  private:
   void keep(const FurModel& model, SplitModel split);
@@ -108,11 +93,6 @@ class ModelBuffers {
   bool set_skin(std::span<const FurSkinRegion> skin);                                  // whether it changed
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
-  /// The mesh with its levels in a view; `cells` are those of cells_of_fur.
-  ShellMesh mesh_in(const ShellView& view, std::span<const CellBox> cells);
-  /// Adds the lists of fur to the elements.
-  std::vector<DepthPart> parts_of_fur(const ShellLists& lists, const ShellView& view,
-                                      std::vector<glm::uvec3>& elements) const;
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 

@@ -1,6 +1,5 @@
 #include "renderer/upload/paint_buffers.h"
 
-#include "renderer/shaders/constants.h"
 #include "renderer/upload/model_buffers.h"
 
 namespace pelage {
@@ -20,7 +19,7 @@ float value_of(std::span<const float> field, std::uint32_t vertex, float default
 Pair numbers_of(const FurPaint& paint, std::uint32_t v) {
   return {{value_of(paint.density, v, 1), value_of(paint.width, v, 1), value_of(paint.wetness, v, 0),
            value_of(paint.bare, v, 0)},
-          {value_of(paint.curl, v, 0), value_of(paint.clump, v, 0), value_of(paint.mask, v, 1), 0}};
+          {value_of(paint.curl, v, 0), value_of(paint.clump, v, 0), 0, 0}};
 }
 
 /// So that a colour fades out over an edge without the colour of what is not painted.
@@ -56,11 +55,10 @@ bool PaintBuffers::prepare(const Gl& gl, const FurPaint& paint, GLuint vertex_ar
   Touched touched;
   touched.fur = !(paint.density.empty() && paint.width.empty() && paint.wetness.empty() && paint.bare.empty() &&
                   paint.curl.empty() && paint.clump.empty());
-  touched.numbers = touched.fur || !paint.mask.empty();
   touched.colours = !(paint.root_colour.empty() && paint.tip_colour.empty());
   if (touched == touched_) return false;
   const auto bytes = static_cast<GLsizeiptr>(render_vertices * sizeof(Pair));
-  if (touched.numbers && !touched_.numbers) {
+  if (touched.fur && !touched_.fur) {
     gl.NamedBufferData(numbers_.id(), bytes, nullptr, GL_DYNAMIC_DRAW);
     add_pair(gl, vertex_array, numbers_slot, numbers_.id(), Attribute::painted_numbers);
   }
@@ -74,7 +72,7 @@ bool PaintBuffers::prepare(const Gl& gl, const FurPaint& paint, GLuint vertex_ar
 
 void PaintBuffers::send(const Gl& gl, const FurPaint& paint, std::size_t begin, std::span<const std::uint32_t> welded,
                         UploadCount& count) const {
-  if (touched_.numbers) {
+  if (touched_.fur) {
     send_pairs(
         gl, numbers_, begin, welded, [&](std::uint32_t v) { return numbers_of(paint, v); }, count);
   }
@@ -87,11 +85,6 @@ void PaintBuffers::send(const Gl& gl, const FurPaint& paint, std::size_t begin, 
 
 std::string PaintBuffers::defines() const {
   return std::string(touched_.fur ? "#define PAINT\n" : "") + (touched_.colours ? "#define PAINT_COLOUR\n" : "");
-}
-
-void PaintBuffers::bind_storage(const Gl& gl) const {
-  if (touched_.fur) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, paint_storage, numbers_.id());
-  if (touched_.colours) gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, paint_colours_storage, colours_.id());
 }
 
 }  // namespace pelage

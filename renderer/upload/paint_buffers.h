@@ -13,8 +13,8 @@ namespace pelage {
 
 struct UploadCount;
 
-/// Two buffers over the render vertices of a model, as renderer/shaders/paint_attributes.glsl and paint_storage.glsl
-/// read them: numbers (density, width, wetness, bare; curl, clump, mask) and colours (root, tip; times their cover).
+/// Two buffers over the render vertices of a model, as renderer/shaders/paint_attributes.glsl
+/// reads them: numbers (density, width, wetness, bare; curl, clump) and colours (root, tip; times their cover).
 class PaintBuffers {
  public:
   explicit PaintBuffers(const Gl& gl) : numbers_(gl), colours_(gl) {}
@@ -27,19 +27,16 @@ class PaintBuffers {
   void send(const Gl& gl, const FurPaint& paint, std::size_t begin, std::span<const std::uint32_t> welded,
             UploadCount& count) const;
 
-  /// The #define lines of what is drawn: PAINT for numbers but the mask, PAINT_COLOUR for colours.
+  /// The #define lines of what is drawn: PAINT for numbers, PAINT_COLOUR for colours.
   std::string defines() const;
   std::size_t bytes(const Gl& gl) const {
     return gl.bytes_of_buffer(numbers_.id()) + gl.bytes_of_buffer(colours_.id());
   }
-  bool has_numbers() const { return touched_.numbers; }
   bool changes_fur() const { return touched_.fur; }
-  /// Leaves the buffers at the storage bindings 10 and 11.
-  void bind_storage(const Gl& gl) const;
 
  private:
   struct Touched {
-    bool numbers = false, fur = false, colours = false;
+    bool fur = false, colours = false;
     bool operator==(const Touched&) const = default;
   };
 

@@ -1,4 +1,4 @@
-// A model's vertices, split where the corners of its triangles differ: what is sent to a GPU, and what is marched.
+// A model's vertices, split where the corners of its triangles differ: what is sent to a GPU.
 #pragma once
 
 #include <cstdint>

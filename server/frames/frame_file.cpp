@@ -53,7 +53,7 @@ Channels channels_of(Aov aov) {
     case Aov::albedo: return {"albedo.", "RGB"};
     case Aov::direct: return {"direct.", "RGB"};
     case Aov::shadow: return {"shadow.", "Y"};
-    case Aov::shell_count: return {"shell_count.", "Y"};
+    case Aov::sample_count: return {"sample_count.", "Y"};
   }
   assert(false);
   return {};

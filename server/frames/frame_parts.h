@@ -11,11 +11,8 @@ inline Status server_stopping() { return failure(Code::unavailable, "the server 
 
 /// Milliseconds of each stage, for Server-Timing. Of a traced picture `draw` is of what lies under the strands.
 struct FrameTimings {
-  double queue = 0, upload = 0, shadow = 0, draw = 0, read = 0, encode = 0;
-  double cpu = 0;  // of shells: of all threads of the server while `shadow` and `draw` passed
-
-  /// What budgets are of (FrameEstimate).
-  double cost() const { return shadow + draw; }
+  double queue = 0, upload = 0, draw = 0, read = 0, encode = 0;
+  double cpu = 0;  // of what is not traced: of all threads of the server while `draw` passed
 };
 
 /// From the renderer's coordinates to the model's own: internal * size + centre.

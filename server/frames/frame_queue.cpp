@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocol/base/parallel.h"
+#include "renderer/raster/kernels.h"
 
 namespace pelage {
 
@@ -15,20 +16,20 @@ Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int thre
 }
 
 std::string drawn_by(const Context* context) {
-  return context ? context->description() : MarchedRenderer::description();
+  const std::string strands = std::string(instruction_set()) + " on the CPU";
+  return context ? strands + ", shells by " + context->description() : strands;
 }
 
 double expected_cost(const FrameRequest& request) {
-  constexpr double any_frame = 10, shell_pixel = 5e-6, raster_pixel = 2e-4;  // milliseconds
+  constexpr double any_frame = 10, strand_pixel = 2e-4, shell_pixel = 5e-6;  // milliseconds
   constexpr double sorted = 4;                                               // times as much
-  constexpr double usual_shells = 32;                                        // that an error takes
   if (request.budget_ms) return any_frame + *request.budget_ms;
   const Knobs& knobs = request.knobs;
   const double pixels = static_cast<double>(request.width) * request.height * request.drawn_share();
-  if (request.max_error) return any_frame + pixels * usual_shells * shell_pixel;
-  if (knobs.method == Method::raster) return any_frame + raster_pixel * pixels * knobs.scale * knobs.scale;
-  const double shells = knobs.scale * knobs.scale * knobs.shells;
-  return any_frame + pixels * shells * (knobs.order == FragmentOrder::sorted ? sorted : 1) * shell_pixel;
+  const double drawn = pixels * knobs.scale * knobs.scale;
+  if (knobs.method != Method::shells) return any_frame + strand_pixel * drawn;
+  const bool slow = knobs.shells.order == FragmentOrder::sorted;
+  return any_frame + drawn * knobs.shells.count * (slow ? sorted : 1) * shell_pixel;
 }
 
 void Turns::join(Subject subject) {

@@ -24,12 +24,12 @@ namespace pelage {
 /// Threads that the CPU draws on; `asked` as of select_context: 0 for all cores.
 int drawing_threads(int asked);
 
-/// By the context, or on the CPU where that is null. Fails as Renderer::create does.
+/// With shells where there is a context. Fails as Renderer::create does.
 Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats = bake_here);
-/// What draws: "EGL device, NVIDIA ..., OpenGL 4.5" or "AVX2 on the CPU".
+/// What draws: "AVX2 on the CPU", with a context "AVX2 on the CPU, shells by EGL device, NVIDIA ..., OpenGL 4.5".
 std::string drawn_by(const Context* context);
 
-/// Milliseconds that a frame of shells may take, above 0: a guess before its view is known, to order requests by.
+/// Milliseconds that a frame may take, above 0: a guess before its view is known, to order requests by.
 double expected_cost(const FrameRequest& request);
 
 /// Views of the scene.

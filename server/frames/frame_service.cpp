@@ -230,6 +230,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
   frame.cost = planner.cost_of(*shown->features, shown->fur);
   frame.cost.seconds *= job.request.drawn_share();
+  if (const Status can = renderer.can_draw(shown->fur); !can.ok()) return can;
   if (job.dry_run) return frame;
   if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
   if (job.coat && job.coat->failed()) return status_of(job.coat->error());
@@ -238,6 +239,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
     const std::lock_guard lock(mutex);
     job.expected = 1e3 * frame.cost.seconds;
   }
+  renderer.grow(shown->fur);
   frame.revision = shown->revision, frame.placement = shown->placement;
   frame.timings.upload = passed.milliseconds() - (job.paused - paused);
   DrawTimes times;
@@ -250,10 +252,10 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
   if (!picture) return picture.status();
-  frame.timings.shadow = times.shadow, frame.timings.draw = times.draw, frame.timings.read = times.read;
+  frame.timings.draw = times.draw;
   frame.timings.cpu = times.cpu;
   if (frame.estimate && times.counters.redrawn == 1 && !job.request.crop)
-    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.cost());
+    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.draw);
   frame.counters = times.counters;
   frame.picture = std::move(picture).value();
   frame.frame = std::make_shared<const FurFrame>(std::move(shown->fur));
@@ -403,7 +405,7 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
     impl_->memory.measure(renderer, shown->copy_id);
     impl_->count(passed.milliseconds(), base ? Status{} : base.status());
     if (!base) return base.status();
-    timings.draw = times.draw, timings.read = times.read;
+    timings.draw = times.draw;
     return TraceStart{std::move(*shown->copy),
                       std::move(shown->fur),
                       shown->placement,
@@ -449,7 +451,7 @@ std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
     bytes += copy->bytes() + impl_->memory.of_copies(copy->view().copy_id);
   return bytes;
 }
-std::size_t FrameService::coat_bytes() const { return impl_->memory.of_coats() + impl_->baker.bytes(); }
+std::size_t FrameService::coat_bytes() const { return impl_->baker.bytes(); }
 std::uint64_t FrameService::coats_baked() const { return impl_->baker.baked(); }
 std::size_t FrameService::gl_bytes() const { return impl_->memory.of_gl(); }
 

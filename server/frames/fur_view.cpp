@@ -126,14 +126,6 @@ FurPaint make_paint(const FieldSet& fields) {
       fields.colours(Field::tip_colour)};
 }
 
-/// The knob `scale` after `min_radius`.
-double rendered_scale(const Knobs& knobs, const PlacedCamera& camera, int height) {
-  constexpr double ball = 0.5;  // radius; the diagonal of the model's box is 1
-  const double radius = ball * 0.5 * height / (glm::length(camera.position) * camera.tan_half_fov);
-  if (radius * knobs.scale >= knobs.min_radius) return knobs.scale;
-  return std::max(knobs.scale, std::min(1.0, knobs.min_radius / radius));
-}
-
 }  // namespace
 
 FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
@@ -193,19 +185,19 @@ FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> ski
 }
 
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
-                       const std::vector<glm::vec2>* moved, bool strands) {
+                       const std::vector<glm::vec2>* moved, bool shells) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
   const FurFields fields = make_fields(scene, skin, ranges, moved);
   const std::uint64_t copy = copy_id(scene);
   const bool known = renderer.has(copy);
-  if (known && (!strands || renderer.rasterizes(copy))) return renderer.update(copy, fields);
+  if (known && (!shells || renderer.has_shells(copy))) return renderer.update(copy, fields);
   if (!known) renderer.forget(scene.copy_id);  // in other colours
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
   UploadCount count = known ? renderer.update(copy, fields) : renderer.add(model, fields);
-  if (strands) count.bytes += renderer.add_strands(model, fields).bytes;
+  if (shells) count.bytes += renderer.add_shells(model, fields).bytes;
   return count;
 }
 
@@ -233,7 +225,6 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
                   static_cast<float>(camera.tan_half_fov)};
   frame.width = request.width, frame.height = request.height, frame.crop = request.crop;
   frame.knobs = request.knobs;
-  frame.knobs.scale = rendered_scale(request.knobs, camera, request.height);
   frame.background = request.background, frame.background_colour = request.background_colour;
   frame.exposure = request.exposure, frame.tone_map = request.tone_map;
   frame.overlay = request.overlay;

@@ -28,10 +28,9 @@ std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, con
 
 /// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have in these
 /// colours, else the dirty vertex ranges.
-/// The fur leans as `moved` says, where it is not null; `dirty` is then of both. With `strands` also what rasterizing
-/// needs.
+/// The fur leans as `moved` says, where it is not null; `dirty` is then of both. With `shells` also what those need.
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
-                       const std::vector<glm::vec2>* moved = nullptr, bool strands = false);
+                       const std::vector<glm::vec2>* moved = nullptr, bool shells = false);
 
 /// What is drawn of a model: its triangles as patches have them, with the place of each corner on the sample tile, the
 /// patch's share there and the model's own look.

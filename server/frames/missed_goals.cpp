@@ -13,7 +13,7 @@ std::string missed_goals(const FrameRequest& request, const FrameAnswer& answer)
     if (is_missed) missed += (missed.empty() ? "" : ", ") + std::string(name);
   };
   const bool traced = answer.trace && answer.trace->passes > 0;
-  name_if(!traced && request.budget_ms && answer.timings.cost() > *request.budget_ms * budget_margin, "budget_ms");
+  name_if(!traced && request.budget_ms && answer.timings.draw > *request.budget_ms * budget_margin, "budget_ms");
   name_if(!traced && request.max_error && answer.estimate &&
               std::min(1.0, answer.estimate->error * answer.estimate->error_safety) > *request.max_error,
           "max_error");

@@ -17,7 +17,6 @@ class RendererMemory {
   void measure(const Renderer& renderer, std::uint64_t model) {
     const std::lock_guard lock(mutex_);
     copies_[model] = renderer.bytes_of(model);
-    coats_ = renderer.coat_bytes();
     gl_ = renderer.gl_bytes();
   }
   /// After its copies were dropped.
@@ -33,15 +32,13 @@ class RendererMemory {
     const auto found = copies_.find(model);
     return found == copies_.end() ? 0 : found->second;
   }
-  /// Of all coats that are kept.
-  std::size_t of_coats() const { return coats_; }
   /// Storage of all GL objects.
   std::size_t of_gl() const { return gl_; }
 
  private:
   mutable std::mutex mutex_;  // held for a look-up only
   std::map<std::uint64_t, std::size_t> copies_;
-  std::atomic<std::size_t> coats_{0}, gl_{0};
+  std::atomic<std::size_t> gl_{0};
 };
 
 }  // namespace pelage

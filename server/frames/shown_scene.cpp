@@ -5,19 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/overlay/field_picture.h"
 #include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
 
 namespace {
-
-/// Whether strands are rasterized for it: all of the picture, or the field that lies over a traced one.
-bool rasterizes(const FrameRequest& request) {
-  const Method method = request.knobs.method;
-  return method == Method::raster || (method == Method::strands && is_field(request.overlay));
-}
 
 Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& request, const FramePast& past,
                         MovedFur& fur, bool with_copy, bool with_features) {
@@ -31,7 +24,8 @@ Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& re
     shown.moment = moment_of(view, request);
     const MovedFur::Shown moved = fur.show(view, shown.moment);
     const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(mesh.positions.size())}};
-    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get(), rasterizes(request));
+    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get(),
+               request.knobs.method == Method::shells);
     shown.direction = moved.direction;
     comparable = !past.compared || past.compared->model.get() == &view.model;
     if (past.compared && comparable) shown.fur.difference = change_shares(past.compared->fields, view.fields);

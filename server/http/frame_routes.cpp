@@ -106,9 +106,8 @@ std::string server_timing(const FrameAnswer& frame) {
         t.queue, t.upload, t.draw, frame.trace->grow_ms, frame.trace->trace_ms, t.read, t.encode);
   }
   return fmt::format(
-      "queue;dur={:.3f}, upload;dur={:.3f}, shadow;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}, "
-      "cost;dur={:.3f}, cpu;dur={:.3f}",
-      t.queue, t.upload, t.shadow, t.draw, t.read, t.encode, t.cost(), t.cpu);
+      "queue;dur={:.3f}, upload;dur={:.3f}, draw;dur={:.3f}, read;dur={:.3f}, encode;dur={:.3f}, cpu;dur={:.3f}",
+      t.queue, t.upload, t.draw, t.read, t.encode, t.cpu);
 }
 
 /// A better picture of the revision that the client has, or what it asks for anew.

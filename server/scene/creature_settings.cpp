@@ -70,7 +70,7 @@ void add_brow(double side, const Surface& surface, std::vector<CurveGroup>& grou
 
 /// A lash on the upper lid's edge, `across` from its middle (0) to a corner (-1, 1): first out, then up and outwards.
 GuideCurve lash(const Eye& eye, const FurLids& lids, double across, double side, double size) {
-  constexpr double lid_radius = 1.07;  // as eye_block.glsl has it; the edge is that of opening() in eye.frag
+  constexpr double lid_radius = 1.07;  // as renderer/optics/iris-inl.h has it; the edge is that of its lid_opening()
   const double a = across * lids.opening.x, y = lids.opening.y * (1 - across * across);
   const glm::dmat3 frame(lids.frame);
   const dvec3 out = frame * dvec3(std::sin(a) * std::cos(y), std::sin(y), std::cos(a) * std::cos(y));

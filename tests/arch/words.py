@@ -19,7 +19,7 @@ WORDS = {
     "FrameLayer": ("Aov", r"FrameLayers?", EVERYWHERE),
     "layer_count": ("shell_count", r"layer_count", EVERYWHERE),
     "layer of shells": ("shell", r"layer_(sets?|level|depth|maps?)|Layer(Sets?|Mesh|View|Lists|Vertex)", EVERYWHERE),
-    "layer in the renderer": ("shell, AOV or array index", r"layers?", r"^renderer/(coat|frame|image|passes|quality|shaders|strands|visibility)/"),
+    "layer in the renderer": ("shell, AOV or array index", r"layers?", r"^renderer/(coat|frame|image|quality|raster|shaders|shells|strands)/"),
     "base picture": ("skin texture or backplate", r"[bB]ase[ _-]?[pP]ictures?", EVERYWHERE),
     "refine": ("progressive or subdivide", r"[rR]efine(d|s|ments?|ment)?|[rR]efinements?|refining", EVERYWHERE),
     "patience": ("idle_timeout", r"patience|manners", EVERYWHERE),

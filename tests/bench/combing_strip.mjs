@@ -1,11 +1,11 @@
-// What the hand sees in one second of combing: pictures of the studio an eighth of a second apart, in a row. One row for
-// each way to draw, so that they stand below one another. Real Chromium, real server, both on this machine.
-// usage: node combing_strip.mjs STRIP.jpg [none|osmesa|egl...]    from tests/bench, with PELAGE_BIN
+// What the hand sees in one second of combing: pictures of the studio an eighth of a second apart, in a row. Real Chromium,
+// real server, both on this machine.
+// usage: node combing_strip.mjs STRIP.jpg    from tests/bench, with PELAGE_BIN
 import {writeFileSync} from "node:fs";
 import {Server} from "../studio/support/server.mjs";
 import {Studio, browser} from "../studio/support/studio.mjs";
 
-const [file, ...drawers] = process.argv.slice(2);
+const file = process.argv[2];
 const seconds = 1, pictures = 8, middle = {x: 0.30, y: 0.22, width: 0.40, height: 0.56};  // shares of the surface
 
 /** Moves the pressed brush to and fro for the seconds, as fast as the page takes it. */
@@ -36,33 +36,22 @@ async function second_of(studio) {
   return Array.from({length: pictures}, (_, k) => shown_at(frames, start + (k + 1) * seconds * 1000 / pictures).data);
 }
 
-async function row(chrome, drawer) {
-  const server = await Server.start(["--gl", drawer]);
-  try {
-    const {id} = await server.creature("strip", 5000);
-    const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1280, height: 800}}});
-    await studio.ready();
-    await studio.page.waitForTimeout(3000);  // until it rests
-    const box = await studio.page.locator(".surface").boundingBox();
-    const strip = {drawer, box, data: await second_of(studio)};
-    await studio.close();
-    return strip;
-  } finally {
-    await server.stop();
-  }
-}
-
-const cell = ({box, data}) => `<div style="width:${box.width * middle.width}px;height:${box.height * middle.height}px;overflow:hidden">
+const cell = (box, data) => `<div style="width:${box.width * middle.width}px;height:${box.height * middle.height}px;overflow:hidden">
   <img src="data:image/jpeg;base64,${data}" style="margin:${-box.y - middle.y * box.height}px 0 0 ${-box.x - middle.x * box.width}px"></div>`;
 
+const server = await Server.start();
 const chrome = await browser();
 try {
-  const rows = [];
-  for (const drawer of drawers.length ? drawers : ["none"]) rows.push(await row(chrome, drawer));
+  const {id} = await server.creature("strip", 5000);
+  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1280, height: 800}}});
+  await studio.ready();
+  await studio.page.waitForTimeout(3000);  // until it rests
+  const box = await studio.page.locator(".surface").boundingBox(), seen = await second_of(studio);
   const page = await (await chrome.newContext({viewport: {width: 400, height: 400}, deviceScaleFactor: 0.5})).newPage();
-  await page.setContent(`<body style="margin:0;width:max-content">${rows.map(({box, data}) =>
-    `<div style="display:flex;gap:4px;margin-bottom:4px">${data.map((one) => cell({box, data: one})).join("")}</div>`).join("")}</body>`);
+  await page.setContent(`<body style="margin:0;width:max-content"><div style="display:flex;gap:4px">${
+    seen.map((data) => cell(box, data)).join("")}</div></body>`);
   writeFileSync(file, await page.locator("body").screenshot({type: "jpeg", quality: 88}));
 } finally {
   await chrome.close();
+  await server.stop();
 }

@@ -1,5 +1,5 @@
 // The dial: fits the defaults on built-in models, and judges them on models that the fit does not know.
-// usage: bench_dial fit FILE [--scenes N] [--repetitions N] [--threads N]
+// usage: bench_dial fit FILE [--scenes N] [--repetitions N] [--threads N] [--passes N]
 //          draws the calibration's scenes with all rows and writes their code (renderer/quality/defaults.cpp)
 //        bench_dial judge FOLDER [--size PIXELS] [--repetitions N] [--threads N]
 //          draws models of a folder with the rows and others between them, and says how often budgets and errors are
@@ -24,21 +24,22 @@
 #include "server/frames/fur_view.h"
 #include "tests/bench/dial_fit.h"
 #include "tests/bench/measure.h"
+#include "tests/bench/traced.h"
 
 namespace pelage::bench {
 namespace {
 
 /// From the roughest to the nearest; the tier `interactive` among them, so that its frames have an estimate.
 std::vector<Knobs> rows() {
-  return {dial_knobs(4, 4, .25), dial_knobs(4, 4, .5), dial_knobs(8, 2, .7), dial_knobs(8, 3, 1),
-          dial_knobs(12, 2, 1),  dial_knobs(16, 2, 1), dial_knobs(32, 2, 1), dial_knobs(64, 4, 1)};
+  return {dial_knobs(.4, 8, .25), dial_knobs(.4, 8, .5), dial_knobs(.3, 4, .7), dial_knobs(.4, 4, 1),
+          dial_knobs(1.5, 2, 1),  dial_knobs(4, 2, 1),   dial_knobs(1.5, 2, 2), dial_knobs(1000, 2, 2)};
 }
 
 /// The rows, and what could have been chosen between them.
 std::vector<Knobs> candidates() {
   std::vector<Knobs> all = rows();
-  for (const Knobs& knobs : {dial_knobs(4, 4, .35), dial_knobs(4, 4, .7), dial_knobs(4, 4, 1), dial_knobs(6, 2, 1),
-                             dial_knobs(8, 2, 1), dial_knobs(24, 2, 1), dial_knobs(48, 3, 1)})
+  for (const Knobs& knobs : {dial_knobs(.2, 8, .35), dial_knobs(1, 4, .5), dial_knobs(.7, 4, .7), dial_knobs(.8, 4, 1),
+                             dial_knobs(2.5, 2, 1), dial_knobs(1000, 2, 1), dial_knobs(.8, 4, 2)})
     all.push_back(knobs);
   return all;
 }
@@ -49,33 +50,38 @@ T value_or_end(Result<T> result) {
   return std::move(result).value();
 }
 
-/// Over the fur of both, against many sorted shells.
+/// Over the fur of both, against traced strands.
 double error_of(const Image& truth, const Image& test) {
   constexpr double min_error = 1e-5;
   const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(test)));
   return std::max(min_error, value_or_end(compare(truth, test, mask)).figures->flip.mean);
 }
 
+Image truth_of(Renderer& renderer, const SceneView& scene, FurFrame frame, int passes) {
+  frame.knobs = knobs_of(Tier::reference);
+  frame.knobs.trace.passes = passes, frame.knobs.trace.filter = false;
+  return value_or_end(renderer.finish(frame, traced_light(renderer, scene, frame)));
+}
+
 struct Measuring {
   int repetitions = 1;
   int threads = 0;  // that the time that passes is measured on; 0: CPU time of one
+  int passes = 64;  // of the truth
 };
 
 MeasuredView measure_view(Renderer& renderer, const SceneView& scene, const FurFrame& frame,
                           std::span<const Knobs> knobs, const Measuring& how) {
-  Knobs many = dial_knobs(256, 2, 1);
-  many.order = FragmentOrder::sorted;
-  const Image truth = value_or_end(draw_often(renderer, frame, many, 1)).picture;
+  const Image truth = truth_of(renderer, scene, frame, how.passes);
   MeasuredView measured{view_features(frame, furred_skin(scene)), {}, {}};
   const ViewFeatures& f = measured.features;
-  fmt::print("  pixels {:.0f}, triangles {:.0f}, area {:.0f}, fur {:.2f}, lights {:.0f}\n", f.pixels, f.triangles,
-             f.area, f.fur_pixels, f.lights);
+  fmt::print("  pixels {:.0f}, area {:.0f}, fur {:.2f}, lights {:.0f}, strands {:.0f}, width {:.3f}\n", f.pixels,
+             f.area, f.fur_pixels, f.lights, f.strands, f.width_pixels);
   for (const Knobs& one : knobs) {
     const TimedPicture timed = value_or_end(draw_often(renderer, frame, one, how.repetitions));
     measured.cost_ms.push_back(how.threads > 0 ? timed.cost_ms : timed.cpu_ms);
     measured.error.push_back(error_of(truth, timed.picture));
-    fmt::print("    {:2} x {}, scale {:.2f}: {:8.2f} ms, FLIP {:.4f}\n", one.shells, one.steps, one.scale,
-               measured.cost_ms.back(), measured.error.back());
+    fmt::print("    {:6} a pixel, light of {}, scale {:.2f}: {:8.2f} ms, FLIP {:.4f}\n", one.raster.strands,
+               one.raster.light_of, one.scale, measured.cost_ms.back(), measured.error.back());
   }
   std::fflush(stdout);
   return measured;
@@ -91,8 +97,8 @@ void write_defaults(const DialModel& model, const std::string& file) {
   text += fmt::format("      .min_fur = {:.3g},\n      .max_fur = {:.3g},\n      .rows = {{\n", model.min_fur,
                       model.max_fur);
   for (const DialRow& row : model.rows)
-    text += fmt::format("          {{dial_knobs({}, {}, {}), {:.4g}, {:.3f}, {:.3f}}},\n", row.knobs.shells,
-                        row.knobs.steps, row.knobs.scale, row.error, row.growth, row.safety);
+    text += fmt::format("          {{dial_knobs({}, {}, {}), {:.4g}, {:.3f}, {:.3f}}},\n", row.knobs.raster.strands,
+                        row.knobs.raster.light_of, row.knobs.scale, row.error, row.growth, row.safety);
   std::ofstream(file) << text << "      }};\n  return model;\n}\n\n}  // namespace pelage\n";
 }
 
@@ -171,7 +177,7 @@ void Judge::budgets(const MeasuredView& view, const CostCorrection& correction, 
 /// Errors that a candidate keeps.
 void Judge::errors(const MeasuredView& view) {
   constexpr double never = 1e30;
-  for (double max = 0.008; max <= 0.12; max *= 1.2) {
+  for (double max = 0.05; max <= 0.4; max *= 1.1) {
     double cheapest = never;
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       cheapest = view.error[i] <= max ? std::min(cheapest, view.cost_ms[i]) : cheapest;
@@ -220,7 +226,7 @@ int main(int count, char** arguments) {
   const auto number = [&](const char* name, int fallback) {
     return argument(count - 2, arguments + 2, name, fallback);
   };
-  const Measuring how{number("--repetitions", 4), number("--threads", 0)};
+  const Measuring how{number("--repetitions", 4), number("--threads", 0), number("--passes", 64)};
   const BenchRenderer opened = open_renderer(GlChoice::none, {.threads = std::max(how.threads, 1)});
   if (!opened.renderer) return 4;
   if (mode == "fit") {

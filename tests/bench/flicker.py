@@ -3,7 +3,7 @@
 Each frame is reprojected to the one before it: the AOV `position` says where on the model every pixel lies, the
 camera before says where that was seen. What is hidden there, or moves in depth by over a hundredth of the size, is left
 out. The change is the root mean square over linear light and the mean of |difference| after the sRGB curve, in grey
-levels of 255. Bilinear reprojection blurs, so that no setting has none; what counts is how much more than `sorted 256`.
+levels of 255. Bilinear reprojection blurs, so that no setting has none; what counts is how much more than `every strand`.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [--step .25] [--size 256]
            [--model creature] [--triangles 5000]
@@ -19,9 +19,8 @@ from support.exr import read_exr  # noqa: E402
 from support.server import Server  # noqa: E402
 
 FOV = 35
-SETTINGS = [("draft", "draft"), ("interactive", "interactive"), ("detailed", "detailed"),
-            ("uniform 256", {"shells": 256, "shell_policy": "uniform"}),
-            ("sorted 256", {"shells": 256, "shell_policy": "uniform", "order": "sorted"})]
+SETTINGS = {**{tier: tier for tier in ("draft", "interactive", "detailed")},
+            "every strand, at twice the size": {"scale": 2, "raster": {"strands": 1000, "light_of": 1}}}
 
 
 def camera_at(degrees, centre, distance):
@@ -108,7 +107,7 @@ def main():
         info = scene.info()
         print(f"{options.model}, {options.frames} frames, {options.step} degrees apart, {options.size} pixels\n")
         print("| quality | RMS, linear | grey levels | reprojected, % |\n|---|---|---|---|")
-        for name, quality in SETTINGS:
+        for name, quality in SETTINGS.items():
             rms, levels, share = orbit(scene, info, quality, options)
             print(f"| {name} | {rms:.4f} | {levels:.2f} | {100 * share:.0f} |", flush=True)
     finally:

@@ -19,22 +19,22 @@ double run(const Gl& gl, Renderer& renderer, const char* name, const testing::Fu
   FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
   request.background = Background::colour;
   request.tone_map = ToneMap::filmic;
-  request.knobs.shells = 16;
+  request.knobs.method = Method::shells;
   const Image picture = testing::draw(renderer, model, request);
   const FurFrame frame = make_frame(model.view(), request);
-  FurFrame draft = frame;
-  draft.knobs = knobs_of(Tier::draft);
+  FurFrame strands = frame;
+  strands.knobs = knobs_of(Tier::interactive);
   NaiveRenderer naive(gl, model, frame);
   const double difference = testing::mean_difference(picture, naive.draw());
-  Cost ours, ours_draft, theirs;
+  Cost ours, rasterized, theirs;
   for (int i = 0; i < repetitions; ++i) {
     theirs.lower_to(measure([&] { naive.draw(); }));
     ours.lower_to(measure([&] { draw(renderer, frame); }));
-    ours_draft.lower_to(measure([&] { draw(renderer, draft); }));
+    rasterized.lower_to(measure([&] { draw(renderer, strands); }));
   }
   std::printf("%-9s %7zu %5d | %8.1f %8.1f | %8.1f %8.1f %5.2f | %8.1f %8.1f %5.2f | %5.2f\n", name,
               model.model.surface.mesh().triangles.size(), size, theirs.wall, theirs.cpu, ours.wall, ours.cpu,
-              theirs.cpu / ours.cpu, ours_draft.wall, ours_draft.cpu, theirs.cpu / ours_draft.cpu, difference);
+              theirs.cpu / ours.cpu, rasterized.wall, rasterized.cpu, theirs.cpu / rasterized.cpu, difference);
   std::fflush(stdout);
   return difference;
 }
@@ -59,7 +59,7 @@ int main(int count, char** arguments) {
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
   std::printf("%-9s %7s %5s | %17s | %17s %5s | %17s %5s | mean difference /255\n", "16 shells", "tri", "px",
-              "naive: wall cpu ms", "ours: wall cpu", "ratio", "draft: wall cpu", "ratio");
+              "naive: wall cpu ms", "ours: wall cpu", "ratio", "strands: wall cpu", "ratio");
   double difference = 0;
   const auto add = [&](const char* name, const testing::FurredModel& model) {
     difference = std::max(difference, run(opened.context->gl(), *opened.renderer, name, model, size, repetitions));

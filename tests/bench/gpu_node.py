@@ -1,8 +1,8 @@
-"""A farm node with a GPU: how fast one device draws for several processes, and how far its pictures are from software's.
+"""Shells on a farm node with a GPU: how fast one device draws for several processes, and how far it is from software.
 
-`speed` draws a turntable of the creature by 1, 2, 4 and 8 processes that share the device, and by one process on all cores of the
-CPU. The seconds of a frame are those after the first file, so that starting does not count; it is listed beside them.
-`draw` draws some frames of each quality into a folder; `compare` says how far apart two such folders are, drawn by different drivers:
+`speed` draws a turntable of the creature by 1, 2, 4 and 8 processes that share the device, and by one with OSMesa on all
+cores. The seconds of a frame are those after the first file, so that starting does not count; it is listed beside them.
+`draw` draws some frames of each kind of shells into a folder; `compare` says how far apart two such folders of different drivers are:
 mean and 99.9th percentile of the pixels' differences in 1/255, and the share of pixels that differ by more than 16.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/gpu_node.py speed [--gl egl] [--device 0] [--frames 100] [--width 1920] [--height 1080]
@@ -17,23 +17,24 @@ import subprocess
 import tempfile
 import time
 
-QUALITIES = ("draft", "interactive", "detailed")
+SHELLS = {"four_pass": {}, "shadow_maps": {"shadow_maps": True}, "sorted": {"order": "sorted"}}
 
 
 def program():
     return pathlib.Path(os.environ["PELAGE_BIN"]).resolve() / "pelage-render"
 
 
-def write_job(folder, options, quality, frames):
-    path = folder / f"{quality}.json"
+def write_job(folder, options, shells, frames):
+    path = folder / f"{shells}.json"
     path.write_text(json.dumps({
-        "builtin": {"builtin": "creature", "triangles": 20000}, "frames": f"1-{frames}", "output": f"{quality}.####.png", "turntable": {},
-        "frame": {"width": options.width, "height": options.height, "camera": {"auto": "three_quarter"}, "quality": quality}}))
+        "builtin": {"builtin": "creature", "triangles": 20000}, "frames": f"1-{frames}", "output": f"{shells}.####.png", "turntable": {},
+        "frame": {"width": options.width, "height": options.height, "camera": {"auto": "three_quarter"},
+                  "quality": {"method": "shells", "shells": SHELLS[shells]}}}))
     return path
 
 
 def start(path, options, *arguments):
-    device = [] if options.device is None or "none" in arguments else ["--device", str(options.device)]
+    device = [] if options.device is None or "osmesa" in arguments else ["--device", str(options.device)]
     return subprocess.Popen([program(), path, *device, *arguments], stdout=subprocess.PIPE, text=True)
 
 
@@ -60,25 +61,25 @@ def timed(path, options, frames, processes, gl, threads):
 def speed(options):
     cores = os.cpu_count()
     ways = [(f"{n} processes, {options.gl}", n, options.gl, max(1, cores // n)) for n in (1, 2, 4, 8) if n <= cores]
-    if options.gl != "none":
-        ways.append((f"1 process, CPU, {cores} threads", 1, "none", cores))
-    for quality in QUALITIES:
+    if options.gl != "osmesa":
+        ways.append((f"1 process, OSMesa, {cores} threads", 1, "osmesa", cores))
+    for shells in SHELLS:
         with tempfile.TemporaryDirectory() as folder:
-            path = write_job(pathlib.Path(folder), options, quality, options.frames)
+            path = write_job(pathlib.Path(folder), options, shells, options.frames)
             base = None
             for name, processes, gl, threads in ways:
                 first, frame = timed(path, options, options.frames, processes, gl, threads)
                 base = base or frame
-                print(f"{quality:12} {name:28} first {first:5.2f} s, then {frame * 1e3:7.1f} ms a frame, {base / frame:5.2f} times the first row", flush=True)
+                print(f"{shells:12} {name:28} first {first:5.2f} s, then {frame * 1e3:7.1f} ms a frame, {base / frame:5.2f} times the first row", flush=True)
 
 
 def draw(options):
     folder = pathlib.Path(options.folders[0])
     folder.mkdir(parents=True, exist_ok=True)
-    for quality in QUALITIES:
-        process = start(write_job(folder, options, quality, 3), options, "--gl", options.gl)
+    for shells in SHELLS:
+        process = start(write_job(folder, options, shells, 3), options, "--gl", options.gl)
         process.communicate()
-        assert process.returncode == 0, (quality, process.returncode)
+        assert process.returncode == 0, (shells, process.returncode)
 
 
 def compare(options):

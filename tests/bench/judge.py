@@ -1,7 +1,6 @@
 """Every look and recipe in every tier, side by side, and how much of the reference's light each tier has.
 
-Light is mean linear luminance over alpha, as in tiers.py: what one grooms in `interactive` should keep its light when
-strands take over.
+Light is mean linear luminance over alpha, as in tiers.py: it should stay when tracing takes over.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/judge.py SHEET.jpg [--size 300] [--passes 16] [--only NAME...]
 """

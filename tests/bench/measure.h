@@ -17,11 +17,6 @@ struct BenchRenderer {
 /// Prints what there is; on failure prints why, and both are null.
 BenchRenderer open_renderer(GlChoice gl = GlChoice::egl, const RendererOptions& options = {});
 
-/// The animals and the torus that speeds are told of, and their names.
-inline constexpr int speed_models = 3;
-testing::FurredModel speed_model(int number);
-const char* speed_name(int number);
-
 /// A picture of a frame and what it cost. Ends the program when it cannot be drawn.
 Image draw(Renderer& renderer, const FurFrame& frame, DrawTimes* times = nullptr);
 

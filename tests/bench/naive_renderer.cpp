@@ -3,8 +3,8 @@
 #include <array>
 #include <cassert>
 
-#include "renderer/frame/parts.h"
-#include "renderer/passes/draw/draw.h"
+#include "renderer/finish/finish.h"
+#include "renderer/shells/draw/draw.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
@@ -36,7 +36,9 @@ ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
 }
 
 std::string defines_of(const FurFrame& frame, const testing::FurredModel& model) {
-  return light_of(frame, !model.model.surface.mesh().corners.empty()) + "#define SHADING_MODEL " +
+  const bool ramp = !takes_model_colours(frame.look, !model.model.surface.mesh().corners.empty());
+  return std::string(ramp ? "#define RAMP_COLOURS\n" : "") + "#define FAR_LIGHTS\n#define LIGHTS " +
+         std::to_string(frame.lights.size()) + "\n#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
@@ -58,19 +60,18 @@ NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, co
       model_(send(gl, model)),
       skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame, model)),
       shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame, model)),
-      resolve_(gl),
       scattering_(gl),
       block_(gl),
-      drawn_(gl, GL_RGBA16F, frame.width, frame.height, true),
-      picture_(gl, GL_RGBA8, frame.width, frame.height, false) {
-  assert(skin_.id() && shell_.id() && drawn_.complete() && picture_.complete());
+      drawn_(gl, GL_RGBA16F, frame.width, frame.height, true) {
+  assert(skin_.id() && shell_.id() && drawn_.complete());
   gl.NamedBufferData(block_.id(), sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
 }
 
 Image NaiveRenderer::draw() {
   const FrameBlock block = make_frame_block(frame_, coat_.slices(), model_.has_colours(), frame_.height);
+  const int shells = frame_.knobs.shells.count;
   const auto lists =
-      model_.sort_for(gl_, {glm::vec3(block.viewpoint), block.viewpoint.w, frame_.knobs.shells, ShellPolicy::uniform});
+      model_.lists_for(gl_, {glm::vec3(block.viewpoint), block.viewpoint.w, shells, ShellPolicy::uniform});
   const std::array<float, 4> nothing{};
   const float far_away = 0;
   gl_.ClearNamedFramebufferfv(drawn_.framebuffer(), GL_COLOR, 0, nothing.data());
@@ -96,24 +97,24 @@ Image NaiveRenderer::draw() {
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   shell_.use();
   shell_.set("push", 0.0f);
-  shell_.set("shell_count", frame_.knobs.shells);
-  const auto draw_side = [&](const std::vector<ModelBuffers::ShellList>& side, int sign) {
+  shell_.set("shell_count", shells);
+  const auto draw_side = [&](const std::vector<std::pair<int, ModelBuffers::DrawList>>& side, int sign) {
     shell_.set("shell_side", sign);
-    for (const ModelBuffers::ShellList& each : side) {
-      shell_.set("shell", each.shell);
-      draw_list(gl_, each.list);
+    for (const auto& [shell, list] : side) {
+      shell_.set("shell", shell);
+      draw_list(gl_, list);
     }
   };
-  draw_side(lists.parts.front().back_facing, -1);
-  draw_side(lists.parts.front().facing, 1);
+  draw_side(lists.back_facing, -1);
+  draw_side(lists.facing, 1);
   gl_.Disable(GL_BLEND);
-  resolve_.draw(gl_, frame_, drawn_, picture_, 255, 0);
-  Image image{frame_.width, frame_.height, {}};
-  image.rgba.resize(4 * static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height));
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.framebuffer());
-  gl_.ReadPixels(0, 0, frame_.width, frame_.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  FloatImage light;
+  light.width = frame_.width, light.height = frame_.height;
+  light.rgba.resize(4 * static_cast<std::size_t>(frame_.width) * static_cast<std::size_t>(frame_.height));
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer());
+  gl_.ReadPixels(0, 0, frame_.width, frame_.height, GL_RGBA, GL_FLOAT, light.rgba.data());
   gl_.DepthMask(GL_TRUE);
-  return image;
+  return finish_picture(frame_, {light});
 }
 
 }  // namespace bench

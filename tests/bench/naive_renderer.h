@@ -20,10 +20,9 @@ class NaiveRenderer {
   CoatTextures coat_;
   ModelBuffers model_;
   Program skin_, shell_;
-  ResolvePass resolve_;
   ScatteringTextures scattering_;
   Buffer block_;
-  RenderTarget drawn_, picture_;
+  RenderTarget drawn_;
 };
 
 }  // namespace pelage::bench

@@ -1,8 +1,9 @@
 """Grooming beside a progressive picture, and a progressive picture as a client sees it.
 
-Stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive): alone, while another view of the scene is
-followed by shells, and while it is followed by a progressive picture; blocks of strokes of each kind in turn, in one run. Then time against error: for each
-picture of a progressive picture the seconds since the request, and FLIP where there is fur against its last picture.
+Stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive): alone, while another view of the
+scene is followed by rasterized pictures, and while it is followed by a progressive one; blocks of strokes of each kind in
+turn, in one run. Then time against error: for each picture of a progressive one the seconds since the request, and FLIP
+where there is fur against its last picture.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/progressive_latency.py [BLOCKS] [STROKES] [LAST_PASS]
 """
@@ -96,10 +97,10 @@ def latency(server, blocks, count):
     scene = server.new_scene("creature", 5000)
     client = Client(server, scene)
     strokes(client, 0, 3)  # the first frames make textures and programs
-    times, pictures = {"alone": [], "shells": [], "progressive picture": []}, 0
+    times, pictures = {"alone": [], "rasterized": [], "progressive": []}, 0
     for block in range(blocks):
         for kind, taken in times.items():
-            follower = Follower(server, scene, progressive=kind == "progressive picture")
+            follower = Follower(server, scene, progressive=kind == "progressive")
             if kind != "alone":
                 follower.start()
                 time.sleep(1)
@@ -111,7 +112,7 @@ def latency(server, blocks, count):
           f"{pictures} traced pictures went to the other view meanwhile")
     for name, values in times.items():
         print(f"  {name}: median {share(values, .5):.1f} ms, 95th percentile {share(values, .95):.1f} ms")
-    for one, other in (("progressive picture", "alone"), ("shells", "alone"), ("progressive picture", "shells")):
+    for one, other in (("progressive", "alone"), ("rasterized", "alone"), ("progressive", "rasterized")):
         ratios = [share(times[one], part) / share(times[other], part) for part in (0.5, 0.95)]
         print(f"  {one} / {other}: median {ratios[0]:.3f}, 95th percentile {ratios[1]:.3f}")
 
@@ -148,7 +149,7 @@ def time_against_error(server, last_pass):
             continue
         shown = report["passes"]
         error = flip(server.folder, pictures[-1][1], content, mask)
-        passes = report["passes"] or "shells"
+        passes = report["passes"] or "rasterized"
         print(f"| {passes} | {seconds:.2f} | {error['flip']['mean']:.4f} | {error['rmse']:.4f} | {report['noise']:.4f} |")
 
 

@@ -1,4 +1,4 @@
-// Rasterized strands beside marched shells, against the traced truth: CPU milliseconds as minima of alternating
+// Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
 // PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try
 // A_PIXEL,LIT_OF,SEEN_DEPTH,MIN_WIDTH,TWICE] Views: creature, ground, mohawk, close, far, torus, sphere; one that
@@ -59,6 +59,13 @@ void add_mohawk(testing::FurredModel& model) {
 }
 
 testing::FurredModel model_of(const Setup& setup) {
+  if (setup.view == "sleek") {  // short fur that lies
+    testing::FurredModel model = testing::furred({Builtin::torus, 3000}, {.length = 0.02, .inclination = 0.9});
+    model.settings = first_settings(model.model);
+    model.settings.coat.root_share = 0.7, model.settings.coat.clump = 0.25;
+    model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
+    return model;
+  }
   const bool torus = setup.view.starts_with("torus"), sphere = setup.view.starts_with("sphere");
   testing::FurredModel model = testing::furred({torus    ? Builtin::torus
                                                 : sphere ? Builtin::sphere
@@ -102,7 +109,7 @@ FloatImage truth_of(const Setup& setup, Renderer& renderer, const testing::Furre
   FurFrame frame = frame_of(setup, model, Tier::reference);
   Tracing& trace = frame.knobs.trace;
   trace.passes = setup.passes, trace.filter = false, trace.noise = 0, trace.strands = 8'000'000;
-  truth = traced_light(renderer, model, frame);
+  truth = traced_light(renderer, model.view(), frame);
   if (setup.pictures.empty()) return truth;
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<const char*>(&truth.width), 4), out.write(reinterpret_cast<const char*>(&truth.height), 4);
@@ -145,7 +152,7 @@ struct Bench {
   }
 };
 
-void add_marched(const Bench& bench, std::vector<Way>& ways) {
+void add_tiers(const Bench& bench, std::vector<Way>& ways) {
   using Named = std::pair<Tier, const char*>;
   constexpr std::array tiers{Named{Tier::draft, "draft"}, Named{Tier::interactive, "interactive"},
                              Named{Tier::detailed, "detailed"}};
@@ -155,7 +162,7 @@ void add_marched(const Bench& bench, std::vector<Way>& ways) {
     Renderer& renderer = bench.renderer;
     FloatImage light = std::move(renderer.draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
     ways.push_back(
-        {std::string("marched-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
+        {std::string("tier-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
   }
 }
 
@@ -227,13 +234,13 @@ int run(const Setup& setup) {
                {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1,
                frame.curves);
   });
-  std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", raster_instruction_set(), setup.view.c_str(),
-              fur.count(), static_cast<double>(fur.bytes()) / 1e6, grown.cpu);
+  std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", instruction_set(), setup.view.c_str(), fur.count(),
+              static_cast<double>(fur.bytes()) / 1e6, grown.cpu);
   Raster raster(1);
   const Bench bench{setup, renderer, raster, model, fur_model, fur, frame};
   bench.keep("truth", truth);
   std::vector<Way> ways;
-  if (!setup.tried) add_marched(bench, ways);
+  if (!setup.tried) add_tiers(bench, ways);
   ways.reserve(ways.size() + 32);
   add_raster(bench, ways);
   std::vector<std::function<void()>> works;

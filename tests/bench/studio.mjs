@@ -16,7 +16,7 @@ const row = (name, numbers, unit = "ms") =>
   console.log(`${name.padEnd(46)} median ${quantile(numbers, 0.5).toFixed(1).padStart(7)}  95% ${quantile(numbers, 0.95).toFixed(1).padStart(7)}  worst ${Math.max(...numbers).toFixed(1).padStart(7)} ${unit}  (${numbers.length})`);
 
 /** The time that the server says it took for a picture. */
-const serverTime = ({timings}) => ["queue", "upload", "shadow", "draw", "read", "encode"].reduce((sum, name) => sum + (timings[name] ?? 0), 0);
+const serverTime = ({timings}) => ["queue", "upload", "draw", "read", "encode"].reduce((sum, name) => sum + (timings[name] ?? 0), 0);
 
 async function comb(studio) {
   const points = [];

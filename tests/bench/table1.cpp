@@ -38,24 +38,25 @@ testing::FurredModel model_of(const Row& row) {
 double making(Renderer& renderer, FurFrame frame, bool layers, CastShadow cast, int repetitions) {
   double min = 1e300;
   frame.lights[0].self_shadow_maps = layers, frame.lights[0].cast_shadow = cast;
+  double min_kept = min;
   for (int i = 0; i <= repetitions; ++i) {
     frame.lights[0].radiance *= 1.0001f;  // any change makes them anew
-    DrawTimes times;
-    draw(renderer, frame, &times);
-    if (i > 0) min = std::min(min, times.shadow);
+    DrawTimes anew, kept;
+    draw(renderer, frame, &anew), draw(renderer, frame, &kept);
+    if (i > 0) min = std::min(min, anew.draw), min_kept = std::min(min_kept, kept.draw);
   }
-  return min;
+  return min - min_kept;
 }
 
 void run(Renderer& renderer, const Row& row, int size, int repetitions) {
   const testing::FurredModel model = model_of(row);
   FrameRequest request = testing::small_frame(AutoView::three_quarter, size);
-  request.knobs.shells = 16;
-  request.knobs.self_shadow = false;
+  request.knobs.method = Method::shells;
+  request.knobs.shells.self_shadow = false;
   testing::draw(renderer, model, request);
   const FurFrame plain = make_frame(model.view(), request);
   FurFrame kept = plain;
-  kept.knobs.self_shadow = kept.knobs.shadow_maps = true;
+  kept.knobs.shells.self_shadow = kept.knobs.shells.shadow_maps = true;
   const double depth = making(renderer, kept, false, CastShadow::soft, repetitions);
   const double both = making(renderer, kept, true, CastShadow::soft, repetitions);
   kept.lights[0].self_shadow_maps = true, kept.lights[0].cast_shadow = CastShadow::soft;

@@ -1,16 +1,12 @@
-"""The tiers on six animals: how far each is from sorted shells (R1) and from traced strands (R2), near and far; and
-how the error falls with shells. Through HTTP, because grooms are recipes.
+"""The tiers on six animals: how far each is from the same strands, traced (R2), near and far. Through HTTP, because
+grooms are recipes. Light is mean linear luminance over alpha, coverage the sum of alpha, both over those of R2.
 
-R1 has many uniform shells, sorted where a GL draws them, 32-bit float, and the shadows of the tier; R2 is the look's own
-scattering, traced. Light is mean linear luminance over alpha, coverage the sum of alpha, both over the reference's.
-
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--size 224] [--truth 256] [--passes 32] [--only NAME...]
-           [--pictures FOLDER]   a JPEG for each animal: R1, R2 and the tiers, with error maps below
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--size 224] [--passes 32] [--only NAME...]
+           [--pictures FOLDER]   a JPEG for each animal: R2 and the tiers, with error maps below
 """
 import argparse
 import io
 import json
-import math
 import pathlib
 import subprocess
 import sys
@@ -27,7 +23,6 @@ from support.server import BIN, Server, shared_folder  # noqa: E402
 TIERS = ("draft", "interactive", "detailed")
 DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # sizes from the middle of the box
 DIRECTION = numpy.array([0.5, 0.22, 0.84])
-SHELLS = (2, 4, 8, 16, 32)  # marched frames have at most 64, which is then R1
 
 
 class Animal:
@@ -64,7 +59,7 @@ ANIMALS = [Animal("koala, plush", "koala_low.obj", "koala_plush"),
 
 class Frame:
     def __init__(self, answer):
-        self.content, self.knobs = answer.body, json.loads(answer.headers["pelage-quality"])
+        self.content = answer.body
         channels = read_exr(self.content)
         self.light, self.alpha = numpy.dstack([channels[c] for c in "RGB"]), channels["A"]
 
@@ -72,7 +67,7 @@ class Frame:
         return (self.light @ [.2126, .7152, .0722]).sum() / max(self.alpha.sum(), 1e-9)
 
     def shown(self):
-        """8 bits over grey, through the filmic curve of the resolve pass."""
+        """8 bits over grey, through the filmic curve."""
         alpha = self.alpha.clip(1e-6, 1)[..., None]
         x = (self.light / alpha).clip(0, 1e4) * .72
         film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1)
@@ -87,7 +82,7 @@ def draw(scene, distance, size, quality):
     target = (low + high) / 2
     eye = target + DIRECTION / numpy.linalg.norm(DIRECTION) * distance * info["size"]
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
-               "quality": quality,
+               "quality": quality, "max_seconds": 900,
                "camera": {"position": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": 35}}
     answer = scene.post("frames", request, timeout=900)
     assert answer.status == 200, answer
@@ -105,56 +100,6 @@ def compare(truth, test):
         return json.loads(run.stdout), Image.open(io.BytesIO(error_map.read_bytes())).convert("RGB")
 
 
-class Truths:
-    """R1 with each kind of shadow and R2, drawn when first asked for."""
-
-    def __init__(self, scene, distance, options, base):
-        self.scene, self.distance, self.options, self.base, self.drawn = scene, distance, options, base, {}
-
-    def frame(self, key, quality):
-        if key not in self.drawn:
-            self.drawn[key] = draw(self.scene, self.distance, self.options.size, quality)
-        return self.drawn[key]
-
-    def r1(self, knobs, shells=None):
-        """With the shadows of these knobs, and their scale where it is above 1: more samples make another picture."""
-        shells = shells or self.options.truth
-        shadows = {name: knobs[name] for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
-        quality = {**self.base, "shells": shells, "shell_policy": "uniform", "order": "sorted",
-                   "scale": max(1, knobs["scale"]), "guard_hairs": 0, **shadows}
-        return self.frame((shells, quality["scale"], *shadows.values()), quality)
-
-    def r2(self):
-        strands = {"method": "strands", "trace": {"passes": self.options.passes, "scattering": "look"}}
-        return self.frame("R2", strands)
-
-
-def tier_rows(scene, options, animal):
-    """Prints a row for each tier and gives what the picture shows: names, frames and error maps."""
-    cells = []
-    whole = {tier: draw(scene, DISTANCES["whole"], options.size, tier) for tier in TIERS}
-    base = whole["interactive"].knobs
-    truths = {name: Truths(scene, distance, options, base) for name, distance in DISTANCES.items()}
-    at = truths["whole"]
-    r1, r2 = at.r1(whole["detailed"].knobs), at.r2()  # strands have the shadows of `detailed`
-    between, between_map = compare(r1, r2)
-    floor = compare(at.r1(at.base), at.r1(at.base, options.truth // 2))[0]["flip"]["mean"]
-    print(f"| {animal.name} | R2 | {between['flip']['mean']:.4f} | {silhouette_of(between)} | | | | "
-          f"(R1 is known to {floor:.4f}) |")
-    cells += [("R1", r1, None), (f"R2, {between['flip']['mean']:.3f} from R1", r2, between_map)]
-    for tier in TIERS:
-        error, error_map = compare(at.r1(whole[tier].knobs), whole[tier])
-        strands = compare(r2, whole[tier])[0]
-        frames = {name: whole[tier] if name == "whole" else draw(scene, distance, options.size, tier)
-                  for name, distance in DISTANCES.items()}
-        light, coverage = zip(*(ratios_of(frame, truths[name].r2()) for name, frame in frames.items()))
-        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {silhouette_of(error)} | "
-              f"{error['flip']['percentile_95']:.3f} | {strands['flip']['mean']:.3f} | {three(light)} | "
-              f"{three(coverage)} |", flush=True)
-        cells.append((f"{tier}, {error['flip']['mean']:.3f} from R1", whole[tier], error_map))
-    return cells, at, base
-
-
 def silhouette_of(error):
     return f"{error['silhouette']['mean']:.4f}" if error["silhouette"] else ""
 
@@ -165,18 +110,6 @@ def three(values):
 
 def ratios_of(test, truth):
     return test.luminance() / truth.luminance(), test.alpha.sum() / truth.alpha.sum()
-
-
-def fitted_order(errors):
-    """Of errors that belong to SHELLS: the slope of a line through their logarithms, falling."""
-    return -numpy.polyfit([math.log(n) for n in SHELLS], [math.log(max(e, 1e-6)) for e in errors], 1)[0]
-
-
-def convergence_row(scene, options, animal, truths, knobs):
-    """Errors of uniform shells at once the size, 4 steps, and the fitted order of FLIP."""
-    flip = [compare(truths.r1(knobs), draw(scene, DISTANCES["whole"], options.size, {**knobs, "steps": 4, "shells": shells}))[0]["flip"]["mean"]
-            for shells in SHELLS]
-    return f"| {animal.name} | {' | '.join(f'{e:.4f}' for e in flip)} | {fitted_order(flip):.2f} |"
 
 
 def write_picture(path, cells, size):
@@ -194,35 +127,39 @@ def write_picture(path, cells, size):
 
 
 def measure(server, animal, options):
+    """Prints a row for each tier and keeps the picture."""
     scene = animal.on(server)
-    cells, truths, knobs = tier_rows(scene, options, animal)
+    traced = {"method": "strands", "eye_steps": 16, "trace": {"passes": options.passes, "filter": False}}
+    truths = {name: draw(scene, distance, options.size, traced) for name, distance in DISTANCES.items()}
+    cells = [("R2", truths["whole"], None)]
+    for tier in TIERS:
+        frames = {name: draw(scene, distance, options.size, tier) for name, distance in DISTANCES.items()}
+        error, error_map = compare(truths["whole"], frames["whole"])
+        light, coverage = zip(*(ratios_of(frames[name], truths[name]) for name in DISTANCES))
+        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {silhouette_of(error)} | "
+              f"{error['flip']['percentile_95']:.3f} | {three(light)} | {three(coverage)} |", flush=True)
+        cells.append((f"{tier}, {error['flip']['mean']:.3f} from R2", frames["whole"], error_map))
     if options.pictures:
         name = animal.name.replace(", ", "-").replace(" ", "-")
         write_picture(pathlib.Path(options.pictures) / f"{name}.jpg", cells, options.size)
-    row = convergence_row(scene, options, animal, truths, {**knobs, "order": "sorted"})
     server.call("DELETE", scene.path)
-    return row
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--size", type=int, default=224)
-    parser.add_argument("--truth", type=int, default=256)
     parser.add_argument("--passes", type=int, default=32)
     parser.add_argument("--only", nargs="*", help="beginnings of names")
     parser.add_argument("--pictures", help="a folder")
     options = parser.parse_args()
     server = Server()
     try:
-        print(f"{options.size} pixels, R1 of {options.truth} sorted shells, R2 of {options.passes} passes\n")
-        print("| animal | tier | FLIP to R1 | silhouette | 95% | FLIP to R2 | light over R2, near whole far | "
-              "coverage over R2 |")
-        print("|---|---|---|---|---|---|---|---|")
-        rows = [measure(server, animal, options) for animal in ANIMALS
-                if not options.only or animal.name.startswith(tuple(options.only))]
-        print("\nFLIP to R1 by shells, 4 steps, once the size, and the fitted order of FLIP\n")
-        print("| animal | " + " | ".join(map(str, SHELLS)) + " | order |\n|" + "---|" * (len(SHELLS) + 2))
-        print("\n".join(rows))
+        print(f"{options.size} pixels, R2 of {options.passes} passes\n")
+        print("| animal | tier | FLIP | silhouette | 95% | light over R2, near whole far | coverage over R2 |")
+        print("|---|---|---|---|---|---|---|")
+        for animal in ANIMALS:
+            if not options.only or animal.name.startswith(tuple(options.only)):
+                measure(server, animal, options)
     finally:
         server.close()
 

@@ -16,8 +16,7 @@ void check(const Status& status) {
 
 bool always() { return true; }
 
-void begin(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FurFrame& frame) {
-  const SceneView view = model.view();
+void begin(Renderer& renderer, Tracer& tracer, const SceneView& view, const FurFrame& frame) {
   sync_scene(renderer, view, {});
   Result<Backplate> base = renderer.draw_backplate(frame);
   if (!base) check(base.status());
@@ -32,7 +31,7 @@ FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredMo
                      float distance) {
   FurFrame frame = make_frame(model.view(), request);
   frame.camera.position *= distance;
-  begin(renderer, tracer, model, frame);
+  begin(renderer, tracer, model.view(), frame);
   return frame;
 }
 
@@ -43,9 +42,9 @@ void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>&
   }
 }
 
-FloatImage traced_light(Renderer& renderer, const testing::FurredModel& model, const FurFrame& frame) {
+FloatImage traced_light(Renderer& renderer, const SceneView& view, const FurFrame& frame) {
   Tracer tracer(2, memory, false);
-  begin(renderer, tracer, model, frame);
+  begin(renderer, tracer, view, frame);
   trace_to_end(tracer);
   return tracer.aov(Aov::beauty);
 }

@@ -17,8 +17,8 @@ FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredMo
 /// Adds passes until the request's end, and says after each what there is. Ends the program on failure.
 void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass = {});
 
-/// Light of a whole traced picture of a frame of the model, which the renderer need not have.
-FloatImage traced_light(Renderer& renderer, const testing::FurredModel& model, const FurFrame& frame);
+/// Light of a whole traced picture of a frame of the scene, which the renderer need not have.
+FloatImage traced_light(Renderer& renderer, const SceneView& view, const FurFrame& frame);
 /// Of a request.
 FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request,
                          float distance = 1);

@@ -137,15 +137,15 @@ class BadFrames(ServedTest):
         for value in (0, -1, 1.1, "low"):
             refused({"max_error": value}, "/max_error")
         refused({"budget_ms": 40, "quality": "draft"}, "/budget_ms")
-        refused({"max_error": 0.1, "quality": {"shells": 8}}, "/max_error")
+        refused({"max_error": 0.1, "quality": {"scale": 1}}, "/max_error")
         refused({"budget_ms": 40, "max_error": 0.1}, "/max_error")
-        self.assert_problem(self.server.get(f"{self.scene.path}/frame.png?budget_ms=40&shells=8"), 422, "/budget_ms")
+        self.assert_problem(self.server.get(f"{self.scene.path}/frame.png?budget_ms=40&scale=1"), 422, "/budget_ms")
 
     def test_extremes_give_a_picture(self):
         for request in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}, {"exposure": 20}, {"exposure": -20},
                         {"camera": {"position": [0, 0, 1e20], "target": [0, 0, 0]}},
                         {"camera": {"position": [0, 0, 1e-9], "target": [0, 0, 0]}},
-                        {"quality": {"shells": 1}}, {"camera": {"position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 150}}):
+                        {"quality": {"raster": {"strands": 0.01}}}, {"camera": {"position": [0, 0, 3], "target": [0, 0, 0], "fov_degrees": 150}}):
             self.scene.frame(**request)
 
     def test_picks(self):

@@ -80,7 +80,7 @@ class Client(ServedTest):
         self.assertIn("scenes", json.loads(self.pelage("list", "--json").stdout))
         frame = json.loads(self.pelage("frame", scene, "-o", self.server.folder / "j.png", "--json").stdout)
         self.assertEqual(frame["revision"], 1)
-        self.assertIn("shells", frame["quality"])
+        self.assertIn("raster", frame["quality"])
         self.assertIn("hit", json.loads(self.pelage("pick", scene, 1, 1, "--json").stdout))
 
     def test_every_form_of_a_file(self):
@@ -293,8 +293,8 @@ f 2 6 8 4
         scene = self.new("--builtin", "sphere", "--triangles", 500)
         self.assertRegex(self.pelage("frame", scene, "--dry-run").stdout, r"^about [0-9.e-]+ s, up to ")
         picture = self.file("none.png", "")
-        refused = self.pelage("frame", scene, "-o", picture, "--width", 8000, "--height", 8000, "--knob", "shells=64", "--knob",
-                              "steps=16", "--max-seconds", 1, code=3).stderr
+        refused = self.pelage("frame", scene, "-o", picture, "--width", 8000, "--height", 8000, "--knob", "strands=1000",
+                              "--max-seconds", 1, code=3).stderr
         self.assertIn("flag:    --max-seconds", refused)
 
     def test_a_real_model(self):

@@ -107,7 +107,7 @@ class Document(unittest.TestCase):
         self.assertEqual(SCHEMAS["SetSkin"]["properties"]["regions"]["maxItems"], limits["skin_regions"])
         self.assertEqual(SCHEMAS["SkinRegion"]["properties"]["radii"]["items"]["minimum"], limits["min_skin_radius"])
         self.assertEqual(SCHEMAS["Coat"]["properties"]["ramp"]["maxItems"], limits["ramp_stops"])
-        self.assertEqual(SCHEMAS["Knobs"]["properties"]["shells"]["maximum"], limits["shells"])
+        self.assertEqual(SCHEMAS["Layering"]["properties"]["count"]["maximum"], limits["shells"])
         tracing = SCHEMAS["Tracing"]["properties"]
         self.assertEqual((tracing["passes"]["maximum"], tracing["strands"]["maximum"]), (limits["trace_passes"], limits["strands"]))
         self.assertEqual(SCHEMAS["FrameRequest"]["properties"]["width"]["maximum"], limits["frame_pixels"])
@@ -207,8 +207,7 @@ class Requests(ServedTest):
     def test_frames_and_the_rest(self):
         scene = self.server.new_scene("plane", 50)
         frame = {"width": 8, "height": 8, "camera": {"position": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
-                 "quality": {"shells": 4, "shell_policy": "uniform", "steps": 2, "scale": 1.0, "min_radius": 5, "eye_steps": 2, "self_shadow": True, "order": "sorted",
-                             "guard_hairs": 100},
+                 "quality": {"scale": 1.0, "eye_steps": 2},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
         jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
@@ -219,10 +218,10 @@ class Requests(ServedTest):
         strands = {"width": 8, "height": 8, "quality": {"method": "strands", "eye_steps": 2, "trace": trace}, "overlay": "length"}
         look = {"width": 8, "height": 8, "quality": {"method": "strands", "trace": {"passes": 1, "scattering": "look", "strands": 100}}}
         raster = {"width": 8, "height": 8, "overlay": "length",
-                  "quality": {"method": "raster", "scale": 1.0, "eye_steps": 2, "guard_hairs": 100, "raster": {"strands": 2, "light_of": 4}}}
-        progressive = {"width": 8, "height": 8, "quality": "draft", "progressive": trace, "overlay": "shell_count"}
-        switched = {"width": 8, "height": 8, "quality": "reference", "progressive": False, "overlay": "shell_count"}
-        several = [frame, exr, jpeg, difference, strands, look, raster, {**progressive, "overlay": "mask"}, progressive, {**progressive, "progressive": True},
+                  "quality": {"method": "raster", "scale": 1.0, "eye_steps": 2, "raster": {"strands": 2, "light_of": 4}}}
+        progressive = {"width": 8, "height": 8, "quality": "reference", "progressive": trace}
+        switched = {"width": 8, "height": 8, "quality": "reference", "progressive": False, "overlay": "wire"}
+        several = [frame, exr, jpeg, difference, strands, look, raster, {**progressive, "quality": "draft", "overlay": "mask"}, progressive, {**progressive, "progressive": True},
                    switched, past]
         for variation in (v for request in several for v in self.variations(request)):
             self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))

@@ -54,7 +54,7 @@ class FirstLight:
         drawn = scene.frame(quality="draft")
         again = scene.frame(quality=json.loads(drawn.headers["pelage-quality"]))
         self.assertEqual(drawn.body, again.body)
-        self.assertNotEqual(drawn.body, scene.frame(quality={"shells": 64}).body)
+        self.assertNotEqual(drawn.body, scene.frame(quality={"raster": {"strands": 64}}).body)
 
     def test_address_and_body_ask_for_the_same_picture(self):
         scene = self.server.new_scene("torus")

@@ -10,7 +10,7 @@ from PIL import Image
 from support.server import BIN, ServedTest
 
 CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
-NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "shell_count")
+NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count")
 
 
 class Frames(ServedTest):
@@ -40,7 +40,7 @@ class Frames(ServedTest):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
         path = self.exr(scene, aovs=list(NAMES))
         said = self.described(path)
-        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "shell_count.Y", "Z"):
+        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "sample_count.Y", "Z"):
             self.assertIn(name, said)
         depth, alpha = self.channels(path, "", "Z")[..., 0], self.channels(path, "", "A")[..., 0]
         position, normal = self.channels(path, "position.", "XYZ"), self.channels(path, "normal.", "XYZ")
@@ -114,7 +114,7 @@ class Frames(ServedTest):
     def test_same_request_same_content(self):
         scene = self.server.new_scene("torus", 1000)
         for request in ({"format": "exr", "aovs": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
-                        {"overlay": "strokes"}, {"overlay": "shell_count"}):
+                        {"overlay": "strokes"}, {"overlay": "wire"}):
             self.assertEqual(scene.frame(**request).body, scene.frame(**request).body, request)
 
     def test_refusals(self):
@@ -123,24 +123,11 @@ class Frames(ServedTest):
                                  ({"format": "exr", "aovs": []}, "/aovs"), ({"format": "exr", "aovs": ["depht"]}, "/aovs/0"),
                                  ({"format": "exr", "aovs": ["depth", "depth"]}, "/aovs/1"),
                                  ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "stretch"}, "/overlay"),
-                                 ({"overlay": "shadow_width", "quality": {"shadow_maps": False}}, "/overlay"),
                                  ({"format": "jpeg", "background": "transparent"}, "/background"),
                                  ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
                                  ({"format": "exr", "width": 8192, "height": 8192, "aovs": ["beauty", "depth"]}, "/aovs")):
             self.assert_problem(scene.post("frames", request), 422, pointer)
         self.assert_problem(self.server.get(f"{scene.path}/frame.png?format=exr"), 422, "/format")
-
-    def test_the_maps_of_a_light(self):
-        scene = self.server.new_scene("knot", 1000)
-        scene.run({"op": "set_lights", "lights": [{"direction": [0, -1, 0], "cast_shadow": "soft"}]})
-        maps = [scene.frame(overlay=name, width=96, height=96, quality={"shadow_maps": True}).image[..., 0]
-                for name in ("light_depth", "light_occlusion", "shadow_width")]
-        depth, occlusion, width = maps
-        self.assertEqual(set(numpy.unique(occlusion)), {0, 255})
-        self.assertGreater(len(numpy.unique(width)), 20)
-        self.assertEqual(depth[0, 0], 0)
-        self.assertGreater(depth.max(), 150)
-        self.assertTrue((depth[occlusion > 0] > 0).all())
 
     def test_the_client_goes_by_the_ending(self):
         scene = self.server.new_scene("sphere", 500)

@@ -48,19 +48,6 @@ class PastFrames(ServedTest):
             self.pelage("frame", scene.id, "-o", file, "--camera", "front", "--width", 96, "--height", 96, "--quality", "draft", "--revision", 3)
             self.assertEqual(file.read_bytes(), seen[3])
 
-    def test_a_past_frame_leaves_the_present_uploaded(self):
-        scene, _ = self.groomed()
-
-        def sent(**request):
-            return json.loads(scene.frame(**VIEW, **request).headers["pelage-counters"])["bytes"]
-
-        first, present = sent(revision=3), sent()
-        self.assertEqual(sent(), present)
-        again = sent(revision=3)
-        self.assertGreater(first, 10 * again)
-        self.assertEqual(sent(), present)
-        self.assertEqual(sent(revision=3), again)
-
     def test_at_other_cameras_and_with_an_overlay(self):
         scene = self.server.new_scene("sphere", 2000)
         scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3))

@@ -1,4 +1,4 @@
-"""Traced pictures over HTTP: to the end, and as the progressive picture of shells."""
+"""Traced pictures over HTTP: to the end, and as the progressive picture of a rasterized one."""
 
 import json
 import threading
@@ -86,19 +86,19 @@ class Traced(ServedTest):
         known = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32&quality=reference",
                                 headers={"If-None-Match": '"0.64"'})
         self.assertEqual(known.status, 304)
-        shells = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32", headers={"If-None-Match": '"0.64"'})
-        self.assertEqual(shells.status, 200, "shells are another picture")
+        drawn = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32", headers={"If-None-Match": '"0.64"'})
+        self.assertEqual(drawn.status, 200, "what is rasterized is another picture")
 
     # ProgressivePicture
 
-    def test_shells_first_and_then_better_and_better(self):
+    def test_rasterized_first_and_then_better_and_better(self):
         plain = self.scene.frame(**SIZE)
-        shells = self.ask()
-        self.assertEqual(shells.status, 200, shells)
-        self.assertEqual(shells.body, plain.body, "the request's own quality")
+        drawn = self.ask()
+        self.assertEqual(drawn.status, 200, drawn)
+        self.assertEqual(drawn.body, plain.body, "the request's own quality")
         self.assertNotIn("pelage-trace", plain.headers)
-        self.assertEqual((trace_of(shells)["passes"], trace_of(shells)["end"]), (0, "none"))
-        self.assertEqual(shells.headers["etag"], '"0"')
+        self.assertEqual((trace_of(drawn)["passes"], trace_of(drawn)["end"]), (0, "none"))
+        self.assertEqual(drawn.headers["etag"], '"0"')
         seen = []
         while not seen or trace_of(seen[-1])["end"] == "none":
             passes = trace_of(seen[-1])["passes"] if seen else 0
@@ -114,7 +114,7 @@ class Traced(ServedTest):
         same = self.scene.post("frames", {**SIZE, "quality": json.loads(seen[-1].headers["pelage-quality"])})
         self.assertEqual(same.body, seen[-1].body, "a progressive picture ends where the reference does")
 
-    def test_a_stroke_answers_shells_of_the_new_revision(self):
+    def test_a_stroke_answers_a_rasterized_picture_of_the_new_revision(self):
         long = {"passes": 60000, "strands": 20000}
         self.ask(progressive=long)
         self.assertEqual(trace_of(self.better(0, 0, progressive=long))["passes"] > 0, True)
@@ -124,9 +124,9 @@ class Traced(ServedTest):
         time.sleep(0.3)
         revision = self.stroke()
         waiter.join()
-        shells = waiting["answer"]
-        self.assertEqual(shells.headers["pelage-revision"], str(revision))
-        self.assertEqual(trace_of(shells)["passes"], 0)
+        drawn = waiting["answer"]
+        self.assertEqual(drawn.headers["pelage-revision"], str(revision))
+        self.assertEqual(trace_of(drawn)["passes"], 0)
         passes = 0
         for _ in range(3):
             answer = self.better(revision, passes, progressive=long)
@@ -226,9 +226,8 @@ class Traced(ServedTest):
         refused(422, "/progressive/pases", progressive={"pases": 4})
         refused(422, "/quality/trace/strands", quality={"method": "strands", "trace": {"strands": 0}})
         refused(422, "/quality/trace", quality={"trace": {}})
-        refused(422, "/quality/shells", quality={"method": "strands", "shells": 4})
-        refused(422, "/overlay", quality="reference", overlay="shell_count")
-        refused(422, "/overlay", progressive=True, overlay="light_depth")
+        refused(422, "/quality/shells", quality={"method": "strands", "shells": {}})
+        refused(422, "/progressive", quality={"method": "shells"}, progressive=True)
         address = f"{self.scene.path}/frame.png?after=0&after_pass=1"
         self.assert_problem(self.server.get(address), 422, "/after_pass")
 
@@ -239,7 +238,7 @@ class Traced(ServedTest):
             answer = scene.post("frames", {"width": 4096, "height": 4096, "quality": "reference"})
             self.assert_problem(answer, 413)
             request = {"width": 4096, "height": 4096, "quality": "draft", "progressive": True, "view": "artist"}
-            self.assertEqual(scene.post("frames", request).status, 200, "shells take no such memory")
+            self.assertEqual(scene.post("frames", request).status, 200, "what is rasterized takes no such memory")
             self.assert_problem(scene.post("frames?after=0&after_pass=0&wait=20", request), 413)
         finally:
             server.close()
@@ -261,7 +260,7 @@ class Traced(ServedTest):
         traced = file.read_bytes()
         run = self.pelage("frame", self.scene.id, *size, "--progressive", "--passes", 4, "--strands", 20000)
         lines = run.stdout.splitlines()
-        self.assertIn("shells", lines[0])
+        self.assertIn("rasterized", lines[0])
         self.assertIn("4 passes, noise 0.", lines[-1])
         run = self.pelage("frame", self.scene.id, *size, "--progressive", "--passes", 1, "--strands", 20000)
         self.assertRegex(run.stdout.splitlines()[-1], r": revision \d+, 1 pass, [0-9.]+ s$")

@@ -199,11 +199,11 @@ class Pictures(PackageTest):
     def test_a_frame(self):
         frame = self.scene.frame(camera="front", **SIZE)
         self.assertEqual(Image.open(io.BytesIO(frame.bytes)).size, (64, 48))
-        self.assertEqual((frame.format, frame.revision, frame.quality["method"]), ("png", 0, "shells"))
+        self.assertEqual((frame.format, frame.revision, frame.quality["method"]), ("png", 0, "raster"))
         self.assertGreaterEqual(frame.estimate["error_safety"], 1)
-        self.assertGreater(frame.counters["bytes"], 0)
+        self.assertIn("bytes", frame.counters)
         self.assertGreater(frame.timing["draw"], 0)
-        self.assertAlmostEqual(frame.milliseconds, sum(v for k, v in frame.timing.items() if k not in ("cost", "cpu")))
+        self.assertAlmostEqual(frame.milliseconds, sum(v for k, v in frame.timing.items() if k != "cpu"))
         self.assertIsNone(frame.trace)
 
     def test_a_camera_is_a_word_or_an_object(self):
@@ -251,7 +251,7 @@ class Pictures(PackageTest):
         cost = self.scene.frame_cost(quality="detailed", **SIZE)
         self.assertGreaterEqual(cost["safety"], 1)
         with self.assertRaises(pelage.Refused) as caught:
-            self.scene.frame(quality={"shells": 1024, "steps": 16}, width=8192, height=8192, max_seconds=1)
+            self.scene.frame(quality={"raster": {"strands": 1000, "light_of": 1}}, width=8192, height=8192, max_seconds=1)
         self.assertEqual(caught.exception.pointer, "/max_seconds")
         self.assertEqual(self.scene.frames_under_way(), [])
 
@@ -290,7 +290,7 @@ class Pictures(PackageTest):
         self.assertEqual((frame.trace["passes"], frame.trace["end"]), (2, "passes"))
 
     def test_the_address_of_a_frame(self):
-        address = self.scene.frame_address(camera="left", background="#ff0000", shadow_maps=True, **SIZE)
+        address = self.scene.frame_address(camera="left", background="#ff0000", light_of=4, **SIZE)
         with urllib.request.urlopen(address) as answer:
             self.assertEqual(Image.open(answer).size, (64, 48))
 

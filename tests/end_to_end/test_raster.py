@@ -78,13 +78,26 @@ class Raster(ServedTest):
 
     def test_what_does_not_go_together_is_refused(self):
         scene = self.server.new_scene("plane", 2)
-        for quality, pointer in (({"method": "raster", "shells": 4}, "/quality/shells"), ({"raster": {}}, "/quality/raster"),
+        for quality, pointer in (({"method": "raster", "shells": {}}, "/quality/shells"),
                                  ({"method": "raster", "trace": {}}, "/quality/trace"),
                                  ({"method": "raster", "raster": {"light_of": 9}}, "/quality/raster/light_of"),
                                  ({"method": "raster", "raster": {"strands": 0}}, "/quality/raster/strands"),
                                  ({"method": "strands", "scale": 2}, "/quality/scale")):
             self.assert_problem(scene.post("frames", {**VIEW, "quality": quality}), 422, pointer)
-        self.assert_problem(scene.post("frames", {**VIEW, "overlay": "shell_count"}), 422, "/overlay")
+
+    def test_shells_need_a_gl(self):
+        shells = {**VIEW, "quality": {"method": "shells"}, "background": "transparent"}
+        self.assert_problem(self.server.new_scene("sphere", 500).post("frames", shells), 422, "/quality/method")
+        layered = Server(gl="osmesa")
+        try:
+            scene = layered.new_scene("sphere", 500)
+            drawn, strands = (scene.frame(**{**shells, **more}).image.astype(float) for more in ({}, {"quality": {}}))
+            self.assertAlmostEqual(drawn[..., 3].sum() / strands[..., 3].sum(), 1, delta=0.1, msg="it is the same ball")
+            self.assertGreater(abs(drawn - strands).mean(), 1, "drawn another way")
+            light = read_exr(scene.frame(**{**shells, "format": "exr", "aovs": ["beauty", "alpha"]}).body)
+            self.assertGreater(light["G"].max(), 0.05)
+        finally:
+            layered.close()
 
     def test_an_address_and_a_dry_run_know_it(self):
         scene = self.server.new_scene("sphere", 2000)

@@ -115,8 +115,8 @@ class RenderCheckTest(JobTest):
     def test_whole_numbers_stay_whole_while_the_shutter_is_open(self):
         still = {"turntable": None, "frames": "1-3", "motion_blur": {"samples": 2}}
         keys = [{"frame": 1, "value": 4}, {"frame": 3, "value": 6}]
-        blurred = {**JOB, **still, "keyframes": [{"parameter": "/frame/quality/shells", "keys": keys}],
-                   "frame": {**JOB["frame"], "quality": {"shells": 4}}}
+        blurred = {**JOB, **still, "keyframes": [{"parameter": "/frame/quality/raster/light_of", "keys": keys}],
+                   "frame": {**JOB["frame"], "quality": {"raster": {"light_of": 4}}}}
         path = self.folder / "job.json"
         path.write_text(json.dumps({name: value for name, value in blurred.items() if value is not None}))
         self.render(path, "--check")
@@ -135,11 +135,13 @@ class RenderCheckTest(JobTest):
 
 
     def test_a_frame_that_is_too_large_for_its_quality_is_drawn_in_tiles(self):
-        large = {"frames": "1", "frame": {"width": 4096, "height": 2160, "quality": "detailed"}}
+        quality = {"scale": 0.25, "method": "shells", "shells": {"count": 1024, "order": "sorted"}}
+        large = {"frames": "1", "frame": {"width": 8192, "height": 8192, "quality": quality}}
         said = self.refused(self.job(**large))
         self.assertIn("/frame/quality", said)
         self.assertIn("tiles of a job", said)
-        self.render(self.job(**large, tiles={"columns": 16, "rows": 16}), "--tile", 1)
+        small = {"frames": "1", "frame": {"width": 4096, "height": 2160, "quality": {"scale": 0.25}}}
+        self.render(self.job(**small, tiles={"columns": 16, "rows": 16}), "--tile", 1)
         self.assertEqual([path.name for path in self.frames()], ["ball.001.tile1.png"])
 
 
@@ -162,7 +164,7 @@ class RenderLimitTest(JobTest):
 
     def test_the_limit_is_of_time_that_passed_and_not_of_an_estimate(self):
         """A server refuses such a frame at once, for it is expected to take minutes."""
-        frame = {"width": 4096, "height": 4096, "quality": {"shells": 1024, "steps": 16}, "max_seconds": 1}
+        frame = {"width": 4096, "height": 4096, "quality": {"raster": {"strands": 1000, "light_of": 1}}, "max_seconds": 1}
         run = self.render(self.job(frames="1", frame=frame), code=5)
         self.assertNotIn("expected", run.stderr)
 

@@ -26,8 +26,7 @@ class Trade(ServedTest):
         self.folder = Path(folder.name) / "report"
 
     def trade(self, *arguments, size=32, code=0):
-        return self.pelage("trade", "--quick", "--size", size, "--truth", "16", "--passes", "2", "-o", self.folder,
-                           *arguments, code=code)
+        return self.pelage("trade", "--quick", "--size", size, "--passes", "2", "-o", self.folder, *arguments, code=code)
 
     def rows(self):
         with open(self.folder / "results.csv", newline="", encoding="utf-8") as file:
@@ -39,12 +38,14 @@ class Trade(ServedTest):
         rows = self.rows()
         self.assertGreater(len(rows), 15)
         self.assertEqual({row["value"] for row in rows if row["series"] == "tier"}, {"draft", "interactive", "detailed"})
-        self.assertLessEqual({"R1", "R2"}, {row["reference"] for row in rows})
+        self.assertEqual({row["passes"] for row in rows}, {"2"})
         for row in rows:
             self.assertEqual(row["non_finite"], "0", row)
             self.assertGreater(float(row["draw_ms"]), 0, row)
             self.assertTrue(0 <= float(row["flip"]) <= 1 and math.isfinite(float(row["luminance"])), row)
-            self.assertEqual(json.loads(row["knobs"])["shells"], int(row["shells"]))
+            knobs = json.loads(row["knobs"])
+            columns = {"strands": float(row["strands"]), "light_of": int(row["light_of"])}
+            self.assertEqual((knobs["raster"], knobs["scale"]), (columns, float(row["scale"])))
         self.check_page()
         self.assertEqual(self.server.get("/v1/scenes").json["scenes"], [], "the scene that it made is gone")
 
@@ -55,7 +56,7 @@ class Trade(ServedTest):
         self.assertNotIn(str(self.folder), text)
         sources = [image.get("src") for image in page.iter("img")]
         self.assertEqual([source[:30] for source in sources if not source.startswith("data:image/")], [])
-        self.assertGreaterEqual(len(sources), 8)  # R1, R2, three tiers and their errors
+        self.assertEqual(len(sources), 7)  # the truth, three tiers and their errors
         self.assertGreaterEqual(len(list(page.iter("svg"))), 5)
         headings = [heading.text for heading in page.iter("h2")]
         self.assertIn("What to choose when", headings)
@@ -78,7 +79,7 @@ class Trade(ServedTest):
 
     def test_refusals(self):
         self.trade("--scene", "nobody", code=3)
-        self.trade("--truth", "0", code=2)
+        self.trade("--passes", "0", code=2)
         self.folder.mkdir()
         (self.folder / "results.csv").write_text("a,b\r\n1,2\r\n")
         self.assertIn("other columns", self.trade("--resume", code=3).stderr)
@@ -97,8 +98,8 @@ class Trade(ServedTest):
     def test_the_tiers_are_those_of_the_server(self):
         with pelage.Server(self.server.address) as server:
             scene = server.create(model={"builtin": "sphere", "triangles": 200})
-            for tier, size in (("draft", 512), ("interactive", 32), ("detailed", 32)):  # a small draft has another scale
-                self.assertEqual(scene.frame(quality=tier, width=size, height=size).quality, TIERS[tier])
+            for tier, knobs in TIERS.items():
+                self.assertEqual(scene.frame(quality=tier, width=32, height=32).quality, knobs)
             scene.remove()
 
 

@@ -14,9 +14,8 @@ from pelage.trade.sweep import Options, Report, Shown  # noqa: E402
 
 
 def row_of(scene, series, value, cost, flip, **more):
-    base = "" if series in ("tier", "grid") else "interactive"
-    row = table.Row(scene, 64, series, base, value, "R1", 256, 8, 3, 1.0, flip, 2 * flip, 1.5 * flip, 3 * flip, 1.0, 1.0, 0.0,
-                    0, cost, 0.0, f'{{"of":"{series} {value}"}}')
+    row = table.Row(scene, 64, 256, series, value, 1.5, 2, 1.0, flip, 2 * flip, 1.5 * flip, 3 * flip, 1.0, 1.0, 0.0, 0, cost,
+                    0.0, f'{{"of":"{series} {value}"}}')
     return row._replace(**more)
 
 
@@ -25,14 +24,13 @@ def some_rows():
     rows = []
     for scene in ('a <b> & "c"', "second, far"):
         rows += [row_of(scene, "tier", "draft", 10, 0.08), row_of(scene, "tier", "interactive", 40, 0.03),
-                 row_of(scene, "tier", "detailed", 300, 0.012), row_of(scene, "shells", "4", 20, 0.06),
-                 row_of(scene, "shells", "8", 39, 0.02, shells=16), row_of(scene, "grid", "2 x 1 x 0.5", 5, 0.12)]
-    strands = row_of("second, far", "tier", "draft", 10, 0.3, reference="R2")
-    return [rows[0], strands, *rows[1:], row_of("only tiers", "tier", "draft", 10, 0.08)]
+                 row_of(scene, "tier", "detailed", 300, 0.012), row_of(scene, "strands", "0.4", 20, 0.06, strands=0.4),
+                 row_of(scene, "strands", "3", 39, 0.02, strands=3.0), row_of(scene, "grid", "2 x 1 x 0.5", 5, 0.12)]
+    return [*rows, row_of("only tiers", "tier", "draft", 10, 0.08)]
 
 
 def report_of(rows, pictures=()):
-    return Report("a <GL> & more", Options(False, 64, 256, 8, 2), rows, list(pictures))
+    return Report("a <GL> & more", Options(False, 64, 256, 2), rows, list(pictures))
 
 
 def text_of(element):
@@ -46,7 +44,7 @@ class Table(unittest.TestCase):
 
     def test_refuses_other_columns_and_broken_lines(self):
         good = table.to_csv(some_rows())
-        for text, why in (("a,b\r\n", "other columns"), ("", "other columns"), (f"{good}one,two\r\n", "Row 15"),
+        for text, why in (("a,b\r\n", "other columns"), ("", "other columns"), (f"{good}one,two\r\n", "Row 14"),
                           (good.replace(",64,", ",6x,", 1), "Row 1 ")):
             with self.assertRaisesRegex(ValueError, why):
                 table.from_csv(text)
@@ -63,22 +61,17 @@ class Choices(unittest.TestCase):
         self.assertEqual(choices.pareto_front([(1, 2), (1, 2), (1, 3)]), [(1, 2)])
         self.assertEqual(choices.pareto_front([]), [])
 
-    def test_the_order_of_a_power_law(self):
-        self.assertAlmostEqual(choices.fitted_order([(n, 0.7 * n ** -1.5) for n in (2, 5, 9, 40)]), 1.5)
-        self.assertIsNone(choices.fitted_order([(4, 1), (4, 2)]))
-        self.assertIsNone(choices.fitted_order([]))
-
     def test_means_are_of_settings_that_all_scenes_have(self):
         means = self.means()
         self.assertEqual(len(means), 6)
         self.assertEqual(means[0].name, "draft")
-        self.assertAlmostEqual(means[0].flip, 0.08)  # R2 is not mixed in
+        self.assertAlmostEqual(means[0].flip, 0.08)
         self.assertAlmostEqual(means[0].cost, 10)
         self.assertEqual(len(choices.means_over(some_rows(), table.scenes_of(some_rows()))), 1)
 
     def test_best_within_a_time_and_cheapest_at_an_error(self):
         means = self.means()
-        self.assertEqual(choices.best_within(means, 39.5).name, "interactive with shells 8")
+        self.assertEqual(choices.best_within(means, 39.5).name, "interactive with strands 3")
         self.assertEqual(choices.cheapest_at(means, 0.08).name, "draft")
         self.assertIsNone(choices.best_within(means, 1))
         self.assertIsNone(choices.cheapest_at(means, 0.001))
@@ -86,9 +79,9 @@ class Choices(unittest.TestCase):
 
 class Settings(unittest.TestCase):
     def test_each_is_named_once(self):
-        for swept, quick, count in ((True, False, 85), (False, False, 9), (True, True, 21)):
+        for swept, quick, count in ((True, False, 68), (False, False, 11), (True, True, 18)):
             settings = settings_for(swept, quick)
-            self.assertEqual(len({setting[:3] for setting in settings}), len(settings))
+            self.assertEqual(len({setting[:2] for setting in settings}), len(settings))
             self.assertEqual(len(settings), count)
 
 
@@ -99,21 +92,22 @@ class Page(unittest.TestCase):
         return text
 
     def test_is_well_formed_and_needs_nothing_else(self):
-        pictures = [Shown("second, far", "R1", "truth", b"bytes"), Shown("second, far", "draft", "error", b"bytes", b"map")]
+        pictures = [Shown("second, far", "truth", "traced", b"bytes"), Shown("second, far", "draft", "error", b"bytes", b"map")]
         text = self.parsed(report_of(some_rows(), pictures))
         for absent in ("http", "nan", "<b> &"):
             self.assertNotIn(absent, text)
         for present in ("a &lt;GL&gt; &amp; more</b> at 64 x 64 pixels", "data:image/jpeg;base64,Ynl0ZXM=", "data:image/png;base64,bWFw",
-                        "For the same time, interactive with shells 8 has 0.0200."):
+                        "For the same time, interactive with strands 3 has 0.0200."):
             self.assertIn(present, text)
 
     def test_of_nothing_is_a_page_as_well(self):
         self.assertIn("Not enough", self.parsed(report_of([])))
 
-    def test_says_when_the_truth_is_not_proved(self):
+    def test_says_when_the_truth_is_noisy(self):
         rows = some_rows()
-        self.assertIn("The truth is proved", page(report_of(rows)))
-        self.assertIn("are not proved", page(report_of([rows[0]._replace(floor=0.002), *rows[1:]])))
+        self.assertIn("little beside every error", page(report_of(rows)))
+        noisy = [row._replace(floor=0.02) for row in rows[:3]]  # beside errors of .08, .03 and .012
+        self.assertIn("over a third of 2 errors: take more passes", page(report_of([*noisy, *rows[3:]])))
 
 
 class Plots(unittest.TestCase):
@@ -127,9 +121,8 @@ class Plots(unittest.TestCase):
         rows = some_rows()
         scatter = text_of(plots.scatter_plot(rows, "second, far"))
         self.assertIn("draft: 10 ms, FLIP 0.0800", scatter)
-        self.assertNotIn("FLIP 0.3000", scatter)  # R2 is another error
-        self.assertIn("What shells buys", text_of(plots.knob_plots(rows, "second, far")))
-        self.assertIn("order 1.58", text_of(plots.convergence_plot(rows)))  # log2(.06 / .02)
+        self.assertIn("What strands buys", text_of(plots.knob_plots(rows, "second, far")))
+        self.assertIn("second, far: 0.4 strands a pixel, FLIP 0.0600", text_of(plots.strands_plot(rows)))
         self.assertIn("only tiers", text_of(plots.tier_plot(rows)))
 
 

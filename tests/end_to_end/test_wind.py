@@ -14,10 +14,6 @@ COMB = flood([0, 1, 0], lean=0.8, brush={"strength": 0.5})
 BREEZE = {"op": "set_wind", "wind": {"speed": 0.8, "direction": [1, 0, 0], "turbulence_scale": 0.2}}
 
 
-def bytes_sent(answer):
-    return json.loads(answer.headers["pelage-counters"])["bytes"]
-
-
 class Wind(ServedTest):
     def scene(self, *commands, **more):
         scene = self.server.new_scene("sphere", 2000, fur={"length": 0.06, "inclination": 0.3}, **more)
@@ -33,24 +29,22 @@ class Wind(ServedTest):
         self.assertEqual(scene.frame(**DRAFT, time=2).body, first)
         self.assertEqual(self.scene(BREEZE).frame(**DRAFT, time=2).body, first, "in a scene that has shown no other time")
 
-    def test_drafts_shells_and_strands_answer_for_the_same_time(self):
+    def test_drafts_and_strands_answer_for_the_same_time(self):
         scene = self.scene(BREEZE)
         strands = {**SIZE, "quality": {"method": "strands", "trace": {"passes": 4, "strands": 20000}}}
-        shells = {**SIZE, "quality": {"shells": 24, "scale": 2}}
-        for request in (shells, strands):
+        raster = {**SIZE, "quality": {"raster": {"strands": 4}, "scale": 2}}
+        for request in (raster, strands):
             first, later = (scene.frame(**request, time=time).image.astype(float) for time in (2, 4.5))
             self.assertGreater(numpy.abs(first - later).mean(), 1)
             scene.frame(**DRAFT, time=9)
             again = scene.frame(**request, time=2).image.astype(float)
             self.assertEqual(numpy.abs(first - again).max(), 0)
 
-    def test_without_wind_nothing_moves_and_nothing_is_sent(self):
+    def test_without_wind_nothing_moves(self):
         scene = self.scene()
         still = scene.frame(**DRAFT).body
         for time in (0, 3, -20):
-            answer = scene.frame(**DRAFT, time=time)
-            self.assertEqual(answer.body, still)
-            self.assertLess(bytes_sent(answer), 10_000)
+            self.assertEqual(scene.frame(**DRAFT, time=time).body, still)
         self.assertEqual(scene.run({"op": "set_wind", "wind": {"speed": 0, "gusts": 2, "time": 7}}).status, 200)
         self.assertEqual(scene.frame(**DRAFT).body, still)
 

@@ -49,6 +49,7 @@ std::string any_coat() {
   const std::string under = any_object({{"share", share}, {"length", {"0.02", "1"}}, {"width", {"0.05", "4"}}});
   return any_object({{"count", {"1", "30", "2000"}},
                      {"tile", {"0.01", "0.12", "1"}},
+                     {"guard_hairs", {"0", "1", "3000"}},
                      {"width_root", {"0", "0.001", "0.05"}},
                      {"width_tip", {"0", "0.0003", "0.05"}},
                      {"bend", {"0", "2"}},
@@ -202,29 +203,28 @@ std::string any_camera() {
          R"(, "target": [1e-3, 2e-3, -1e-3], "fov_degrees": )" + any_of({"1", "30", "150"}) + "}";
 }
 
-std::string any_shells() {
-  return any_object({{"shells", {"1", "2", "7", "40"}},
-                     {"shell_policy", {"\"uniform\"", "\"adaptive\""}},
-                     {"steps", {"1", "4", "16"}},
-                     {"scale", {"0.25", "0.7", "2"}},
-                     {"min_radius", {"0", "5", "8192"}},
-                     {"eye_steps", {"0", "1", "64"}},
-                     {"self_shadow", truth},
-                     {"shadow_maps", truth},
-                     {"shadow_resolution", {"1", "7", "64"}},
-                     {"order", {"\"layers\"", "\"layers\"", "\"sorted\""}},
-                     {"guard_hairs", {"0", "1", "3000"}}},
-                    50);
+std::string any_quality() {
+  const std::string raster = any_object({{"strands", {"0.01", "0.4", "3", "1000"}}, {"light_of", {"1", "4", "8"}}});
+  const std::string shells = any_object({{"count", {"1", "2", "7", "40"}},
+                                         {"policy", {"\"uniform\"", "\"adaptive\""}},
+                                         {"self_shadow", truth},
+                                         {"shadow_maps", truth},
+                                         {"shadow_resolution", {"1", "7", "64"}},
+                                         {"order", {"\"four_pass\"", "\"sorted\""}}},
+                                        50);
+  const Texts scales{"0.25", "0.7", "2"};
+  if (chance(40)) return any_object({{"scale", scales}, {"shells", {shells}}, {"method", {"\"shells\""}}}, 70);
+  return any_object({{"scale", scales}, {"eye_steps", {"0", "1", "64"}}, {"raster", {raster}}}, 50);
 }
 
 }  // namespace
 
 std::string any_frame() {
   return R"({"width": )" + any_of({"1", "7", "12"}) + R"(, "height": )" + any_of({"1", "9"}) + R"(, "camera": )" +
-         any_camera() + R"(, "quality": )" + any_shells() + R"(, "exposure": )" + any_of({"-20", "0", "20"}) +
+         any_camera() + R"(, "quality": )" + any_quality() + R"(, "exposure": )" + any_of({"-20", "0", "20"}) +
          R"(, "background": )" + any_of({"\"transparent\"", "\"studio\"", "\"#102030\""}) + R"(, "tone_map": )" +
          any_of({"\"none\"", "\"filmic\""}) + R"(, "overlay": )" +
-         any_of({"\"none\"", "\"none\"", "\"strokes\"", "\"shell_count\"", "\"wetness\""}) + "}";
+         any_of({"\"none\"", "\"none\"", "\"strokes\"", "\"length\"", "\"wetness\""}) + "}";
 }
 
 std::string any_tracing() {

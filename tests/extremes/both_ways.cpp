@@ -13,9 +13,9 @@ namespace pelage::testing {
 namespace {
 
 constexpr std::array all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
+                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::sample_count};
 constexpr std::array<const char*, 10> aov_names{"beauty",  "alpha",  "depth",  "position", "normal",
-                                                "tangent", "albedo", "direct", "shadow",   "shell_count"};
+                                                "tangent", "albedo", "direct", "shadow",   "sample_count"};
 constexpr float above_one = 1.001f;  // sums of half floats
 
 bool is_light(Aov aov) { return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo; }
@@ -28,25 +28,15 @@ bool fine(Aov aov, std::size_t channel, float value) {
   return true;
 }
 
-FrameRequest sorted_with_all(FrameRequest request) {
-  Knobs& knobs = request.knobs;
-  knobs.order = FragmentOrder::sorted, knobs.shell_policy = ShellPolicy::uniform;
-  knobs.guard_hairs = std::max(knobs.guard_hairs, 200);
-  knobs.scale = 1;
-  return request;
-}
-
-/// A difference is of two revisions, which nothing here has.
-FrameRequest marchable(FrameRequest request) {
-  if (request.overlay == Overlay::difference) request.overlay = Overlay::none, request.overlay_from.reset();
+FrameRequest layered(FrameRequest request, FragmentOrder order) {
+  request.knobs.method = Method::shells, request.knobs.shells.order = order;
+  request.overlay = Overlay::none, request.overlay_from.reset();
   return request;
 }
 
 FrameRequest traced(FrameRequest request, Transport transport) {
   Knobs& knobs = request.knobs;
-  const int guard_hairs = knobs.guard_hairs, eye_steps = knobs.eye_steps;
-  knobs = {};
-  knobs.method = Method::strands, knobs.guard_hairs = guard_hairs, knobs.eye_steps = eye_steps;
+  knobs = {.method = Method::strands, .eye_steps = knobs.eye_steps};
   knobs.trace.passes = 1, knobs.trace.strands = 2000, knobs.trace.transport = transport;
   return request;
 }
@@ -56,9 +46,8 @@ bool always() { return true; }
 }  // namespace
 
 FrameRequest rasterized(FrameRequest request) {
-  Knobs knobs{.scale = std::min(request.knobs.scale, 1.0), .eye_steps = request.knobs.eye_steps};
-  knobs.method = Method::raster, knobs.guard_hairs = request.knobs.guard_hairs;
-  request.knobs = knobs, request.overlay = Overlay::none, request.overlay_from.reset();
+  request.knobs.method = Method::raster, request.knobs.scale = std::min(request.knobs.scale, 1.0);
+  if (request.overlay == Overlay::difference) request.overlay = Overlay::none, request.overlay_from.reset();
   return request;
 }
 
@@ -88,7 +77,7 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   std::optional<FurFrame> frame;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
     const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(view.fields.size())}};
-    sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::raster);
+    sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::shells);
     frame = make_frame(view, request);
   });
   renderer_.clear_view_cache();
@@ -100,21 +89,8 @@ Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return
 Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
   const FurFrame frame = sync(scene, request);
   if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
-  return renderer_.draw_aovs(frame, all_aovs);
-}
-
-Result<std::vector<FloatImage>> BothWays::march(Scene& scene, const FrameRequest& request) {
-  std::optional<FurFrame> frame;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
-    frame = make_frame(view, marchable(request));
-    const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, view.model.surface.mesh());
-    const ModelArrays arrays = make_arrays(view);
-    marched_.forget_all();
-    const MovedDirection moved = moved_of(view, request);
-    marched_.add(make_model(view, arrays), make_fields(view, skin, {}, moved.get()));
-  });
-  if (Result<Image> shown = marched_.draw(*frame, nullptr, {}); !shown) return shown.status();
-  return marched_.draw_aovs(*frame, all_aovs, nullptr, {});
+  const std::size_t aovs = request.knobs.method == Method::shells ? 2 : all_aovs.size();  // which has no others
+  return renderer_.draw_aovs(frame, std::span(all_aovs).first(aovs));
 }
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
@@ -152,10 +128,9 @@ Status BothWays::check(Result<std::vector<FloatImage>> images, const char* way, 
 }
 
 Status BothWays::look_at(Scene& scene, const FrameRequest& request, std::string& complaint) {
-  Status status = check(draw(scene, request), "shells", complaint);
-  if (status.ok()) status = check(march(scene, request), "marched", complaint);
-  if (status.ok()) status = check(draw(scene, sorted_with_all(request)), "sorted shells", complaint);
-  if (status.ok()) status = check(draw(scene, rasterized(request)), "raster", complaint);
+  Status status = check(draw(scene, rasterized(request)), "raster", complaint);
+  for (const FragmentOrder order : {FragmentOrder::four_pass, FragmentOrder::sorted})
+    if (status.ok()) status = check(draw(scene, layered(request, order)), "shells", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::transmittance)), "strands", complaint);
   if (status.ok()) status = check(trace(scene, traced(request, Transport::paths)), "paths", complaint);
   return status;

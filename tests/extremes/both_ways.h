@@ -1,5 +1,4 @@
-// A scene drawn by shells, marched, and as strands that are rasterized and traced, with every number of every layer
-// looked at.
+// A scene drawn by shells and as strands that are rasterized and traced, with every number of every layer looked at.
 #pragma once
 
 #include <memory>
@@ -7,7 +6,6 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
-#include "renderer/frame/marched_renderer.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/tracer.h"
@@ -15,8 +13,7 @@
 
 namespace pelage::testing {
 
-/// Pictures of one request: shells as they are asked for, the same marched, shells sorted with guard hairs, rasterized
-/// strands, and traced ones in both transports.
+/// Pictures of one request: rasterized strands, shells in both orders, and traced strands in both transports.
 class BothWays {
  public:
   explicit BothWays(Renderer& renderer) : renderer_(renderer) {}
@@ -26,8 +23,6 @@ class BothWays {
 
   /// Layers of shells or of rasterized strands with the request's own knobs, or of traced ones.
   Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
-  /// Light alone, of what can be marched of the request.
-  Result<std::vector<FloatImage>> march(Scene& scene, const FrameRequest& request);
   /// As a client sees it, in 8 bits.
   Result<Image> show(Scene& scene, const FrameRequest& request);
   Result<std::vector<FloatImage>> trace(Scene& scene, const FrameRequest& request);
@@ -39,12 +34,12 @@ class BothWays {
   Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
 
   Renderer& renderer_;
-  MarchedRenderer marched_{2};
   Tracer tracer_{2, std::size_t{1} << 28, false};
   std::size_t pictures_ = 0;
 };
 
-/// A request of shells as one of rasterized strands: with its eyes, guard hairs and, up to 1, its scale.
+/// A request as one of rasterized strands, with its scale up to 1. A difference is of two revisions, which nothing here
+/// has.
 FrameRequest rasterized(FrameRequest request);
 
 /// What is wrong with the layers of a picture, "" for nothing: all are finite, light is not negative, shares lie in

@@ -10,7 +10,9 @@ std::string one(const std::string& op, const std::string& members) {
 
 std::string coat_with(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
 
-std::string quality(const std::string& members) { return R"("quality": {)" + members + "}"; }
+std::string shells(const std::string& members) {
+  return R"("quality": {"method": "shells", "shells": {)" + members + "}}";
+}
 
 std::string light(const std::string& members) {
   return one("set_lights", R"("lights": [{"direction": [0, -1, -1])" + members + "}]");
@@ -25,7 +27,6 @@ std::string batch(const std::string& first, const std::string& second) {
 }
 
 std::vector<Feature> of_the_coat() {
-  const std::string group = R"({"curves": [[[0, 0, 1], [0.5, 0, 2]]], "width_root": 0.01})";
   const std::string region = R"({"centre": [0, 0, 1], "radii": [0.5, 0.5, 0.5]})";
   return {
       {"pattern", coat_with(R"("pattern": {"kind": "stripes"})"), "",
@@ -36,23 +37,18 @@ std::vector<Feature> of_the_coat() {
       {"painted density", painted("density", R"("value": 0.5)"), "", painted("density", R"("value": 1)")},
       {"painted colour", painted("root_colour", R"("value": 1, "colour": "#ff0000")"), "",
        painted("wetness", R"("value": 0)")},
-      {"curves", one("set_curves", R"("groups": [)" + group + "]"), "", one("set_curves", R"("groups": [])")},
-      {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")},
-      {"eyes", one("set_eyes", R"("eyes": [{"position": [0, 0, 1], "radius": 0.1}])"), "",
-       one("set_eyes", R"("eyes": [])"), quality(R"("eye_steps": 64)")}};
+      {"bare skin", one("set_skin", R"("regions": [)" + region + "]"), "", one("set_skin", R"("regions": [])")}};
 }
 
 std::vector<Feature> of_light() {
   const std::string shine = R"("look": {"shading": "energy_conserving", "fibre": {"refractive_index": 2}})";
-  return {{"ground", one("set_ground", R"("ground": {"visible": true})"), "",
-           one("set_ground", R"("ground": {"visible": false, "height": 1, "shadow": 1})")},
-          {"shadow maps of the shells", light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_maps": true)"),
-           light(R"(, "self_shadow_maps": true)"), quality(R"("shadow_resolution": 4096)")},
-          {"hard shadow", light(R"(, "cast_shadow": "hard")"), quality(R"("shadow_maps": true)"),
+  return {{"shadow maps of the shells", light(R"(, "self_shadow_maps": true)"), shells(R"("shadow_maps": true)"),
+           light(R"(, "self_shadow_maps": true)"), shells(R"("shadow_resolution": 4096)")},
+          {"hard shadow", light(R"(, "cast_shadow": "hard")"), shells(R"("shadow_maps": true)"),
            light(R"(, "cast_shadow": "hard")")},
-          {"soft shadow", light(R"(, "cast_shadow": "soft")"), quality(R"("shadow_maps": true)"), light(""),
-           quality(R"("shadow_maps": true)")},
-          {"penumbra", light(R"(, "cast_shadow": "penumbra")"), quality(R"("shadow_maps": true)"),
+          {"soft shadow", light(R"(, "cast_shadow": "soft")"), shells(R"("shadow_maps": true)"), light(""),
+           shells(R"("shadow_maps": true)")},
+          {"penumbra", light(R"(, "cast_shadow": "penumbra")"), shells(R"("shadow_maps": true)"),
            light(R"(, "cast_shadow": "penumbra")")},
           {"light from all around", "", "", one("set_environment", R"("environment": {"intensity": 0.5})")},
           {"wind", "", "", one("set_wind", R"("wind": {"speed": 0, "gusts": 10, "time": 5})"), R"("time": 3)"},
@@ -61,14 +57,11 @@ std::vector<Feature> of_light() {
 }
 
 std::vector<Feature> of_the_frame() {
-  return {
-      {"guard hairs", "", quality(R"("guard_hairs": 300)"), "", quality(R"("guard_hairs": 0)")},
-      {"sorted order", "", quality(R"("order": "sorted")"), "", quality(R"("order": "shells")")},
-      {"twice the size", "", quality(R"("scale": 2)"), "", quality(R"("scale": 1)")},
-      {"overlay of a field", "", R"("overlay": "direction")", "", R"("overlay": "none")"},
-      {"overlay of strokes", "", R"("overlay": "strokes")", "", R"("overlay": "none")"},
-      {"overlay of layers", "", R"("overlay": "shell_count")", "", R"("overlay": "none")"},
-      {"AOVs of an EXR", "", R"("format": "exr", "aovs": ["beauty", "depth", "normal"])", "", R"("format": "png")"}};
+  return {{"sorted order", "", shells(R"("order": "sorted")"), "", shells(R"("order": "four_pass")")},
+          {"fewer shells where the view needs fewer", "", shells(R"("policy": "adaptive")"), "",
+           shells(R"("policy": "uniform")")},
+          {"twice the size", "", R"("quality": {"method": "shells", "scale": 2})", "",
+           R"("quality": {"method": "shells", "scale": 1})"}};
 }
 
 /// These change what tools do, and no frame.

@@ -1,4 +1,4 @@
-// Any scene with any knobs, by shells, marched, rasterized and by traced strands: finite, or refused with a pointer;
+// Any scene with any knobs, in shells, rasterized and by traced strands: finite, or refused with a pointer;
 // and the same picture twice, whatever was drawn in between. More cases: RC_PARAMS="max_success=10000"
 // (tests/extremes/fuzz.sh).
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ class Fuzz : public WithRenderer {};
 
 class Worker {
  public:
-  explicit Worker(Renderer& renderer, SceneStore& store) : renderer_(renderer), store_(store), ways_(renderer) {}
+  Worker(Renderer& renderer, SceneStore& store, bool with_shells)
+      : renderer_(renderer), store_(store), ways_(renderer), with_shells_(with_shells) {}
 
   void any_case() {
     const Row row = any_row();
@@ -66,18 +67,18 @@ class Worker {
   void look_at(Scene& scene, const std::string& frame, const std::string& tracing, const std::string& other) {
     const std::optional<FrameRequest> asked = request_or_refusal(frame), between = request_or_refusal(other);
     const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
-    std::optional<Layers> shells, marched, raster, strands;
-    if (asked) shells = fine("shells", ways_.draw(scene, *asked));
-    if (asked) marched = fine("marched", ways_.march(scene, *asked));
-    if (asked) raster = fine("raster", ways_.draw(scene, rasterized(*asked)));
+    std::optional<Layers> drawn, strands;
+    if (asked) drawn = fine("drawn", draw(scene, *asked));
     if (traced) strands = fine_or_too_many(ways_.trace(scene, *traced));
-    if (between) fine("shells between", ways_.draw(scene, *between));
-    if (between) fine("marched between", ways_.march(scene, *between));
-    if (between) fine("raster between", ways_.draw(scene, rasterized(*between)));
-    if (marched) RC_ASSERT(same_bits(*marched, *fine("marched", ways_.march(scene, *asked))));
-    if (shells) RC_ASSERT(same_bits(*shells, *fine("shells", ways_.draw(scene, *asked))));
-    if (raster) RC_ASSERT(same_bits(*raster, *fine("raster", ways_.draw(scene, rasterized(*asked)))));
+    if (between) fine("between", draw(scene, *between));
+    if (drawn) RC_ASSERT(same_bits(*drawn, *fine("drawn again", draw(scene, *asked))));
     if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
+  }
+
+  /// Shells where there is a GL.
+  Result<Layers> draw(Scene& scene, FrameRequest request) {
+    if (request.knobs.method != Method::shells || !with_shells_) request = rasterized(request);
+    return ways_.draw(scene, request);
   }
 
   /// None where there are more strands than tracing may take, which only growing them can tell.
@@ -96,25 +97,26 @@ class Worker {
   Renderer& renderer_;
   SceneStore& store_;
   BothWays ways_;
+  bool with_shells_;
   int cases_ = 0;
 };
 
-void fuzz(Renderer& renderer, const std::string& folder, const char* unless_asked) {
+void fuzz(Renderer& renderer, const std::string& folder, const char* unless_asked, bool with_shells) {
   FreshStore store(folder);
   setenv("RC_PARAMS", unless_asked, 0);  // the same few scenes where nobody asks for others
-  Worker worker(renderer, *store);
+  Worker worker(renderer, *store, with_shells);
   EXPECT_TRUE(rc::check("any scene", [&] { worker.any_case(); }));
 }
 
 TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
-  fuzz(*renderer, "pelage_fuzz" + std::to_string(static_cast<int>(GetParam())), "max_success=2 seed=1");
+  fuzz(*renderer, "pelage_fuzz" + std::to_string(static_cast<int>(GetParam())), "max_success=2 seed=1", true);
 }
 
 /// What a server without a GPU draws, without a GL that would take most of the time.
 TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
   const Result<std::unique_ptr<Renderer>> renderer = make_renderer(nullptr, 2);
   ASSERT_TRUE(renderer.ok()) << renderer.status().message;
-  fuzz(**renderer, "pelage_fuzz_without_gl", "max_success=10 seed=1");
+  fuzz(**renderer, "pelage_fuzz_without_gl", "max_success=10 seed=1", false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Fuzz, both_backends(), name_of);

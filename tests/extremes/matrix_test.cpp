@@ -1,5 +1,5 @@
-// The matrix of science.md 7: each row is drawn by shells, marched, drawn sorted, traced in both transports and finite,
-// or refused with a pointer and a limit. The page rows.md lists the same rows.
+// The matrix of science.md 7: each row is rasterized, drawn as shells in both orders, traced in both transports and
+// finite, or refused with a pointer and a limit. The page rows.md lists the same rows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -96,9 +96,9 @@ std::string table() {
     }
   }
   text << "\n"
-       << rows << " rows: " << rows - refused << " drawn, each as shells, marched, as sorted shells with guard hairs, "
-       << "rasterized, as strands and as paths, on both backends (" << 12 * (rows - refused) << " pictures), and "
-       << refused << " refused.\n";
+       << rows << " rows: " << rows - refused
+       << " drawn, each rasterized, as shells in both orders, as traced strands and as "
+       << "paths, on both backends (" << 10 * (rows - refused) << " pictures), and " << refused << " refused.\n";
   return text.str();
 }
 

@@ -1,5 +1,5 @@
-// Relations of science.md 7 that need no reference, in pictures of shells and of strands. Those of tools and of the
-// journal are tests/property/groom and tests/property/scene.
+// Relations of science.md 7 that need no reference, in pictures of strands, rasterized and traced. Those of tools and
+// of the journal are tests/property/groom and tests/property/scene.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -158,7 +158,7 @@ TEST_P(Relations, LightIsAdditive) {
     error = std::max(error, std::abs(both.rgba[i] - a.rgba[i] - b.rgba[i]));
   }
   EXPECT_GT(max, 0.01f);
-  EXPECT_LT(error, 1e-4f * max);
+  EXPECT_LT(error, 1e-3f * max);  // each knot's light is kept in half floats
   // A sample of strands sees one light, so the sum holds for means.
   const auto total = [](const FloatImage& image) {
     return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0) -
@@ -196,9 +196,9 @@ TEST_P(Relations, AnotherBackgroundLeavesTheFur) {
 TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
-  asked.knobs.order = FragmentOrder::sorted, asked.knobs.shell_policy = ShellPolicy::uniform;
+  asked.knobs.method = Method::shells, asked.knobs.shells.order = FragmentOrder::sorted;
   const auto with = [&](int shells) {
-    asked.knobs.shells = shells;
+    asked.knobs.shells.count = shells;
     return ways_->draw(*scene, asked).value()[0].rgba;
   };
   const std::vector<float> truth = with(512);
@@ -212,7 +212,8 @@ TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, Relations, both_backends(), name_of);
+// Only the last case draws by a GL.
+INSTANTIATE_TEST_SUITE_P(Both, Relations, ::testing::Values(Backend::osmesa), name_of);
 
 }  // namespace
 }  // namespace pelage::testing::relations_test

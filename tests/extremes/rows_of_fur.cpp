@@ -112,12 +112,16 @@ Rows fur_rows() {
                             "ticking": {"share": 1}, "variation": {"lightness": 1, "hue": 1, "length": 1, "lean": 1,
                             "size": 0.005}, "pattern": {"kind": "rosettes", "scale": 0.005, "warp": 2, "softness": 0})")})};
   for (const char* shells : {"1", "2", "1024"}) {
-    rows.push_back(of_quality(std::string(shells) + " layers", std::string(R"("shells": )") + shells));
-    rows.push_back(of_quality(std::string(shells) + " layers everywhere, 16 steps",
-                              std::string(R"("shells": )") + shells + R"(, "shell_policy": "uniform", "steps": 16)"));
+    rows.push_back(of_quality(std::string(shells) + " shells",
+                              std::string(R"("method": "shells", "shells": {"count": )") + shells + "}"));
   }
-  rows.push_back(of_quality("0 layers", R"("shells": 0)", "/quality/shells"));
-  rows.push_back(of_quality("1,025 layers", R"("shells": 1025)", "/quality/shells"));
+  for (const char* strands : {"0.01", "1000"}) {
+    rows.push_back(of_quality(std::string(strands) + " strands a pixel",
+                              std::string(R"("raster": {"strands": )") + strands + "}"));
+  }
+  rows.push_back(of_quality("0 shells", R"("method": "shells", "shells": {"count": 0})", "/quality/shells/count"));
+  rows.push_back(
+      of_quality("1,025 shells", R"("method": "shells", "shells": {"count": 1025})", "/quality/shells/count"));
   for (const char* way : {"[0, 1, 0]", "[0, -1, 0]"}) {
     rows.push_back(
         of_fur(std::string("combed towards ") + way + ", along or against the normal at the poles", {flood_comb(way)}));

@@ -87,7 +87,7 @@ Rows mesh_rows() {
           of_file("sliver of height 1e-12", "v 0 0 0\nv 1 0 0\nv 0.5 1e-12 0\nf 1 2 3\n"),
           {.area = "mesh",
            .value = "sliver of height 1e-12 that meets a pixel's middle",
-           .frame = R"({"width": 7, "height": 9, "quality": {"shell_policy": "uniform", "steps": 16}})",
+           .frame = R"({"width": 7, "height": 9, "quality": {"scale": 2}})",
            .model = {"v 0 0 0\nv 1 0 0\nv 0.5 1e-12 0\nf 1 2 3\n"}},
           of_file("sliver of height 1e-12 beside others", plain + "v 0.5 -1e-12 0\nf 1 2 5\n"),
           of_file("three triangles on an edge", plain + "v 0.5 -1 0\nf 1 2 5\n"),

@@ -8,11 +8,12 @@ namespace {
 const std::string small = R"("width": 16, "height": 12)";
 
 Row of_light(std::string value, const std::string& light, const std::string& quality = {}, std::string refused = {}) {
-  return {.area = "light",
-          .value = std::move(value),
-          .commands = {R"({"op": "set_lights", "lights": [{)" + light + "}]}"},
-          .frame = "{" + small + R"(, "quality": {"shadow_maps": true)" + quality + "}}",
-          .refused = std::move(refused)};
+  return {
+      .area = "light",
+      .value = std::move(value),
+      .commands = {R"({"op": "set_lights", "lights": [{)" + light + "}]}"},
+      .frame = "{" + small + R"(, "quality": {"method": "shells", "shells": {"shadow_maps": true)" + quality + "}}}",
+      .refused = std::move(refused)};
 }
 
 Row of_camera(std::string value, const std::string& camera, std::string refused = {}) {
@@ -94,7 +95,8 @@ Rows light_rows() {
   rows.push_back(of_light("a direction of no length", R"("direction": [0, 0, 0])", "", "/lights/0/direction"));
   rows.push_back(
       of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
-  rows.push_back(of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shadow_resolution"));
+  rows.push_back(
+      of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shells/shadow_resolution"));
   Row eight = of_light("eight lights of 1e8 at one place", "");
   std::string lights;
   for (int i = 0; i < 8; ++i)
@@ -149,9 +151,10 @@ Rows camera_rows() {
   rows.push_back(of_frame("8193 wide", R"("width": 8193, "height": 8)", "/width"));
   rows.push_back(of_frame("8192 x 8192 at twice the size", R"("width": 8192, "height": 8192, "quality": {"scale": 2})",
                           "/quality"));
-  rows.push_back(of_frame("8192 x 8192, sorted, 64 layers",
-                          R"("width": 8192, "height": 8192, "quality": {"order": "sorted", "shells": 64})",
-                          "/quality"));
+  rows.push_back(of_frame(
+      "8192 x 8192, sorted, 64 shells",
+      R"("width": 8192, "height": 8192, "quality": {"method": "shells", "shells": {"order": "sorted", "count": 64}})",
+      "/quality"));
   rows.push_back(of_frame("8192 x 8192, two AOVs of an EXR",
                           R"("width": 8192, "height": 8192, "format": "exr", "aovs": ["beauty", "depth"])", "/aovs"));
   return rows;

@@ -97,7 +97,7 @@ class Slurm(FarmTest):
         return status if all(chunk["state"] not in ("running", "waiting") for chunk in status["chunks"]) else None
 
     def test_killed_tasks_and_nodes(self):
-        job = self.write_job(f"1-{FRAMES}", frame={"width": 256, "height": 256, "quality": {"shells": 64}})
+        job = self.write_job(f"1-{FRAMES}", frame={"width": 256, "height": 256, "quality": {"scale": 2}})
         folder = self.folder / "ball.farm"
         self.assertIn(f"{CHUNKS} of {CHUNKS} chunks to draw", self.farm("submit", job, "--max-parallel", CHUNKS).stdout)
         self.assertIn("still draws", self.farm("submit", job, code=1).stderr, "never twice at the same time")
@@ -125,7 +125,7 @@ class Slurm(FarmTest):
 
     def test_a_job_that_is_cancelled(self):
         """Slurm sends SIGTERM, as at a time limit: whole frames are left and nothing else."""
-        job = self.write_job("1-200", frame={"width": 256, "height": 256, "quality": {"shells": 64}})
+        job = self.write_job("1-200", frame={"width": 256, "height": 256, "quality": {"scale": 2}})
         folder = self.folder / "ball.farm"
         self.farm("submit", job)
         self.wait("a frame", lambda: list((folder / "out").glob("ball.*.png")))

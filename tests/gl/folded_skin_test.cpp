@@ -20,9 +20,9 @@ FurredModel folded() {
 class FoldedSkin : public WithRenderer {
  protected:
   double middle(const FurredModel& model, bool self_shadow) {
-    FrameRequest request = small_frame();
+    FrameRequest request = shells_frame();
     request.camera = {.automatic = AutoView::none, .position = {0, 0, 10}};
-    request.knobs.self_shadow = self_shadow;
+    request.knobs.shells.self_shadow = self_shadow;
     const Image image = draw(*renderer, model, request);
     return image.rgba[4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2)];
   }

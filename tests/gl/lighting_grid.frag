@@ -24,10 +24,6 @@ void main() {
     light_at(0, fibre.place, to_light, radiance);
     result = vec4(to_light, radiance.g);
   }
-#ifdef AOVS
-  if (asked == 4) fibre_light(fibre), result = vec4(direct_light, light_share.x);
-  if (asked == 5) fibre_light(fibre), result.r = light_share.y;
-#endif
 #ifdef SHADOW_MAPS
   if (asked == 6) {
     result.r = cast_light(light, fibre.place, fibre.open, fibre.normal);

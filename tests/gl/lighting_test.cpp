@@ -147,20 +147,6 @@ TEST_P(Lighting, FibreModelsScatterAgainInTheFursColour) {
   }
 }
 
-TEST_P(Lighting, KeepsTheLightOfLightsApart) {
-  const FurFrame frame = lit_frame();
-  const FibreShading shading(frame.look);
-  const std::vector<Case> of = random_cases();
-  const std::vector<glm::vec4> kept = on_gpu(direct, frame, of, "#define AOVS\n");
-  const std::vector<glm::vec4> whole = on_gpu(unshadowed, frame, of, "#define AOVS\n");
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const Expected expected = expected_light(frame, shading, of[i]);
-    ASSERT_LT(apart(kept[i], expected.direct), 1e-4);
-    ASSERT_NEAR(kept[i].a, luminance(expected.direct), 1e-4);
-    ASSERT_NEAR(whole[i].r, luminance(expected.unshadowed), 1e-4);
-  }
-}
-
 /// Past two strands on average black fur lets through exp(-2 (1 - t)); the paler, the more (science.md 4).
 TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   std::vector<Case> of = random_cases();

@@ -22,18 +22,12 @@ Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std:
       pieces.corners.push_back(corners);
     }
   }
-  FurFrame frame = make_frame(model.view(), small_frame(AutoView::three_quarter, 192));
+  FurFrame frame = make_frame(model.view(), shells_frame(AutoView::three_quarter, 192));
   static std::uint64_t last_id = 1'000'000;  // far from those of other models
   frame.model = ++last_id;
-  renderer.add({frame.model,
-                mesh.positions,
-                mesh.normals,
-                mesh.tangents,
-                pieces.triangles,
-                pieces.corners,
-                {},
-                !mesh.corners.empty()},
-               {model.fields.direction(), model.fields.length(), {}});
+  const FurModel fur{frame.model,      mesh.positions, mesh.normals, mesh.tangents,
+                     pieces.triangles, pieces.corners, {},           !mesh.corners.empty()};
+  renderer.add_shells(fur, {model.fields.direction(), model.fields.length(), {}});
   return renderer.draw(frame).value();
 }
 
@@ -51,7 +45,7 @@ TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
   const FurredModel model = furred({Builtin::creature, 3000});
   FurredModel hard = furred({Builtin::creature, 3000});
   hard.model.patches = hard_pieces(hard.model.patches);
-  const FrameRequest request = small_frame(AutoView::three_quarter, 192);
+  const FrameRequest request = shells_frame(AutoView::three_quarter, 192);
   const Image soft_image = draw(*renderer, model, request), hard_image = draw(*renderer, hard, request);
   EXPECT_NEAR(covered(soft_image), covered(hard_image), 0.01 * covered(hard_image));
   const glm::dvec3 soft_colour = mean_colour(soft_image), hard_colour = mean_colour(hard_image);

@@ -58,11 +58,11 @@ TEST_P(PatternOnGpu, MixesAsTheCpuDoes) {
 TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
   for (const double length : {0.02, 0.002}) {
     FurredModel model = furred({Builtin::sphere, 1000}, {.length = length});
-    const Image plain = draw(*renderer, model, small_frame());
+    const Image plain = draw(*renderer, model, shells_frame());
     model.settings.coat.pattern.kind = PatternKind::stripes;
     model.settings.coat.pattern.scale = 0.2;
     model.settings.coat.pattern.colour = {0, 0, 0};
-    const Image striped = draw(*renderer, model, small_frame());
+    const Image striped = draw(*renderer, model, shells_frame());
     int darker = 0, same = 0;
     for (std::size_t i = 0; i < plain.rgba.size(); i += 4) {
       if (plain.rgba[i + 3] < 255) continue;
@@ -78,9 +78,9 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
 
 TEST_P(PatternOnGpu, VariationOfLengthChangesTheSilhouette) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.1});
-  const Image even = draw(*renderer, model, small_frame());
+  const Image even = draw(*renderer, model, shells_frame());
   model.settings.coat.variation.length = 0.8;
-  EXPECT_GT(mean_difference(even, draw(*renderer, model, small_frame())), 1);
+  EXPECT_GT(mean_difference(even, draw(*renderer, model, shells_frame())), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, PatternOnGpu, both_backends(), name_of);

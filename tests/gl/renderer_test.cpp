@@ -1,4 +1,4 @@
-// Physics and invariants of whole frames.
+// Physics and invariants of frames of shells.
 #include "renderer/frame/renderer.h"
 
 #include <cmath>
@@ -15,8 +15,8 @@ class Frames : public WithRenderer {};
 TEST_P(Frames, FurReachesBeyondTheSkin) {
   const FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0}),
                     furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0});
-  const double skin = covered(draw(*renderer, bare, small_frame())),
-               fur = covered(draw(*renderer, furry, small_frame()));
+  const double skin = covered(draw(*renderer, bare, shells_frame())),
+               fur = covered(draw(*renderer, furry, shells_frame()));
   // The box's diagonal is 1, so the radius is .289 and upright fur of .08 makes it .369: 1.63 times the area at most.
   EXPECT_GT(fur, skin * 1.2);
   EXPECT_LT(fur, skin * 1.63);
@@ -24,17 +24,17 @@ TEST_P(Frames, FurReachesBeyondTheSkin) {
 
 TEST_P(Frames, SameFrameSameBits) {
   const FurredModel model = furred({Builtin::torus, 1000});
-  const Image first = draw(*renderer, model, small_frame());
-  EXPECT_EQ(first.rgba, draw(*renderer, model, small_frame()).rgba);
+  const Image first = draw(*renderer, model, shells_frame());
+  EXPECT_EQ(first.rgba, draw(*renderer, model, shells_frame()).rgba);
 }
 
 TEST_P(Frames, ShellCountKeepsTheOpacity) {
   // With a fixed alpha for each shell these coverages would be far apart (science.md 1).
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
-  FrameRequest request = small_frame();
+  FrameRequest request = shells_frame();
   std::vector<double> means;
   for (const int shells : {16, 32, 64, 128}) {
-    request.knobs.shells = shells;
+    request.knobs.shells.count = shells;
     const Image image = draw(*renderer, model, request);
     double alpha = 0;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) alpha += image.rgba[i];
@@ -45,10 +45,10 @@ TEST_P(Frames, ShellCountKeepsTheOpacity) {
 
 TEST_P(Frames, MoreShellsComeCloser) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
-  FrameRequest request = small_frame();
-  request.knobs.shell_policy = ShellPolicy::uniform;
+  FrameRequest request = shells_frame();
+  request.knobs.shells.policy = ShellPolicy::uniform;
   const auto with = [&](int shells) {
-    request.knobs.shells = shells;
+    request.knobs.shells.count = shells;
     return draw(*renderer, model, request);
   };
   const Image truth = with(256);
@@ -60,9 +60,9 @@ TEST_P(Frames, MoreShellsComeCloser) {
 
 TEST_P(Frames, FewerShellsWhereTheViewNeedsFewerKeepTheOpacity) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.1, .inclination = 0.2});
-  FrameRequest request = small_frame();
+  FrameRequest request = shells_frame();
   const auto mean_alpha = [&](ShellPolicy policy) {
-    request.knobs.shell_policy = policy;
+    request.knobs.shells.policy = policy;
     const Image image = draw(*renderer, model, request);
     double alpha = 0;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) alpha += image.rgba[i];
@@ -75,11 +75,11 @@ TEST_P(Frames, FewerShellsWhereTheViewNeedsFewerKeepTheOpacity) {
 TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
   // From step to step of a slow approach no picture may change much more than with the same shells everywhere.
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
-  FrameRequest request = small_frame();
+  FrameRequest request = shells_frame();
   request.camera.automatic = AutoView::none;
   request.camera.target = {0, 0, 0};
   const auto largest_change = [&](ShellPolicy policy) {
-    request.knobs.shell_policy = policy;
+    request.knobs.shells.policy = policy;
     double largest = 0;
     Image last;
     for (int step = 0; step < 12; ++step) {
@@ -95,7 +95,7 @@ TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
 
 TEST_P(Frames, DenseFurHidesWhatLiesBehind) {
   const FurredModel model = furred({Builtin::sphere, 1000});
-  FrameRequest request = small_frame();
+  FrameRequest request = shells_frame();
   const Image mask = draw(*renderer, model, request);
   request.background = Background::colour;
   request.background_colour = {1, 0, 0};
@@ -115,7 +115,7 @@ TEST_P(Frames, LightIsAdditive) {
   model.settings.look.self_shadow = 0;
   const Light left{.direction = {1, -0.3, -0.3}, .intensity = 0.25},
       right{.direction = {-1, -0.3, -0.3}, .intensity = 0.2};
-  FrameRequest request = small_frame();
+  FrameRequest request = shells_frame();
   const auto linear_mean = [&](std::vector<Light> lights) {
     model.settings.lights = std::move(lights);
     const Image image = draw(*renderer, model, request);
@@ -136,23 +136,23 @@ TEST_P(Frames, AmbientLightIsDarkenedOnce) {  // its floor is the share that rea
   model.settings.lights.clear();
   model.settings.look.ambient_floor = 1;
   model.settings.look.self_shadow = 1;
-  const Image shadowed = draw(*renderer, model, small_frame());
+  const Image shadowed = draw(*renderer, model, shells_frame());
   model.settings.look.self_shadow = 0;
-  const Image open = draw(*renderer, model, small_frame());
+  const Image open = draw(*renderer, model, shells_frame());
   for (std::size_t i = 0; i < open.rgba.size(); ++i) ASSERT_NEAR(shadowed.rgba[i], open.rgba[i], 1);
   model.settings.look.ambient_floor = 0;
-  EXPECT_GT(mean_difference(open, draw(*renderer, model, small_frame())), 1);
+  EXPECT_GT(mean_difference(open, draw(*renderer, model, shells_frame())), 1);
 }
 
 TEST_P(Frames, DirtyRangesSendOnlyThemselves) {
   FurredModel model = furred({Builtin::sphere, 1000});
-  draw(*renderer, model, small_frame());
-  const UploadCount none = sync_scene(*renderer, model.view(), {});
+  draw(*renderer, model, shells_frame());
+  const UploadCount none = sync_shells(*renderer, model, {});
   EXPECT_EQ(none.bytes, 0u);
   Groom groom = model.fields.at(10);
   groom.length *= 3;
   model.fields.set(10, groom);
-  const UploadCount some = sync_scene(*renderer, model.view(), {{10, 11}});
+  const UploadCount some = sync_shells(*renderer, model, {{10, 11}});
   EXPECT_GT(some.bytes, 0u);
   EXPECT_LT(some.bytes, 200u);
 }
@@ -160,12 +160,11 @@ TEST_P(Frames, DirtyRangesSendOnlyThemselves) {
 TEST_P(Frames, CopiesAreCountedUntilTheyAreForgotten) {
   const FurredModel model = furred({Builtin::torus, 1000});
   const std::size_t before = renderer->gl_bytes();
-  const UploadCount sent = sync_scene(*renderer, model.view(), {});
-  constexpr std::size_t no_image = 4;  // a texture of one texel
-  EXPECT_EQ(renderer->gl_bytes() - before, sent.bytes + no_image);
-  const std::size_t synced = renderer->bytes_of(model.model.id);
-  EXPECT_GT(synced, sent.bytes + no_image);  // and arrays of the CPU
-  ASSERT_TRUE(renderer->draw(make_frame(model.view(), small_frame())).ok());
+  sync_shells(*renderer, model, {});
+  const std::size_t sent = renderer->gl_bytes() - before, synced = renderer->bytes_of(model.model.id);
+  EXPECT_GT(sent, 0u);
+  EXPECT_GT(synced, sent);  // and arrays of the CPU
+  ASSERT_TRUE(renderer->draw(make_frame(model.view(), shells_frame())).ok());
   EXPECT_GT(renderer->bytes_of(model.model.id), synced);  // triangles of the view
   const std::size_t drawn = renderer->gl_bytes(), copy = renderer->bytes_of(model.model.id);
   renderer->forget(model.model.id);
@@ -176,12 +175,12 @@ TEST_P(Frames, CopiesAreCountedUntilTheyAreForgotten) {
 
 TEST_P(Frames, PartUploadEqualsAWholeOne) {
   FurredModel model = furred({Builtin::torus, 1000});
-  draw(*renderer, model, small_frame());
+  draw(*renderer, model, shells_frame());
   for (std::uint32_t v = 100; v < 160; ++v) model.fields.set(v, {{0.6f, -0.6f}, 0.09f, 0});
-  sync_scene(*renderer, model.view(), {{100, 160}});
-  const Image part = *renderer->draw(make_frame(model.view(), small_frame()));
+  sync_shells(*renderer, model, {{100, 160}});
+  const Image part = *renderer->draw(make_frame(model.view(), shells_frame()));
   renderer->forget(model.model.id);
-  EXPECT_EQ(part.rgba, draw(*renderer, model, small_frame()).rgba);
+  EXPECT_EQ(part.rgba, draw(*renderer, model, shells_frame()).rgba);
 }
 
 TEST_P(Frames, ExtremesGiveFinitePictures) {
@@ -192,8 +191,8 @@ TEST_P(Frames, ExtremesGiveFinitePictures) {
         model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
         model.settings.look.specular_exponent = 1e6;
         model.settings.look.diffuse_exponent = 0;
-        FrameRequest request = small_frame(AutoView::front, 24);
-        request.knobs.shells = shells;
+        FrameRequest request = shells_frame(AutoView::front, 24);
+        request.knobs.shells.count = shells;
         request.background = Background::colour;
         const Image image = draw(*renderer, model, request);
         for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);  // a NaN would leave 0
@@ -202,79 +201,50 @@ TEST_P(Frames, ExtremesGiveFinitePictures) {
   }
 }
 
-TEST_P(Frames, EyesLeaveNoTraceInFramesWithoutThem) {
-  FurredModel model = furred({Builtin::sphere, 1000});
-  const Image before = draw(*renderer, model, small_frame());
-  model.settings.eyes = {{.position = {0, 0, model.model.surface.mesh().size * 0.3}, .radius = 0.1}};
-  EXPECT_NE(draw(*renderer, model, small_frame()).rgba, before.rgba);
-  model.settings.eyes.clear();
-  EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
-}
-
-TEST_P(Frames, FurCoversAnEyeAndSkinHidesWhatLiesBehindIt) {
-  const auto change = [&](double fur, double z) {
-    FurredModel model = furred({Builtin::sphere, 1000}, {.length = fur, .inclination = 0.6});
-    const Mesh& mesh = model.model.surface.mesh();
-    const Image without = draw(*renderer, model, small_frame());
-    model.settings.eyes = {{.position = mesh.to_model({0, 0, z}), .radius = 0.05}};
-    return mean_difference(without, draw(*renderer, model, small_frame()));
-  };
-  const double bare = change(0, 0.27);  // the skin is at .289
-  EXPECT_GT(bare, 0.3);
-  EXPECT_LT(change(0.12, 0.27), 0.25 * bare);
-  EXPECT_EQ(change(0, 0.2), 0);
-  EXPECT_EQ(change(0, -0.29), 0);
-}
-
 TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.2});
-  const Image before = draw(*renderer, model, small_frame());
+  const Image before = draw(*renderer, model, shells_frame());
   model.settings.coat.tufts = {.gather = 1, .size = 0.15, .scales = 1};
-  const Image tufted = draw(*renderer, model, small_frame());
+  const Image tufted = draw(*renderer, model, shells_frame());
   EXPECT_GT(mean_difference(before, tufted), 2);
   model.settings.coat.tufts.seed = 2;
-  EXPECT_GT(mean_difference(tufted, draw(*renderer, model, small_frame())), 1);
+  EXPECT_GT(mean_difference(tufted, draw(*renderer, model, shells_frame())), 1);
   model.settings.coat.tufts.gather = 0;
-  EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
+  EXPECT_EQ(draw(*renderer, model, shells_frame()).rgba, before.rgba);
 }
 
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
-  // A scene without maps, ground, pattern or environment. These are the numbers of a program that has none of those:
-  // skin, coarse depth, fur back-facing and facing in each part of the depth, and the picture; 4 shells of depth and 8
-  // of fur on each side of the parts that it reaches. The model and the coat are bound for skin and each side of a
-  // part.
+  // A scene without maps, pattern or environment. These are the numbers of a program that has none of those: skin,
+  // coarse depth and fur; 4 shells of depth and 8 of fur on each side. The model and the coat are bound for skin and
+  // fur.
   FurredModel model = furred({Builtin::sphere, 300});
   model.settings.look.shading = ShadingModel::kajiya;  // no table
-  FrameRequest request = small_frame();
-  request.knobs.shells = 8;
-  request.knobs.shell_policy = ShellPolicy::uniform;
+  FrameRequest request = shells_frame();
+  request.knobs.shells.count = 8;
+  request.knobs.shells.policy = ShellPolicy::uniform;
   draw(*renderer, model, request);
   const auto counters = [&](const FurFrame& frame) { return counters_of(*renderer, frame); };
   FurFrame frame = make_frame(model.view(), request);
   const FrameCounters plain = counters(frame);
-  EXPECT_EQ(plain.passes, 11u);
-  EXPECT_EQ(plain.draws, 46u);
-  EXPECT_EQ(plain.textures, 28u);
-  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 16216);  // a level for each vertex, lists of triangles for each part
+  EXPECT_EQ(plain.passes, 3u);
+  EXPECT_EQ(plain.draws, 21u);
+  EXPECT_EQ(plain.textures, 6u);
+  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 13312);  // a level for each vertex, lists of triangles
   EXPECT_NEAR(static_cast<double>(plain.fragments), 89599, 0.05 * 89599);  // edges differ between drivers
   EXPECT_EQ(counters(frame), plain);
 
   frame.lights[0].self_shadow_maps = true;  // asked of the light alone: no map is drawn
   EXPECT_EQ(counters(frame), plain);
-  frame.knobs.shadow_maps = true;
+  frame.knobs.shells.shadow_maps = true;
   EXPECT_GT(counters(frame).draws, plain.draws);
-  frame.knobs.shadow_maps = false;  // having drawn something once costs later frames nothing
-  EXPECT_EQ(counters(frame), plain);
-  FurFrame rich = frame;
-  rich.knobs.guard_hairs = 100, rich.overlay = Overlay::strokes, rich.eyes.resize(1);
-  EXPECT_GT(counters(rich).passes, plain.passes + 1);
+  frame.knobs.shells.shadow_maps = false;  // having drawn something once costs later frames nothing
   EXPECT_EQ(counters(frame), plain);
 }
 
 TEST_P(Frames, SizesFromOnePixelOn) {
   const FurredModel model = furred({Builtin::sphere, 300});
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 300}, {300, 7}}) {
-    FrameRequest request = small_frame();
+    FrameRequest request = shells_frame();
     request.width = width, request.height = height;
     const Image image = draw(*renderer, model, request);
     EXPECT_EQ(image.rgba.size(), static_cast<std::size_t>(4 * width * height));
@@ -285,7 +255,7 @@ TEST_P(Frames, TheUprightPoleIsUp) {  // rows come from the top: a light from ab
   // Lying fur: upright fur on the pole would point at the light, and shows it no side (Kajiya).
   FurredModel model = furred({Builtin::sphere, 1000}, {.inclination = 0.95});
   model.settings.lights = {{.direction = {0, -1, 0}}};
-  const Image image = draw(*renderer, model, small_frame());
+  const Image image = draw(*renderer, model, shells_frame());
   double upper = 0, lower = 0;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -308,7 +278,7 @@ TEST(Backends, GiveTheSameBytesOnOneMesa) {
     if (!(*context)->is_software()) GTEST_SKIP() << "a hardware driver draws other bits: " << (*context)->description();
     const Result<Renderer*> renderer = stage.renderer(backend);
     ASSERT_TRUE(renderer.ok()) << renderer.status().message;
-    pictures.push_back(draw(**renderer, model, small_frame(AutoView::three_quarter, 200)).rgba);
+    pictures.push_back(draw(**renderer, model, shells_frame(AutoView::three_quarter, 200)).rgba);
   }
   EXPECT_EQ(pictures[0], pictures[1]);
   EXPECT_EQ(pictures[0], pictures[2]);

@@ -16,9 +16,30 @@ class Shadows : public WithRenderer {
   /// Light from above, the picture from above too, so that what is shadowed by itself is not seen.
   Image picture(FurredModel& model, const Light& light, bool maps, AutoView from = AutoView::top) {
     model.settings.lights = {light};
-    FrameRequest request = small_frame(from, 160);
-    request.knobs.shadow_maps = maps;
+    FrameRequest request = shells_frame(from, 160);
+    request.knobs.shells.shadow_maps = maps;
     return draw(*renderer, model, request);
+  }
+  /// Premultiplied linear light of lights alone.
+  FloatImage light_of(FurredModel& model, const FrameRequest& request) {
+    model.settings.look.ambient = 0;
+    sync_shells(*renderer, model, {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::beauty}).value()[0];
+  }
+  /// The share of it that shadows leave in each pixel, 0 where there is none.
+  std::vector<double> share_left(FurredModel& model, FrameRequest request) {
+    const FloatImage kept = light_of(model, request);
+    request.knobs.shells.shadow_maps = request.knobs.shells.self_shadow = false;
+    const FloatImage whole = light_of(model, request);
+    std::vector<double> shares;
+    for (std::size_t i = 1; i < whole.rgba.size(); i += 4)
+      shares.push_back(whole.rgba[i] > 1e-4f ? double{kept.rgba[i]} / double{whole.rgba[i]} : 0);
+    return shares;
+  }
+  /// Where in space the request's pixels lie, and the normals of the skin there.
+  std::vector<FloatImage> places_of(const FurredModel& model, FrameRequest request) {
+    request.knobs = {};
+    return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::position, Aov::normal}).value();
   }
   static double mean(const Image& image) {
     const glm::dvec3 colour = mean_colour(image);
@@ -40,28 +61,24 @@ TEST_P(Shadows, ShellMapsAgreeWithTheEstimateOnAPlane) {
   EXPECT_GT(mean(picture(model, light, false)), estimate * 1.05);  // so there is a shadow to agree on
 }
 
-/// The share of light that black fur, which keeps what it takes, leaves: from the maps and from the estimate. The light
-/// comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in to what is
-/// seen through them, and the mean of what strands let through is more than the mean depth does.
+/// The share of light that all but black fur, which keeps what it takes, leaves: from the maps and from the estimate.
+/// The light comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in
+/// to what is seen through them, and the mean of what strands let through is more than the mean depth does.
 TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
-  model.settings.coat.ramp = {{0, glm::vec3(0)}};
+  model.settings.coat.ramp = {{0, glm::vec3(0.02f)}};
   model.settings.coat.count = 4000;
-  FrameRequest request = small_frame(AutoView::top, 160);
-  const auto share_left = [&](bool maps) {
+  FrameRequest request = shells_frame(AutoView::top, 160);
+  const auto mean_share = [&](bool maps) {
     model.settings.lights = {{.direction = {1, -1, 0.3}}};
     model.settings.lights[0].self_shadow_maps = maps;
-    request.knobs.shadow_maps = maps;
-    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
-    const std::vector<Aov> asked{Aov::shadow};
-    const FloatImage image = renderer->draw_aovs(make_frame(model.view(), request), asked).value()[0];
+    request.knobs.shells.shadow_maps = maps;
     double sum = 0, count = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-      if (image.rgba[i + 3] > 0.9f) sum += double(image.rgba[i]), ++count;
-    }
+    for (const double share : share_left(model, request))
+      if (share > 0) sum += share, ++count;
     return sum / count;
   };
-  const double estimate = share_left(false), maps = share_left(true);
+  const double estimate = mean_share(false), maps = mean_share(true);
   RecordProperty("shares", std::to_string(estimate) + " " + std::to_string(maps));
   EXPECT_GT(estimate, 0.2);
   EXPECT_LT(estimate, 0.9);
@@ -98,22 +115,20 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
 /// On bare skin a hard shadow is where a ray to the light meets the body, from whatever side the light comes.
 TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
-  FrameRequest request = small_frame(AutoView::front, 128);
-  request.knobs.shadow_maps = true;
+  FrameRequest request = shells_frame(AutoView::front, 128);
+  request.knobs.shells.shadow_maps = true;
   for (const glm::dvec3 along : {glm::dvec3(0.3, -1, -0.6), glm::dvec3(-1, 0.4, -0.5)}) {
     model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
-    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
-    const FurFrame frame = make_frame(model.view(), request);
-    const std::vector<Aov> asked{Aov::position, Aov::normal, Aov::shadow};
-    const std::vector<FloatImage> shells = renderer->draw_aovs(frame, asked).value();
-    const glm::dvec3 to_light = -glm::dvec3(frame.lights[0].direction);
+    const std::vector<double> shares = share_left(model, request);
+    const std::vector<FloatImage> places = places_of(model, request);
+    const glm::dvec3 to_light = -glm::normalize(along);
     int blocked = 0, open = 0, wrong = 0;
-    for (std::size_t i = 0; i < shells[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&shells[layer].rgba[i])); };
-      if (shells[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
+    for (std::size_t i = 0; i < places[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&places[layer].rgba[i])); };
+      if (places[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
       const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
       (hidden ? blocked : open) += 1;
-      wrong += hidden != (value(2).r < 0.5);
+      wrong += hidden != (shares[i / 4] < 0.5);
     }
     EXPECT_GT(blocked, 100);
     EXPECT_GT(open, 500);
@@ -136,24 +151,23 @@ std::vector<glm::dvec3> rays_to(const FurLight& light, int count) {
 /// On bare skin a penumbra is the share of a light's disc that rays do not reach.
 TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
-  FrameRequest request = small_frame(AutoView::front, 96);
-  request.knobs.shadow_maps = true, request.knobs.shadow_resolution = 1024;
+  FrameRequest request = shells_frame(AutoView::front, 96);
+  request.knobs.shells.shadow_maps = true, request.knobs.shells.shadow_resolution = 1024;
   for (const double degrees : {3.0, 12.0}) {
     model.settings.lights = {
         {.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
-    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
+    const std::vector<double> shares = share_left(model, request);
+    const std::vector<FloatImage> places = places_of(model, request);
     const FurFrame frame = make_frame(model.view(), request);
-    const std::vector<Aov> asked{Aov::position, Aov::normal, Aov::shadow};
-    const std::vector<FloatImage> shells = renderer->draw_aovs(frame, asked).value();
     const std::vector<glm::dvec3> rays = rays_to(frame.lights[0], 64);
     double error = 0, bias = 0, count = 0, between = 0;
-    for (std::size_t i = 0; i < shells[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&shells[layer].rgba[i])); };
-      if (shells[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
+    for (std::size_t i = 0; i < places[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&places[layer].rgba[i])); };
+      if (places[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
       double open = 0;
       for (const glm::dvec3& ray : rays)
         open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
-      error += std::abs(value(2).r - open), bias += value(2).r - open, ++count;
+      error += std::abs(shares[i / 4] - open), bias += shares[i / 4] - open, ++count;
       between += open > 0.1 && open < 0.9;
     }
     EXPECT_GT(between, 0.01 * degrees * count) << degrees;  // so there is a penumbra to be right about
@@ -173,15 +187,13 @@ TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
     Light light{.direction = {0.3, -1, -0.2}, .intensity = 1};
     light.cast_shadow = shadow;
     model.settings.lights = {light};
-    FrameRequest request = small_frame(AutoView::front, 160);
-    request.knobs.shadow_maps = true;
-    sync_scene(*renderer, model.view(), {{0, static_cast<std::uint32_t>(model.fields.size())}});
-    const std::vector<FloatImage> images =
-        renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::direct, Aov::position}).value();
+    FrameRequest request = shells_frame(AutoView::front, 160);
+    request.knobs.shells.shadow_maps = true;
+    const FloatImage lit = light_of(model, request), places = places_of(model, request)[0];
     double sum = 0;
-    for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) {
-      const bool below = images[1].rgba[i + 3] > 0.9f && images[1].rgba[i + 1] < -0.1f;
-      sum += below ? double(images[0].rgba[i + 1]) : 0;
+    for (std::size_t i = 0; i < lit.rgba.size(); i += 4) {
+      const bool below = places.rgba[i + 3] > 0.9f && places.rgba[i + 1] < -0.1f;
+      sum += below ? double(lit.rgba[i + 1]) : 0;
     }
     return sum;
   };
@@ -206,19 +218,17 @@ TEST_P(Shadows, MapsAreCachedUntilFieldsOrLightChange) {
   Light light = from_above;
   light.self_shadow_maps = true;
   picture(model, light, true);
-  FrameRequest request = small_frame(AutoView::left);
-  request.knobs.shadow_maps = true;
+  FrameRequest request = shells_frame(AutoView::left, 160);
+  request.knobs.shells.shadow_maps = true;
   const auto made = [&] {
-    DrawTimes times;
-    EXPECT_TRUE(renderer->draw(make_frame(model.view(), request), &times).ok());
-    return times.shadow > 0;
+    return counters_of(*renderer, make_frame(model.view(), request)).objects > 0;  // new textures
   };
   EXPECT_FALSE(made());  // another view of the same
   model.settings.lights[0].direction = {1, -1, 0};
   EXPECT_TRUE(made());
   EXPECT_FALSE(made());
   model.fields.set(5, {{0.5f, 0}, 0.05f, 0});
-  sync_scene(*renderer, model.view(), {{5, 6}});
+  sync_shells(*renderer, model, {{5, 6}});
   EXPECT_TRUE(made());
 }
 
@@ -231,9 +241,9 @@ TEST_P(Shadows, LightsInsideTheModelAndTinyMapsAreFine) {
                                 .intensity = 1e8,
                                 .self_shadow_maps = true,
                                 .cast_shadow = CastShadow::soft}};
-      FrameRequest request = small_frame(AutoView::front, 24);
-      request.knobs.shadow_maps = true;
-      request.knobs.shadow_resolution = 1;
+      FrameRequest request = shells_frame(AutoView::front, 24);
+      request.knobs.shells.shadow_maps = true;
+      request.knobs.shells.shadow_resolution = 1;
       request.background = Background::colour;
       const Image image = draw(*renderer, model, request);
       for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);
@@ -258,18 +268,24 @@ double light_between_strands(Renderer& renderer, Coat coat) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.5});
   coat.ramp = {{0, {1, 0, 0}}, {0.01, {0, 1, 0}}, {1, {0, 1, 0}}};
   model.settings.coat = coat;
-  FrameRequest request = small_frame(AutoView::top, 256);
-  request.knobs = {.shells = 16, .shell_policy = ShellPolicy::uniform, .shadow_maps = true, .shadow_resolution = 1024};
+  FrameRequest request = shells_frame(AutoView::top, 256);
+  request.knobs.shells = {.count = 16, .shadow_maps = true, .shadow_resolution = 1024};
   FurFrame frame = make_frame(model.view(), request);
   const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
-  sync_scene(renderer, model.view(), {all});
+  sync_shells(renderer, model, {all});
   frame.lights = {{.kind = LightKind::point, .position = frame.camera.position, .self_shadow_maps = true}};
-  auto shells = renderer.draw_aovs(frame, std::array{Aov::shadow, Aov::albedo});
-  EXPECT_TRUE(shells.ok());
+  frame.look.ambient = 0;
+  const auto light_with = [&](const FurFrame& lit) {
+    return renderer.draw_aovs(lit, std::array{Aov::beauty}).value()[0];
+  };
+  FurFrame open = frame, colours = frame;
+  open.knobs.shells.shadow_maps = open.knobs.shells.self_shadow = false;
+  colours.lights.clear(), colours.look.ambient = colours.look.ambient_floor = 1;
+  const FloatImage kept = light_with(frame), whole = light_with(open), seen = light_with(colours);
   double sum = 0, count = 0;
-  for (std::size_t i = 0; i < (*shells)[0].rgba.size(); i += 4) {
-    if ((*shells)[1].rgba[i] < 0.9f) continue;
-    sum += double{(*shells)[0].rgba[i]}, ++count;
+  for (std::size_t i = 0; i < kept.rgba.size(); i += 4) {
+    if (seen.rgba[i] < 0.9f) continue;
+    sum += double{kept.rgba[i]} / double{whole.rgba[i]}, ++count;
   }
   EXPECT_GT(count, 100);
   return sum / count;
@@ -306,9 +322,9 @@ TEST_P(Shadows, WhatLiesBelowASurfaceDoesNotChangeTheSoftShadowOnIt) {
   // The map of occluded skin is white beside the edge of the shadow too, where the lowest level is hidden.
   const auto draw_levels = [&](bool gap) {
     FurredModel model = furred(three_levels(gap), {.length = 0});
-    FrameRequest request = small_frame(AutoView::front, 200);
+    FrameRequest request = shells_frame(AutoView::front, 200);
     request.camera = {.automatic = AutoView::none, .position = {2, 2.2, 0}, .target = {0, 0.5, 0}, .fov_degrees = 45};
-    request.knobs.shadow_maps = true;
+    request.knobs.shells.shadow_maps = true;
     model.settings.lights = {{.direction = {0, -1, 0}, .cast_shadow = CastShadow::soft}};
     return draw(*renderer, model, request);
   };

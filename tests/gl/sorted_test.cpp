@@ -4,8 +4,8 @@
 #include <numeric>
 #include <random>
 
-#include "renderer/passes/draw/draw.h"
-#include "renderer/passes/sorted/sorted_pass.h"
+#include "renderer/shells/draw/draw.h"
+#include "renderer/shells/sorted/sorted_pass.h"
 #include "server/frames/fur_view.h"
 #include "server/patches/patches.h"
 #include "tests/gl/with_renderer.h"
@@ -177,7 +177,7 @@ class Sorted : public WithRenderer {
  protected:
   FloatImage light_of(Renderer& with, const FurredModel& model, const FrameRequest& request,
                       DrawTimes* times = nullptr) {
-    sync_scene(with, model.view(), {VertexRange{0, static_cast<std::uint32_t>(model.fields.size())}});
+    sync_shells(with, model, {VertexRange{0, static_cast<std::uint32_t>(model.fields.size())}});
     const FurFrame frame = make_frame(model.view(), request);
     Result<std::vector<FloatImage>> images = with.draw_aovs(frame, std::array{Aov::beauty}, times);
     EXPECT_TRUE(images.ok()) << images.status().message;
@@ -186,11 +186,10 @@ class Sorted : public WithRenderer {
   }
 
   static FrameRequest request_of(FragmentOrder order, int shells, int size = 64) {
-    FrameRequest request = small_frame(AutoView::three_quarter, size);
-    request.knobs.order = order;
-    request.knobs.shells = shells;
-    request.knobs.steps = 1;
-    request.knobs.shell_policy = ShellPolicy::uniform;
+    FrameRequest request = shells_frame(AutoView::three_quarter, size);
+    request.knobs.shells.order = order;
+    request.knobs.shells.count = shells;
+    request.knobs.shells.policy = ShellPolicy::uniform;
     return request;
   }
 
@@ -213,7 +212,7 @@ TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
   const FrameRequest request = request_of(FragmentOrder::sorted, 32);
   const FloatImage before = light_of(*renderer, model, request);
   FrameRequest aovs = request;
-  aovs.knobs.order = FragmentOrder::shells;
+  aovs.knobs.shells.order = FragmentOrder::four_pass;
   const FloatImage aovs_before = light_of(*renderer, model, aovs);
   std::reverse(model.model.patches.pieces.begin(), model.model.patches.pieces.end());
   EXPECT_LT(largest(before, light_of(*renderer, model, request)), 1e-5);
@@ -226,23 +225,12 @@ TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   FrameRequest request = request_of(FragmentOrder::sorted, 64);
   request.camera.automatic = AutoView::top;
   const FloatImage sorted = light_of(*renderer, model, request);
-  request.knobs.order = FragmentOrder::shells;
+  request.knobs.shells.order = FragmentOrder::four_pass;
   const FloatImage aovs = light_of(*renderer, model, request);
   double seen = 0;
   for (std::size_t i = 3; i < aovs.rgba.size(); i += 4) seen += double{aovs.rgba[i]};
   EXPECT_GT(seen, 500);
   EXPECT_LT(largest(sorted, aovs), 1e-3);  // shells leave out what lies well below dense fur
-}
-
-/// From behind, where a body's own fur lies behind its fur. In the order of shells alone, all of the body at once, they
-/// are twice as far apart.
-TEST_P(Sorted, ShellsOfWhatIsNearLieOverThoseOfWhatIsFar) {
-  const FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
-  FrameRequest request = request_of(FragmentOrder::sorted, 16, 96);
-  request.camera.automatic = AutoView::back;
-  const FloatImage sorted = light_of(*renderer, model, request);
-  request.knobs.order = FragmentOrder::shells;
-  EXPECT_LT(apart(sorted, light_of(*renderer, model, request)), 0.0016);
 }
 
 TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {
@@ -258,39 +246,12 @@ TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {
   EXPECT_LT(largest(wanted, image), 1e-6);
 }
 
-TEST_P(Sorted, HoldsGuardHairs) {
-  const FurredModel model = furred({Builtin::creature, 2000});
-  FrameRequest request = request_of(FragmentOrder::sorted, 16);
-  const FloatImage plain = light_of(*renderer, model, request);
-  request.knobs.guard_hairs = 20'000;
-  const FloatImage hairs = light_of(*renderer, model, request);
-  EXPECT_GT(largest(plain, hairs), 0.01);
-  for (const float value : hairs.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
-}
-
 TEST_P(Sorted, ThousandShellsComeCloserToEachOther) {
   const FurredModel model = furred({Builtin::torus, 1000}, {.length = 0.05, .inclination = 0.5});
   const FloatImage few = light_of(*renderer, model, request_of(FragmentOrder::sorted, 64, 32));
   const FloatImage more = light_of(*renderer, model, request_of(FragmentOrder::sorted, 256, 32));
   const FloatImage max = light_of(*renderer, model, request_of(FragmentOrder::sorted, 1024, 32));
   EXPECT_LT(apart(more, max), 0.5 * apart(few, max));
-}
-
-// The colour of one height for all of a slab would give two slices that of one of them.
-TEST_P(Sorted, AShellShowsTheColoursOfAllSlicesInIt) {
-  FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
-  model.settings.coat.ramp = {{0, {0.8f, 0, 0}}, {1, {0, 0, 0.8f}}};
-  FrameRequest request = request_of(FragmentOrder::sorted, 16);
-  request.camera.automatic = AutoView::top;
-  const auto redness = [&](int shells, int steps) {
-    request.knobs.shells = shells, request.knobs.steps = steps;
-    const FloatImage light = light_of(*renderer, model, request);
-    double red = 0, blue = 0;
-    for (std::size_t i = 0; i < light.rgba.size(); i += 4)
-      red += double{light.rgba[i]}, blue += double{light.rgba[i + 2]};
-    return red / blue;
-  };
-  EXPECT_NEAR(redness(16, 2) / redness(32, 1), 1, 0.012);  // .019 with one colour for two slices
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, Sorted, both_backends(), name_of);

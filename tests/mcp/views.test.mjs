@@ -74,7 +74,7 @@ test("a call that is given up ends on the server too", async () => {
     assert.equal(await drawn(), count);
   };
   const leave = new AbortController();
-  const call = agent.client.callTool({name: "look", arguments: {scene, quality: {shells: 1024, steps: 8}, width: 4096, height: 4096, max_seconds: 86400}}, undefined, {signal: leave.signal});
+  const call = agent.client.callTool({name: "look", arguments: {scene, quality: {raster: {strands: 1000, light_of: 1}}, width: 8192, height: 8192, max_seconds: 86400}}, undefined, {signal: leave.signal});
   const given_up = assert.rejects(call);
   await until(1);
   leave.abort();

@@ -48,7 +48,7 @@ FrameRequest small_frame(AutoView view, int size) {
 
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
   const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
-  sync_scene(renderer, model.view(), {all});
+  sync_scene(renderer, model.view(), {all}, nullptr, request.knobs.method == Method::shells);
   renderer.clear_view_cache();
   Result<Image> image = renderer.draw(make_frame(model.view(), request));
   if (!image) throw std::runtime_error(image.status().message);

@@ -25,7 +25,7 @@ void print_progress(const Options& options, const HttpAnswer& answer, const Trac
     fmt::print("{{\"file\":{},\"revision\":{},\"seconds\":{:.3f},\"trace\":{}}}\n", json_text(options.output), revision,
                seconds, header(answer, "pelage-trace"));
   } else if (trace.passes == 0) {
-    fmt::print("{}: revision {}, shells, {:.2f} s\n", options.output, revision, seconds);
+    fmt::print("{}: revision {}, rasterized, {:.2f} s\n", options.output, revision, seconds);
   } else {
     const std::string noise = trace.noise < 1 ? fmt::format(", noise {:.4f}", trace.noise) : "";  // 1: not known yet
     fmt::print("{}: revision {}, {} pass{}{}, {:.2f} s\n", options.output, revision, trace.passes,

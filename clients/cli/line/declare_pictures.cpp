@@ -21,13 +21,13 @@ void add_quality(CLI::App* command, Options& options) {
   hand_on(command, options.frame, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
   command->add_option_function<std::vector<std::string>>(
       "--knob", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.frame); },
-      "NAME=VALUE of a single knob, such as shells=48; may be repeated");
+      "NAME=VALUE of a single knob, such as strands=4; may be repeated");
   hand_on(command, options.frame, "--budget-ms", "budget_ms",
           "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
   hand_on(command, options.frame, "--max-error", "max_error",
           "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
   hand_on(command, options.frame, "--max-seconds", "max_seconds",
-          "Refuse to draw shells that are expected to take longer, 1 to 86400 [60]");
+          "Refuse to draw what is expected to take longer, 1 to 86400 [60]");
   command->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
 }
 
@@ -50,9 +50,9 @@ void add_tracing(CLI::App* command, Options& options) {
 }
 
 void add_progressive(CLI::App* command, Options& options) {
-  CLI::Option* progressive =
-      command->add_flag("--progressive", options.progressive,
-                        "Writes shells at once, then each better picture of traced strands over the same file");
+  CLI::Option* progressive = command->add_flag(
+      "--progressive", options.progressive,
+      "Writes a rasterized picture at once, then each better one of traced strands over the same file");
   command->add_option("--until-pass", options.until_pass, "With --progressive: ends with a picture of so many passes")
       ->needs(progressive)
       ->check(CLI::PositiveNumber);
@@ -73,10 +73,9 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
   hand_on(command, frame, "--aovs", "aovs",
           "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
-          "shadow, shell_count [beauty]");
+          "shadow, sample_count [beauty]");
   hand_on(command, frame, "--overlay", "overlay",
-          "none, direction, strokes, length, density, wetness, mask, shell_count, light_depth, "
-          "light_occlusion, shadow_width, bald, wire or difference [none]");
+          "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
   hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
   hand_on(command, frame, "--time", "time",
           "Seconds: the fur as the scene's wind has moved it by then [the scene's time]");

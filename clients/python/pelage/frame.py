@@ -66,8 +66,8 @@ class Frame(Picture):
 
     @property
     def milliseconds(self) -> float:
-        """Of all stages; `cost` and `cpu` are no stages."""
-        return sum(value for name, value in self.timing.items() if name not in ("cost", "cpu"))
+        """Of all stages; `cpu` is no stage."""
+        return sum(value for name, value in self.timing.items() if name != "cpu")
 
 
 class FieldMap(Picture):

@@ -64,8 +64,7 @@ class Requests:
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -82,12 +81,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -106,17 +105,13 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
@@ -157,8 +152,7 @@ class Requests:
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -177,12 +171,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -201,17 +195,13 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
@@ -252,8 +242,7 @@ class Requests:
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -269,12 +258,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -293,17 +282,13 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
@@ -338,8 +323,7 @@ class Requests:
         view: Optional[str] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
         revision: Optional[int] = None,
@@ -358,12 +342,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -376,17 +360,13 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it
@@ -427,8 +407,7 @@ class Requests:
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         overlay_from: Optional[int] = None,
     ) -> Iterator[Frame]:
@@ -444,12 +423,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -468,17 +447,13 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         """
@@ -514,8 +489,7 @@ class Requests:
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
-            "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-            "light_occlusion", "shadow_width", "difference", "bald", "wire"
+            "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
         ]] = None,
         progressive: Optional[Union[bool, Tracing]] = None,
         overlay_from: Optional[int] = None,
@@ -532,12 +506,12 @@ class Requests:
         budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and
             whose error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it.
             Drawing time is the milliseconds that pass on this machine while the frame is drawn; waiting for other
-            frames, reading and encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of
-            shadow maps come on top. 1 to 600000 (milliseconds).
+            frames, reading and encoding are not in it, nor is growing strands after their coat or their model has
+            changed. AOVs of an EXR beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
         max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames:
-            mean FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-        max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-            86400 (seconds). Default 60.
+            mean FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+        max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+            (seconds). Default 60.
         time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
             given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
         background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58,
@@ -556,22 +530,18 @@ class Requests:
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
             AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            shell_count. 1 to 10 items.
-        overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density,
-            wetness and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed
-            since `overlay_from`, with the same colours: of the field that changed most, the change over what counts
-            as much (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing
-            changed. light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts
-            a shadow, as it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion:
-            white where skin that faces the light lies deeper than what the light sees. shadow_width: the same,
-            reduced and enlarged again. Refused where the knob shadow_maps is off, no light casts a shadow, or that
-            light stands too near the model for one map. bald and wire hide the frame too: the skin in plain grey
-            without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
-        progressive: Draws shells at once; strands of the same revision are then traced while somebody waits for them
-            with `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are
-            to this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes,
-            the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16
-            pictures wait to be traced.
+            sample_count. 1 to 10 items.
+        overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+            yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
+            the field that changed most, the change over what counts as much (direction and colours: 1; length: the
+            longest fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the
+            skin in plain grey without its fur, to find places on it, and the same with the edges of its triangles.
+            Default "none".
+        progressive: Draws rasterized strands at once; all strands of the same revision are then traced while somebody
+            waits for them with `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip
+            passes; answers are to this same request, sent again. Name the `view`: what is traced is dropped as soon
+            as the scene changes, the same view asks for something else, or nobody has asked for 30 seconds. Refused
+            with 503 while 16 pictures wait to be traced.
         overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with
             it. 0 to 18446744073709551615.
         """

@@ -45,18 +45,20 @@ and green, .5 is 0. fast_fur: the same, with width in blue and density in alpha.
 one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value.
 """
 Tier = Literal["draft", "interactive", "detailed", "reference"]
-"""How well a frame is drawn. draft, interactive and detailed are shells; reference traces strands."""
+"""How well a frame is drawn. draft, interactive and detailed rasterize more and more of the strands that reference
+traces.
+"""
 Aov = Literal[
-    "beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "shell_count"
+    "beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count"
 ]
-"""An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground, and are drawn with
-one sample for each drawn pixel. Beauty, albedo and direct are multiplied by alpha; position, normal, tangent and
-shadow are means over what covers the pixel. depth: distance along the view of what first brings the opacity over
-half (skin, fur, eyes, hairs and curves), in the model's unit; infinity where there is none. position: the model's
-own coordinates. normal: of the skin below, of an eye's ball and cornea. tangent: of fur, hairs and curves, from
-root to tip; 0 on bare skin and eyes. direct: what lights add, without the ambient part. shadow: share of that
-light that shadows leave, 1 where none comes and on eyes, which take no shadow. shell_count: shells drawn at the
-pixel; hairs and curves are none.
+"""An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground. Beauty, albedo and
+direct are multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel. depth:
+distance along the view of what first brings the opacity over half (skin, fur, eyes, hairs and curves), in the
+model's unit; infinity where there is none. position: the model's own coordinates. normal: of the skin below, of an
+eye's ball and cornea. tangent: of fur, hairs and curves, from root to tip; 0 on bare skin and eyes. direct: what
+lights add, without the ambient part. shadow: share of that light that shadows leave, 1 where none comes and on
+eyes, which take no shadow. sample_count: segments of strands that were blended in the pixel; of traced strands the
+samples that were taken.
 """
 PickRequest = Union[Dict[str, Any]]
 """The place that is meant: what lies under a pixel of a view; or the first that a ray hits, the farthest along a
@@ -517,46 +519,25 @@ class PickFarthest(_PickFarthestRequired, total=False):
 class Knobs(TypedDict, total=False):
     """What a frame is drawn with. What is not given is as in the interactive tier.
 
-    method: How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU; of the
-        other knobs it takes `raster`, `scale`, `eye_steps` and `guard_hairs`. strands: every strand of the coat, ray
-        traced; of the other knobs it takes `trace`, `eye_steps` and `guard_hairs`. Default "shells".
-    shells: Number of shells where the view needs most. 1 to 1024. Default 16.
-    steps: Texture steps inside each slab. 1 to 16. Default 2.
-    min_radius: Smallest radius of the ball about the model's box, in rendered pixels: where a scale below 1 gives
-        fewer, the scale is larger, up to 1, so that what is small on the picture keeps its form. The answer's knobs
-        have the scale that came of it; the tier draft has 120. 0 to 8192 (pixels). Default 0.
-    self_shadow: Whether fur shades itself. Default true.
-    shadow_maps: Whether shadows that lights ask for are drawn from maps. Default false.
-    shadow_resolution: Texels along the side of a shadow map. 1 to 4096 (texels). Default 512.
-    shell_policy: How shells are chosen. adaptive: fewer where fur is seen from above or is small on the picture.
-        Default "uniform".
-    order: Order in which fur is blended. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and
-        slow, for pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Of an EXR's AOVs it
-        makes beauty and alpha; the others stay in the order of shells. Default "shells".
+    method: How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU.
+        strands: every strand of the coat, ray traced. shells: skin and fur alone in layers, by a GL; refused with 422
+        where the server has none. It draws no eyes, curves, ground, overlays, and of AOVs beauty and alpha. Default
+        "raster".
     scale: Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2. 0.25 to 2
         (factor). Default 1.
     eye_steps: Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray
         marching through the iris. 0 to 64. Default 8.
-    guard_hairs: Single hairs over the whole model, up to 1.25 times as long as the fur. Shells draw those near
-        silhouettes; of strands about as many stand so. 0 to 100000. Default 0.
     raster: The choice of strands that are rasterized; with method raster only.
     trace: How strands are traced; with method strands only.
+    shells: How fur is drawn in layers; with method shells only.
     """
 
-    method: Literal["shells", "raster", "strands"]
-    shells: int
-    steps: int
-    min_radius: int
-    self_shadow: bool
-    shadow_maps: bool
-    shadow_resolution: int
-    shell_policy: Literal["uniform", "adaptive"]
-    order: Literal["shells", "sorted"]
+    method: Literal["raster", "strands", "shells"]
     scale: float
     eye_steps: int
-    guard_hairs: int
     raster: Rasterizing
     trace: Tracing
+    shells: Layering
 
 
 class Tracing(TypedDict, total=False):
@@ -606,12 +587,12 @@ class FrameRequest(TypedDict, total=False):
     budget_ms: Drawing time, in place of `quality`: takes the knobs whose drawing time keeps to the budget and whose
         error, as 95% of frames keep it, is estimated least; 95% of frames take at most 1.25 times it. Drawing time is
         the milliseconds that pass on this machine while the frame is drawn; waiting for other frames, reading and
-        encoding are not in it. AOVs of an EXR beside beauty, overlays and the making of shadow maps come on top. 1 to
-        600000 (milliseconds).
+        encoding are not in it, nor is growing strands after their coat or their model has changed. AOVs of an EXR
+        beside beauty, and overlays, come on top. 1 to 600000 (milliseconds).
     max_error: Error, in place of `quality`: takes the cheapest knobs with at most this error in 95% of frames: mean
-        FLIP where there is fur, against the same fur in many sorted shells. 1e-06 to 1 (mean FLIP).
-    max_seconds: Refuses the frame where drawing shells is expected to take longer; a dry run says how long. 1 to
-        86400 (seconds). Default 60.
+        FLIP where there is fur, against the same strands, traced. 1e-06 to 1 (mean FLIP).
+    max_seconds: Refuses the frame where drawing is expected to take longer; a dry run says how long. 1 to 86400
+        (seconds). Default 60.
     time: Time that the frame shows: the fur as the scene's wind has moved it by then. The scene's own time unless
         given. The same time gives the same picture, whatever was drawn before. -1000000 to 1000000 (seconds).
     background: What is behind the fur. `studio` is a soft gradient with darker corners. Default [0.56, 0.58, 0.61].
@@ -628,23 +609,18 @@ class FrameRequest(TypedDict, total=False):
     exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
     aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn
         pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z
-        of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and shell_count. 1 to 10
+        of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count. 1 to 10
         items.
-    overlay: Shows a field of the skin, or the count of shells, over the frame. Not in linear light. density, wetness
-        and mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since
-        `overlay_from`, with the same colours: of the field that changed most, the change over what counts as much
-        (direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed.
-        light_depth, light_occlusion and shadow_width hide the frame: maps of the first light that casts a shadow, as
-        it sees the model, in grey. light_depth: how near the skin is to the light. light_occlusion: white where skin
-        that faces the light lies deeper than what the light sees. shadow_width: the same, reduced and enlarged again.
-        Refused where the knob shadow_maps is off, no light casts a shadow, or that light stands too near the model
-        for one map. bald and wire hide the frame too: the skin in plain grey without its fur, to find places on it,
-        and the same with the edges of its triangles. Default "none".
-    progressive: Draws shells at once; strands of the same revision are then traced while somebody waits for them with
-        `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes; answers are to this
-        same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, the same
-        view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16 pictures wait to
-        be traced.
+    overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
+        yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of the
+        field that changed most, the change over what counts as much (direction and colours: 1; length: the longest
+        fur; others: the field's range). Grey where nothing changed. bald and wire hide the frame: the skin in plain
+        grey without its fur, to find places on it, and the same with the edges of its triangles. Default "none".
+    progressive: Draws rasterized strands at once; all strands of the same revision are then traced while somebody
+        waits for them with `after` and `after_pass`. true takes the defaults of Tracing. Pictures may skip passes;
+        answers are to this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene
+        changes, the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16
+        pictures wait to be traced.
     overlay_from: Revision that the overlay `difference` compares what is drawn with: one of this model. Only with it.
         0 to 18446744073709551615.
     revision: Revision to draw the scene as: its model, fields and settings as they were; the present one when it is
@@ -670,8 +646,7 @@ class FrameRequest(TypedDict, total=False):
     exr_type: Literal["half", "float"]
     aovs: Sequence[Aov]
     overlay: Literal[
-        "none", "direction", "strokes", "length", "density", "wetness", "mask", "shell_count", "light_depth",
-        "light_occlusion", "shadow_width", "difference", "bald", "wire"
+        "none", "direction", "strokes", "length", "density", "wetness", "mask", "difference", "bald", "wire"
     ]
     progressive: Union[bool, Tracing]
     overlay_from: int
@@ -1566,6 +1541,8 @@ class Coat(TypedDict, total=False):
     lean_curve: How a strand bends as it leans: in an arc, or most at the root, as y = K sqrt(x). Default "arc".
     ramp: Colour along the strand. 1 to 4 items.
     undercoat: Short, fine strands under the others.
+    guard_hairs: Single hairs over the whole model that stand out of the fur, up to 1.25 times as long. 0 to 100000.
+        Default 0.
     ticking: Single hairs that have a colour of their own.
     tufts: Clumps larger than the tile, gathered about places on the body, so that the fur does not repeat and has
         form at a distance. Each finer scale is .45 of the one before.
@@ -1599,6 +1576,7 @@ class Coat(TypedDict, total=False):
     lean_curve: Literal["arc", "root"]
     ramp: Sequence[RampStop]
     undercoat: Undercoat
+    guard_hairs: int
     ticking: Ticking
     tufts: Tufts
     pattern: Pattern
@@ -1715,16 +1693,17 @@ class Light(TypedDict, total=False):
         (factor). Default 1.
     cone_degrees: Half angle of a spot light. 0.1 to 90 (degrees). Default 30.
     cone_softness: Share of the cone over which a spot light fades. 0 to 1 (share). Default 0.25.
-    angle_degrees: Half angle that a directional light spans, for traced strands and a `penumbra`. 0 to 90 (degrees).
+    angle_degrees: Half angle that a directional light spans: wider lights cast softer shadows. 0 to 90 (degrees).
         Default 3.
-    radius: Radius of the ball that a point or spot light is, for traced strands and a `penumbra`. 0 to 10 (sizes).
+    radius: Radius of the ball that a point or spot light is: larger ones cast softer shadows. 0 to 10 (sizes).
         Default 0.05.
     width: Width of an area light; its sides along it are level. 0.001 to 100 (sizes). Default 0.5.
     height: Height of an area light. 0.001 to 100 (sizes). Default 0.5.
-    self_shadow_maps: Draws shadow maps of the shells in place of the estimate, in frames with `shadow_maps`. Default
-        false.
-    cast_shadow: Shadow of one part of the body on another, in frames with `shadow_maps`: with a sharp edge, with one
-        that `shadow_scale` widens, or blurred by the light's size, nearest to traced strands. Default "none".
+    self_shadow_maps: Of method shells with `shadow_maps`: draws shadow maps of the shells in place of the estimate.
+        Default false.
+    cast_shadow: Of method shells with `shadow_maps`: shadow of one part of the body on another, with a sharp edge,
+        with one that `shadow_scale` widens, or blurred by the light's size. Strands take the shadow of every light.
+        Default "none".
     shadow_scale: Larger makes the edge of a `soft` cast shadow narrower. 0 to 1000 (factor). Default 10.
     """
 
@@ -1771,7 +1750,7 @@ class Ground(TypedDict, total=False):
 
     visible: Whether there is a ground. Default false.
     height: Height of the ground, the model's y; its lowest point when absent. -1e+27 to 1e+27 (model units).
-    shadow: How dark cast shadows get on it, in frames with `shadow_maps`. 0 to 1 (share). Default 0.7.
+    shadow: How dark cast shadows get on it. 0 to 1 (share). Default 0.7.
     contact: How dark it gets under the model. 0 to 1 (share). Default 0.7.
     """
 
@@ -1862,8 +1841,7 @@ class _CurveGroupRequired(TypedDict):
 
 class CurveGroup(_CurveGroupRequired, total=False):
     """Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are
-    filled in. They take the look's shading model, cast no shadow, and of the AOVs of an EXR are in beauty and
-    alpha alone.
+    filled in. They take the look's shading model, and cast shadows where strands are traced.
 
     curves: Guides: the points that a smooth curve passes through, root first. 1 to 4096 items.
     width_root: Width of a curve at its root. 0 to 0.1 (sizes). Default 0.0008.
@@ -2121,6 +2099,28 @@ class Rasterizing(TypedDict, total=False):
 
     strands: float
     light_of: int
+
+
+class Layering(TypedDict, total=False):
+    """How fur is drawn in layers, as the papers on GPU fur have it.
+
+    count: Number of shells where the view needs most. 1 to 1024. Default 16.
+    policy: How shells are chosen. adaptive: fewer where fur is seen from above or is small on the picture. Default
+        "uniform".
+    self_shadow: Whether fur shades itself. Default true.
+    shadow_maps: Whether shadows that lights ask for are drawn from maps. Default false.
+    shadow_resolution: Texels along the side of a shadow map. 1 to 4096 (texels). Default 512.
+    order: Order in which fur is blended. four_pass: the skin, the depth of dense fur, fur that faces away, fur that
+        faces the camera. `sorted` keeps all fragments of a pixel and sorts them by depth: exact and slow, for
+        pictures to compare with. It takes at most 1073741824 drawn pixels x shells. Default "four_pass".
+    """
+
+    count: int
+    policy: Literal["uniform", "adaptive"]
+    self_shadow: bool
+    shadow_maps: bool
+    shadow_resolution: int
+    order: Literal["four_pass", "sorted"]
 
 
 class PickRay(TypedDict):
@@ -2674,7 +2674,7 @@ class FrameEstimate(TypedDict):
     error: Mean FLIP where there is fur, against the reference: half of the frames have at most this. 0 to 1 (mean
         FLIP).
     error_safety: 95% of frames have at most `error` times it. At least 1 (factor).
-    reference: What errors are measured against: the same fur and light in 1024 or fewer sorted shells.
+    reference: What errors are measured against: the same strands, traced.
     cost_ms: Drawing time, as of `budget_ms`, before the frame was drawn. At least 0 (milliseconds).
     cost_safety: 95% of frames cost at most `cost_ms` times it. At least 1 (factor).
     correction: Measured over predicted cost of this scene's frames so far, which `cost_ms` has in it. It moves in
@@ -2686,7 +2686,7 @@ class FrameEstimate(TypedDict):
 
     error: float
     error_safety: float
-    reference: Literal["sorted_shells"]
+    reference: Literal["traced_strands"]
     cost_ms: float
     cost_safety: float
     correction: float
@@ -2722,7 +2722,7 @@ class FrameCounters(TypedDict):
 class TraceReport(TypedDict):
     """How far a traced picture is.
 
-    passes: Passes in this picture; 0 for shells. 0 to 65536.
+    passes: Passes in this picture; 0 where nothing is traced. 0 to 65536.
     samples: Samples of a pixel, on average. At least 0 (samples).
     noise: Estimated mean error of a shown channel. 0 to 1 (share).
     strands: Number of strands. At least 0.

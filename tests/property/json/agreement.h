@@ -88,8 +88,8 @@ inline void fit(Stroke& stroke) {
 inline void fit(Tracing& tracing) {
   if (tracing.transport == Transport::paths) tracing.scattering = StrandScattering::energy_conserving;
 }
-inline void fit(Knobs& knobs) {
-  if (knobs.order == FragmentOrder::sorted) knobs.shells = std::min(knobs.shells, 128);
+inline void fit(Layering& shells) {
+  if (shells.order == FragmentOrder::sorted) shells.count = std::min(shells.count, 128);
 }
 inline void fit(MapAnswer& map) { map.encoding = encoding_of(map.field, map.encoding); }
 inline void fit(PictureAnswer& picture) { picture.bits = picture.bits < 16 ? 8 : picture.bits < 32 ? 16 : 32; }
@@ -98,7 +98,7 @@ inline void fit(FrameRequest& frame) {
   if (frame.knobs.scale < 0.25) frame.knobs.scale = 0.25;
   if (frame.budget_ms) frame.max_error.reset();
   if (frame.plans()) frame.knobs = {};
-  if (frame.knobs.order == FragmentOrder::sorted) frame.height = std::min(frame.height, 512);
+  if (frame.knobs.shells.order == FragmentOrder::sorted) frame.height = std::min(frame.height, 512);
   if (frame.crop) {
     Crop& crop = *frame.crop;
     crop.left = std::min(crop.left, frame.width - 1), crop.width = std::min(crop.width, frame.width - crop.left);
@@ -109,9 +109,8 @@ inline void fit(FrameRequest& frame) {
     if (frame.aovs.size() > 1) frame.aovs.resize(1);
   }
   if (frame.format == FrameFormat::jpeg) frame.background = Background::studio;
-  const bool of_shells = frame.overlay >= Overlay::shell_count && frame.overlay <= Overlay::shadow_width;
-  if (of_shells || frame.knobs.method == Method::strands) frame.progressive.reset();
-  if (of_shells && frame.knobs.method != Method::shells) frame.overlay = Overlay::none;
+  if (frame.knobs.method != Method::raster) frame.progressive.reset();
+  if (frame.knobs.method == Method::shells) frame.overlay = Overlay::none, frame.aovs = {Aov::beauty};
   if (frame.revision) frame.progressive.reset();
   if (frame.overlay != Overlay::difference) frame.overlay_from.reset();
   if (frame.overlay == Overlay::difference && !frame.overlay_from) frame.overlay_from = 3;

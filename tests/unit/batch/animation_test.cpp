@@ -53,7 +53,8 @@ TEST(Keyframes, GoStraightOrStepOrAlongACurve) {
 TEST(Tiles, AreTakenWhereTheWholeFrameIsTooLarge) {
   const auto frame_in = [](const std::string& tiles) {
     const auto job = decode_job(R"({"builtin": {}, "output": "#.png",
-        "frame": {"width": 4096, "height": 2160, "quality": "detailed"})" +
+        "frame": {"width": 4096, "height": 2160, "quality":
+        {"method": "shells", "shells": {"count": 200, "order": "sorted"}}})" +
                                 tiles + "}");
     EXPECT_TRUE(job.ok()) << job.status().message;
     return Animation::create(*job, SceneSettings())->at(1);
@@ -70,12 +71,12 @@ TEST(Tiles, AreTakenWhereTheWholeFrameIsTooLarge) {
 
 TEST(Keyframes, OfWholeNumbersAreWholeBetweenFrames) {
   const std::string keys = R"({"frame": 1, "value": 4}, {"frame": 5, "value": 6})";
-  const auto job =
-      decode_job(R"({"builtin": {}, "output": "#.png", "frame": {"quality": {"shells": 4}}, "keyframes": )" +
-                 keys_of("/frame/quality/shells", keys) + "}");
+  const auto job = decode_job(
+      R"({"builtin": {}, "output": "#.png", "frame": {"quality": {"method": "shells", "shells": {"count": 4}}}, "keyframes": )" +
+      keys_of("/frame/quality/shells/count", keys) + "}");
   const auto shells = Animation::create(*job, SceneSettings());
-  EXPECT_EQ(frame_of(shells, 2.5).request.knobs.shells, 5);
-  EXPECT_EQ(frame_of(shells, 1.25).request.knobs.shells, 4);
+  EXPECT_EQ(frame_of(shells, 2.5).request.knobs.shells.count, 5);
+  EXPECT_EQ(frame_of(shells, 1.25).request.knobs.shells.count, 4);
   EXPECT_EQ(frame_of(animate(keys_of("/frame/width", R"({"frame": 1, "value": 1}, {"frame": 2, "value": 8192})")), 1.5)
                 .request.width,
             4097);

@@ -1,4 +1,4 @@
-// Light on a strand over lanes beside the formulas in double (tests/double_shading). What the marcher and the strand
+// Light on a strand over lanes beside the formulas in double (tests/double_shading). What the rasterizer and the strand
 // tracer draw by is this code.
 #include "renderer/optics/one_strand.h"
 

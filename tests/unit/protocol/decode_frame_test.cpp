@@ -29,10 +29,11 @@ TEST(DecodeFrame, DefaultsAndCameras) {
 TEST(DecodeFrame, QualityIsATierOrKnobs) {
   EXPECT_EQ(decode_frame_request(R"({"quality": "draft"})")->knobs, knobs_of(Tier::draft));
   Knobs expected = knobs_of(Tier::interactive);
-  expected.shells = 7;
-  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 7}})")->knobs, expected);
+  expected.raster.strands = 7;
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"raster": {"strands": 7}}})")->knobs, expected);
   EXPECT_EQ(decode_frame_request(R"({"quality": "finest"})").status().pointer, "/quality");
-  EXPECT_EQ(decode_frame_request(R"({"quality": {"shells": 1025}})").status().pointer, "/quality/shells");
+  EXPECT_EQ(decode_frame_request(R"({"quality": {"method": "shells", "shells": {"count": 1025}}})").status().pointer,
+            "/quality/shells/count");
   for (const std::string gone : {"bands", "samples", "accumulation"})
     EXPECT_EQ(decode_frame_request(R"({"quality": {")" + gone + R"(": 1}})").status().pointer, "/quality/" + gone);
 }
@@ -95,15 +96,20 @@ TEST(DecodeFrame, AovsTogetherHaveALimit) {
 
 TEST(DecodeFrame, SortedTakesOneSampleAndHasALimit) {
   const auto pointer_of = [](const char* text) { return decode_frame_request(text).status().pointer; };
-  const auto sorted =
-      decode_frame_request(R"({"width": 1024, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})");
+  const auto sorted = decode_frame_request(
+      R"({"width": 1024, "height": 1024, "quality": {"method": "shells", "shells": {"order": "sorted", "count": 1024}}})");
   ASSERT_TRUE(sorted.ok());
-  EXPECT_EQ(sorted->knobs.order, FragmentOrder::sorted);
-  EXPECT_EQ(decode_frame_request("{}")->knobs.order, FragmentOrder::shells);
-  EXPECT_EQ(pointer_of(R"({"quality": {"order": "depth"}})"), "/quality/order");
-  EXPECT_EQ(pointer_of(R"({"width": 1025, "height": 1024, "quality": {"order": "sorted", "shells": 1024}})"),
-            "/quality");
-  EXPECT_EQ(pointer_of(R"({"quality": {"order": "sorted", "shells": 1024, "scale": 2.0}, "width": 1024})"), "/quality");
+  EXPECT_EQ(sorted->knobs.shells.order, FragmentOrder::sorted);
+  EXPECT_EQ(decode_frame_request("{}")->knobs.shells.order, FragmentOrder::four_pass);
+  EXPECT_EQ(pointer_of(R"({"quality": {"method": "shells", "shells": {"order": "depth"}}})"), "/quality/shells/order");
+  EXPECT_EQ(
+      pointer_of(
+          R"({"width": 1025, "height": 1024, "quality": {"method": "shells", "shells": {"order": "sorted", "count": 1024}}})"),
+      "/quality");
+  EXPECT_EQ(
+      pointer_of(
+          R"({"quality": {"method": "shells", "shells": {"order": "sorted", "count": 1024}, "scale": 2.0}, "width": 1024})"),
+      "/quality");
 }
 
 TEST(DecodeFrame, ScaleCountsForTheSize) {
@@ -162,19 +168,17 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   const auto request = decode_frame_query({{"width", "64"},
                                            {"height", "32"},
                                            {"camera", "front"},
-                                           {"shells", "9"},
-                                           {"self_shadow", "false"},
-                                           {"guard_hairs", "300"},
-                                           {"min_radius", "90"},
+                                           {"method", "raster"},
+                                           {"eye_steps", "9"},
+                                           {"scale", "0.5"},
                                            {"background", "#ff0000"},
                                            {"exposure", "-1.5"}});
   ASSERT_TRUE(request.ok()) << request.status().message;
   EXPECT_EQ(request->width, 64);
   EXPECT_EQ(request->camera.automatic, AutoView::front);
-  EXPECT_EQ(request->knobs.shells, 9);
-  EXPECT_FALSE(request->knobs.self_shadow);
-  EXPECT_EQ(request->knobs.guard_hairs, 300);
-  EXPECT_EQ(request->knobs.min_radius, 90);
+  EXPECT_EQ(request->knobs.method, Method::raster);
+  EXPECT_EQ(request->knobs.eye_steps, 9);
+  EXPECT_EQ(request->knobs.scale, 0.5);
   EXPECT_FLOAT_EQ(request->background_colour.r, 1);
   EXPECT_DOUBLE_EQ(request->exposure, -1.5);
   const auto free = decode_frame_query({{"position", "0,0.5,2"}, {"target", "0, 0, 0"}, {"fov_degrees", "50"}});
@@ -190,8 +194,8 @@ TEST(DecodeFrameQuery, Refusals) {
   EXPECT_EQ(pointer_of({{"width", "nan"}}), "/width");
   EXPECT_EQ(pointer_of({{"position", std::string(8000, '[')}, {"target", "0,0,0"}}), "/camera/position");
   EXPECT_EQ(pointer_of({{"position", "0,0"}, {"target", "0,0,0"}}), "/camera/position");
-  EXPECT_EQ(pointer_of({{"quality", "draft"}, {"shells", "9"}}), "/quality");
-  EXPECT_EQ(pointer_of({{"shells", "9"}, {"quality", "draft"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"quality", "draft"}, {"scale", "1"}}), "/quality");
+  EXPECT_EQ(pointer_of({{"scale", "1"}, {"quality", "draft"}}), "/quality");
   EXPECT_EQ(pointer_of({{"width", "9"}, {"width", "9"}}), "/width");
   EXPECT_EQ(decode_frame_query({{"widht", "9"}}).status().nearest, "width");
   EXPECT_EQ(decode_frame_query({{"\xff", "9"}}).status().code, Code::invalid);

@@ -41,7 +41,7 @@ Status lights_refusal(const std::string& members) {
 }
 
 TEST(Trace, DefaultsAreThoseOfTheStruct) {
-  EXPECT_EQ(decoded("{}").knobs.method, Method::shells);
+  EXPECT_EQ(decoded("{}").knobs.method, Method::raster);
   EXPECT_FALSE(decoded("{}").progressive);
   const FrameRequest strands = decoded(R"({"quality": {"method": "strands"}})");
   EXPECT_EQ(strands.knobs.method, Method::strands);
@@ -57,7 +57,7 @@ TEST(Trace, TheTierReferenceTraces) {
   EXPECT_EQ(decoded(R"({"quality": "reference"})").knobs, knobs_of(Tier::reference));
   EXPECT_EQ(knobs_of(Tier::reference).method, Method::strands);
   for (const Tier tier : {Tier::draft, Tier::interactive, Tier::detailed})
-    EXPECT_EQ(knobs_of(tier).method, Method::shells);
+    EXPECT_EQ(knobs_of(tier).method, Method::raster);
 }
 
 TEST(Trace, ReadsEachMember) {
@@ -126,16 +126,30 @@ TEST(Trace, OnlyPathsBounceAndTheyMakeNoLight) {
   expect_frame_refusal(progressive(R"("transport": "paths", "scattering": "look")"), "/progressive/scattering");
 }
 
-TEST(Trace, StrandsTakeNoKnobOfShells) {
-  for (const std::string knob :
-       {R"("shells": 8)", R"("shell_policy": "uniform")", R"("steps": 2)", R"("scale": 1)", R"("min_radius": 9)",
-        R"("self_shadow": true)", R"("shadow_maps": false)", R"("shadow_resolution": 512)", R"("order": "shells")"}) {
-    const std::string name = knob.substr(1, knob.find('"', 1) - 1);
-    expect_frame_refusal(R"({"quality": {"method": "strands", )" + knob + "}}", "/quality/" + name);
-    EXPECT_TRUE(frame_refusal(R"({"quality": {"method": "shells", )" + knob + "}}").ok()) << knob;
+TEST(Trace, MethodsTakeTheirOwnKnobs) {
+  const auto asked = [](const std::string& method, const std::string& knob) {
+    return R"({"quality": {"method": ")" + method + "\", " + knob + "}}";
+  };
+  struct Own {
+    std::string knob;
+    std::vector<std::string> methods;
+  };
+  const std::vector<Own> knobs = {{R"("scale": 1)", {"raster", "shells"}},
+                                  {R"("eye_steps": 3)", {"raster", "strands"}},
+                                  {R"("raster": {"strands": 1})", {"raster"}},
+                                  {R"("trace": {"passes": 1})", {"strands"}},
+                                  {R"("shells": {"count": 8})", {"shells"}}};
+  for (const Own& own : knobs) {
+    const std::string name = own.knob.substr(1, own.knob.find('"', 1) - 1);
+    for (const std::string method : {"raster", "strands", "shells"}) {
+      const bool taken = std::find(own.methods.begin(), own.methods.end(), method) != own.methods.end();
+      if (taken)
+        EXPECT_TRUE(frame_refusal(asked(method, own.knob)).ok()) << method << " " << name;
+      else
+        expect_frame_refusal(asked(method, own.knob), "/quality/" + name);
+    }
   }
-  EXPECT_EQ(decoded(R"({"quality": {"method": "strands", "eye_steps": 3}})").knobs.eye_steps, 3);
-  expect_frame_refusal(R"({"quality": {"method": "shells", "trace": {}}})", "/quality/trace");
+  EXPECT_EQ(decoded(asked("strands", R"("eye_steps": 3)")).knobs.eye_steps, 3);
   expect_frame_refusal(R"({"quality": {"trace": {}}})", "/quality/trace");
   EXPECT_EQ(frame_refusal(R"({"quality": {"method": "hairs"}})").pointer, "/quality/method");
 }
@@ -147,20 +161,22 @@ TEST(Trace, ProgressiveIsASwitchOrHowToTrace) {
   EXPECT_EQ(frame_refusal(R"({"progressive": 1})").pointer, "/progressive");
   EXPECT_EQ(frame_refusal(R"({"progressive": "yes"})").pointer, "/progressive");
   expect_frame_refusal(R"({"quality": "reference", "progressive": true})", "/progressive");
-  expect_frame_refusal(R"({"quality": {"method": "strands"}, "progressive": {}})", "/progressive");
+  for (const std::string method : {"strands", "shells"})
+    expect_frame_refusal(R"({"quality": {"method": ")" + method + R"("}, "progressive": {}})", "/progressive");
   EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "progressive": false})").ok());
 }
 
-TEST(Trace, MapsOfShellsAreNotOfStrands) {
-  for (const std::string map : {"shell_count", "light_depth", "light_occlusion", "shadow_width"}) {
-    const std::string overlay = R"("overlay": ")" + map + "\"";
-    expect_frame_refusal(R"({"quality": "reference", )" + overlay + "}", "/overlay");
-    expect_frame_refusal(R"({"progressive": true, )" + overlay + "}", "/overlay");
-    EXPECT_TRUE(frame_refusal("{" + overlay + "}").ok()) << map;
+TEST(Trace, OverlaysLieOnStrandsAlone) {
+  const std::string shells = R"({"quality": {"method": "shells"}, )";
+  for (const std::string overlay : {"direction", "strokes", "length", "density", "wetness", "mask", "bald", "wire"}) {
+    const std::string member = R"("overlay": ")" + overlay + "\"}";
+    EXPECT_TRUE(frame_refusal(R"({"quality": "reference", )" + member).ok()) << overlay;
+    EXPECT_TRUE(frame_refusal("{" + member).ok()) << overlay;
+    expect_frame_refusal(shells + member, "/overlay");
   }
-  for (const std::string field : {"direction", "strokes", "length", "density", "wetness", "mask"})
-    EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "overlay": ")" + field + "\"}").ok()) << field;
   EXPECT_TRUE(frame_refusal(R"({"quality": "reference", "overlay": "difference", "overlay_from": 1})").ok());
+  EXPECT_TRUE(frame_refusal(shells + R"("format": "exr", "aovs": ["beauty", "alpha"]})").ok());
+  expect_frame_refusal(shells + R"("format": "exr", "aovs": ["beauty", "depth"]})", "/aovs");
 }
 
 TEST(Trace, ComesBackThroughEncode) {
@@ -202,7 +218,7 @@ TEST(Trace, QueriesChooseTheMethod) {
   const auto reference = decode_frame_query({{"quality", "reference"}});
   ASSERT_TRUE(reference.ok()) << reference.status().message;
   EXPECT_EQ(reference->knobs, knobs_of(Tier::reference));
-  EXPECT_EQ(decode_frame_query({{"method", "strands"}, {"shells", "8"}}).status().pointer, "/quality/shells");
+  EXPECT_EQ(decode_frame_query({{"method", "strands"}, {"scale", "1"}}).status().pointer, "/quality/scale");
   EXPECT_EQ(decode_frame_query({{"quality", "reference"}, {"method", "strands"}}).status().pointer, "/quality");
   EXPECT_EQ(decode_frame_query({{"quality", "referense"}}).status().nearest, "reference");
 }

@@ -24,9 +24,9 @@ TEST(CalibrationJson, ComesBack) {
 
 TEST(CalibrationJson, WhatIsBrokenIsRefused) {
   EXPECT_FALSE(decode_calibration("").ok());
-  EXPECT_FALSE(decode_calibration("{\"version\": 4").ok());
+  EXPECT_FALSE(decode_calibration("{\"version\": 5").ok());
   expect_refusal("{}", "{}", "{}", "/version");
-  expect_refusal(encode(calibration), "\"version\":4", "\"version\":3", "/version");
+  expect_refusal(encode(calibration), "\"version\":5", "\"version\":4", "/version");
   expect_refusal(encode(calibration), "\"price\":0.4", "\"price\":0", "/price");
   expect_refusal(encode(calibration), "\"name\"", "\"nome\"", "/name");
 }

@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 const Calibration machine{"by hand", "", 0, 2};
-const ViewFeatures view{.pixels = 3e5, .triangles = 5e3, .area = 1e5, .fur_pixels = 12, .lights = 3};
+const ViewFeatures view{.pixels = 3e5, .area = 1e5, .fur_pixels = 12, .lights = 3, .strands = 1e5};
 
 double number(int low, int high, double unit) { return unit * *rc::gen::inRange(low, high); }
 
@@ -23,7 +23,7 @@ DialModel any_model() {
   for (DialRow& row : model.rows) {
     row.error = std::exp(number(-900, 100, 0.01)), row.growth = number(-100, 100, 0.01);
     row.safety = number(100, 400, 0.01);
-    row.knobs.shells = *rc::gen::inRange(1, 1025), row.knobs.steps = *rc::gen::inRange(1, 17);
+    row.knobs.raster = {number(1, 100'000, 0.01), *rc::gen::inRange(1, 9)};
   }
   return model;
 }
@@ -88,12 +88,12 @@ TEST(Planner, TheTierInteractiveHasAnEstimate) {
   const PlanBasis basis{default_model(), machine, view};
   EXPECT_TRUE(estimate_of(basis, knobs_of(Tier::interactive)));
   Knobs other = knobs_of(Tier::interactive);
-  other.guard_hairs = 1;
+  other.eye_steps = 1;
   EXPECT_FALSE(estimate_of(basis, other));
 }
 
 TEST(DialModel, ExtremesAreFinite) {
-  const ViewFeatures nothing, most{.pixels = 7e7, .triangles = 1e8, .area = 1e9, .fur_pixels = 1e6, .lights = 8};
+  const ViewFeatures nothing, most{.pixels = 7e7, .area = 1e9, .fur_pixels = 1e6, .lights = 8, .strands = 1e12};
   for (const ViewFeatures& seen : {nothing, most}) {
     for (const PlanGoal& goal : {PlanGoal{1.0, {}}, {600'000.0, {}}, {{}, 1e-6}, {{}, 1.0}}) {
       const FrameEstimate e = plan({default_model(), machine, seen}, goal).estimate;

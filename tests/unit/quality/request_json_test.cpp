@@ -50,12 +50,12 @@ TEST(DialJson, AddressesSayTheSame) {
   ASSERT_TRUE(request.ok());
   EXPECT_EQ(request->budget_ms, 40);
   EXPECT_EQ(decode_frame_query({{"max_error", "x"}}).status().pointer, "/max_error");
-  EXPECT_EQ(decode_frame_query({{"budget_ms", "40"}, {"shells", "8"}}).status().pointer, "/budget_ms");
+  EXPECT_EQ(decode_frame_query({{"budget_ms", "40"}, {"scale", "1"}}).status().pointer, "/budget_ms");
 }
 
 TEST(DialJson, EstimatesNameTheirReference) {
   const std::string text = encode(FrameEstimate{.error = 0.5, .end = PlanEnd::cheapest, .calibration = "defaults"});
-  EXPECT_NE(text.find(R"("reference":"sorted_shells")"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("reference":"traced_strands")"), std::string::npos) << text;
   EXPECT_NE(text.find(R"("end":"cheapest")"), std::string::npos) << text;
 }
 

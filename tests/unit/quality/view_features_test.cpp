@@ -46,7 +46,6 @@ TEST(ViewFeatures, ASquareCoversWhatItProjectsTo) {
   const Patch patch(8, 0.25f, 0.0f);
   const ViewFeatures view = view_features(frame_of(400, 400), patch.skin());
   EXPECT_NEAR(view.area, 200 * 200, 1);  // half of the height, squared
-  EXPECT_EQ(view.triangles, 128);
   EXPECT_EQ(view.lights, 3);
 }
 
@@ -65,27 +64,25 @@ TEST(ViewFeatures, WhatIsTurnedAwayOrOutsideIsNotSeen) {
   const Patch patch;
   FurFrame behind = frame_of(64, 64);
   behind.camera.position = {0, 0, -1}, behind.camera.forward = {0, 0, 1};
-  EXPECT_EQ(view_features(behind, patch.skin()).triangles, 0);
+  EXPECT_EQ(view_features(behind, patch.skin()).area, 0);
   FurFrame past = frame_of(64, 64);
   past.camera.position = {5, 0, 1};
   EXPECT_EQ(view_features(past, patch.skin()).area, 0);
 }
 
-TEST(ViewFeatures, PiecesCountAsTriangles) {
+TEST(ViewFeatures, PiecesLieOverEachOther) {
   const Patch patch;
   FurredSkin skin = patch.skin();
   skin.pieces = 1.5;
   const ViewFeatures view = view_features(frame_of(256, 256), skin),
                      plain = view_features(frame_of(256, 256), patch.skin());
   EXPECT_NEAR(view.area / plain.area, 1.5, 1e-9);
-  EXPECT_NEAR(view.triangles / plain.triangles, 1.5, 1e-9);
 }
 
 TEST(ViewFeatures, ManyTrianglesAreLookedAtInPart) {
   const Patch coarse(16), fine(256);
   const ViewFeatures a = view_features(frame_of(256, 256), coarse.skin()),
                      b = view_features(frame_of(256, 256), fine.skin());
-  EXPECT_EQ(b.triangles, 2.0 * 256 * 256);
   EXPECT_NEAR(b.area / a.area, 1, 0.02);
 }
 
@@ -95,7 +92,7 @@ TEST(ViewFeatures, ExtremesAreFinite) {
     for (const auto& [width, height] : {std::pair{1, 1}, {8192, 8192}, {8192, 1}}) {
       for (const float distance : {0.0f, 1e-9f, 0.01f, 1e20f}) {
         const ViewFeatures view = view_features(frame_of(width, height, distance), skin->skin());
-        for (const double value : {view.area, view.fur_pixels, view.triangles}) {
+        for (const double value : {view.area, view.fur_pixels, view.strands}) {
           EXPECT_TRUE(std::isfinite(value) && value >= 0) << width << " x " << height << " from " << distance;
         }
       }

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/passes/sorted/sorted_pass.h"
+#include "renderer/shells/sorted/sorted_pass.h"
 
 namespace pelage {
 namespace {

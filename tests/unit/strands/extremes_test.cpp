@@ -11,7 +11,7 @@ namespace pelage {
 namespace {
 
 constexpr std::array all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
+                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::sample_count};
 constexpr std::array both{Transport::transmittance, Transport::paths};
 constexpr float infinity = std::numeric_limits<float>::infinity();
 

@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 const std::vector<Aov> film_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-                                 Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::shell_count};
+                                 Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::sample_count};
 
 FilmSample hit(float brightness) {
   FilmSample s;
@@ -53,7 +53,7 @@ TEST(Film, AovsOfAPixelThatIsHalfCovered) {
     glm::vec3 value;
   } rows[] = {{Aov::position, {1, 2, 3}},        {Aov::normal, {0, 1, 0}},        {Aov::tangent, {1, 0, 0}},
               {Aov::albedo, {0.4f, 0.2f, 0.1f}}, {Aov::direct, glm::vec3(0.75f)}, {Aov::shadow, glm::vec3(0.25f)},
-              {Aov::shell_count, glm::vec3(4)}};
+              {Aov::sample_count, glm::vec3(4)}};
   for (const auto& row : rows) {
     const glm::vec4 found = pixel_of(film, row.aov);
     EXPECT_LT(glm::length(glm::vec3(found) - row.value), 1e-6f) << int(row.aov);
@@ -68,7 +68,7 @@ TEST(Film, PixelsThatSawNothing) {
     for (const int x : {0, 1}) {
       const glm::vec4 found = pixel_of(film, aov, x);
       float expected = aov == Aov::shadow ? 1.0f : 0.0f;
-      if (aov == Aov::shell_count) expected = float(1 - x);
+      if (aov == Aov::sample_count) expected = float(1 - x);
       EXPECT_EQ(found, glm::vec4(glm::vec3(expected), 0)) << int(aov);
     }
   }

@@ -288,8 +288,7 @@ TEST(GrowForm, VariationChangesLengthAndLean) {
   EXPECT_GT(highest, 1.3 * lowest);
 }
 
-// As renderer/passes/guard_hairs/hair.vert: upright here, .8 to 1.25 of the fur's length, with a bow of up to bend +
-// mess.
+// Upright here, .8 to 1.25 of the fur's length, with a bow of up to bend + mess.
 TEST(GrowForm, GuardHairsReachBeyondTheFur) {
   Coat coat = plain_coat(2000);
   coat.bend = 0.2, coat.clump = 0.5, coat.length_spread = 0.5;

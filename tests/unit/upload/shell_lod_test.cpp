@@ -1,11 +1,9 @@
-#include "renderer/visibility/shell_lod.h"
+#include "renderer/upload/shell_lod.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-
-#include "renderer/visibility/picture_cells.h"
 
 namespace pelage {
 namespace {
@@ -112,16 +110,13 @@ struct ThreeTriangles {
   std::vector<glm::vec3> centroids = std::vector<glm::vec3>(3, glm::vec3(0));
   std::vector<glm::vec3> normals = {{0, 0, 1}, {1, 0, -0.2f}, {0, 0, -1}};
   std::vector<glm::vec3> positions = std::vector<glm::vec3>(9, glm::vec3(0));
-  std::vector<float> lengths = std::vector<float>(9, 0.01f);
 
   ShellLists sorted(std::array<float, 3> lods, int shells) const {
     std::vector<float> all;
     for (int i = 0; i < 3; ++i) all.insert(all.end(), lods.begin(), lods.end());
     ShellView seen = view;
     seen.shells = shells;
-    seen.to_clip[3] = {0, 0, 0, 10};  // straight on, from 10 away
-    const std::vector<CellBox> cells = cells_of_fur(seen.to_clip, positions, lengths);
-    return sort_triangles({triangles, centroids, normals, positions, lengths, all, cells}, seen);
+    return sort_triangles({triangles, centroids, normals, positions, all}, seen);
   }
 };
 
@@ -141,49 +136,6 @@ TEST(ShellLods, ShellsAreDrawnWhereTheyHaveNotGone) {
   EXPECT_EQ(counts({2, 2, 2}, 32), (Counts{0, 0, 1}));
   EXPECT_EQ(counts({1, 1, 1}, 16), (Counts{0, 1, 0}));  // halved once at most
   EXPECT_EQ(counts({0, 0, 0}, 8), (Counts{1, 0, 0}));
-  const std::vector<float> lods(9, 0.0f);
-  const std::vector<CellBox> cells(9);
-  EXPECT_EQ(
-      shown_triangles({mesh.triangles, mesh.centroids, mesh.normals, mesh.positions, mesh.lengths, lods, cells}, view)
-          .size(),
-      2u);
-}
-
-TEST(ShellLods, TrianglesOutsideThePictureAreNotDrawn) {
-  for (const float side : {-1.0f, 1.0f}) {
-    for (const int shells : {8, 32}) {  // never halved, and twice
-      ThreeTriangles mesh;
-      for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {12 * side, 0, 0};  // 10 is the border
-      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 0u) << shells;
-      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).back_facing[0].size(), 1u) << shells;
-      mesh.positions[2] = {9 * side, 0, 0};  // it reaches in
-      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
-      for (std::size_t i = 0; i < 3; ++i) mesh.positions[i] = {10.005f * side, 0, 0};  // its fur, .01 long, reaches in
-      EXPECT_EQ(mesh.sorted({0, 0, 0}, shells).facing[0].size(), 1u) << shells;
-    }
-  }
-}
-
-TEST(PictureCells, WhatLiesBesideThePictureTouchesNothingOfIt) {
-  const CellBox picture;
-  for (const glm::vec2 away : {glm::vec2(-3, 0), glm::vec2(3, 0), glm::vec2(0, -3), glm::vec2(0, 3)}) {
-    const CellBox box = cells_of(ClipBox{away - 0.5f, away + 0.5f});
-    EXPECT_FALSE(touch(box, picture));
-    EXPECT_TRUE(touch(cells_of(ClipBox{away - 2.1f, away + 2.1f}), picture));
-  }
-  EXPECT_EQ(cells_of(ClipBox{}), picture);
-  EXPECT_EQ(cells_of(ClipBox{glm::vec2(-1e30f), glm::vec2(1e30f)}), (CellBox{-1, -1, cells_a_side, cells_a_side}));
-}
-
-TEST(PictureCells, FurNearTheEyeMayBeEverywhere) {
-  const glm::mat4 to_clip(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);  // w = z
-  const std::vector<glm::vec3> places = {{0, 0, 1}, {0, 0, 0.1f}, {0, 0, -1}, {1e20f, 0, 1e-20f}};
-  const std::vector<CellBox> boxes = cells_of_fur(to_clip, places, std::vector<float>(4, 0.2f));
-  EXPECT_GT(boxes[0].left, 0);
-  EXPECT_LT(boxes[0].right, cells_a_side - 1);
-  for (std::size_t i = 1; i < 4; ++i) {
-    EXPECT_EQ(boxes[i], CellBox()) << i;
-  }
 }
 
 }  // namespace

@@ -49,15 +49,16 @@ def parser() -> argparse.ArgumentParser:
         made.add_argument(name, action="store_true")
     made.add_argument("-o", "--output", required=True)
     made.add_argument("--scene", nargs="+", action="extend", default=[])
-    for name, default in (("--size", 256), ("--truth", 512), ("--passes", 64), ("--repeats", 2)):
+    for name, default in (("--size", 256), ("--passes", 64), ("--repeats", 2)):
         made.add_argument(name, type=int, default=default)
     return made
 
 
 def options_of(line: argparse.Namespace) -> Options:
+    passes = max(line.passes, 2)  # half of them are a picture as well
     if line.quick:
-        return Options(True, min(line.size, 96), min(line.truth, 64), min(line.passes, 4), 1)
-    return Options(False, line.size, line.truth, line.passes, line.repeats)
+        return Options(True, min(line.size, 96), min(passes, 16), 1)
+    return Options(False, line.size, passes, line.repeats)
 
 
 def cases_for(server: Server, names: Sequence[str], quick: bool) -> List[Case]:

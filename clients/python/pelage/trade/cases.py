@@ -19,7 +19,7 @@ class Case(NamedTuple):
     """A scene seen from one side.
 
     towards: From the middle of its box to the camera, in sizes.
-    swept: Whether all knobs, pictures and R2 are wanted, and not tiers and shells alone.
+    swept: Whether all knobs and pictures are wanted, and not tiers and strands alone.
     scene: One that is there already; else `model` and `commands` make it.
     """
 
@@ -98,33 +98,25 @@ def cases_of(scene: Scene) -> List[Case]:
     ]
 
 
-INTERACTIVE: Knobs = {
-    "method": "shells", "shells": 16, "steps": 2, "scale": 1.0, "min_radius": 0, "self_shadow": True,
-    "shadow_maps": False, "shadow_resolution": 512, "shell_policy": "uniform", "order": "shells", "eye_steps": 8,
-    "guard_hairs": 0,
-}
-
-
-def changed(base: Knobs, **knobs: Any) -> Knobs:
-    return cast(Knobs, {**base, **knobs})
+def raster(strands: float = 1.5, light_of: int = 2, scale: float = 1.0, eye_steps: int = 8) -> Knobs:
+    """The tier `interactive`, but for what is given."""
+    return {
+        "method": "raster", "scale": scale, "eye_steps": eye_steps,
+        "raster": {"strands": strands, "light_of": light_of},
+    }
 
 
 TIERS = {
-    "draft": changed(INTERACTIVE, shells=8, steps=4, scale=0.6, min_radius=120, eye_steps=1),
-    "interactive": INTERACTIVE,
-    "detailed": changed(
-        INTERACTIVE, shells=32, scale=2.0, shadow_maps=True, shadow_resolution=1024, order="sorted", eye_steps=16
-    ),
+    "draft": raster(strands=0.4, light_of=4, eye_steps=1),
+    "interactive": raster(),
+    "detailed": raster(strands=1000.0, scale=2.0, eye_steps=16),
 }
-# Tiers that single knobs are turned around; draft with its scale of large pictures, as the report's are small.
-BASES = {"draft": changed(TIERS["draft"], min_radius=0), "interactive": INTERACTIVE}
 
 
 class Setting(NamedTuple):
     """See `Row`."""
 
     series: str
-    base: str
     value: str
     knobs: Knobs
 
@@ -133,37 +125,32 @@ class Setting(NamedTuple):
         return json.dumps(self.knobs, separators=(",", ":"))
 
 
-def turned(base: str, knob: str, values: Sequence[Any]) -> List[Setting]:
-    return [
-        Setting(knob.replace("_", " "), base, value if isinstance(value, str) else f"{value:g}",
-                changed(BASES[base], **{knob: value}))
-        for value in values
-    ]
+def strands_settings(quick: bool) -> List[Setting]:
+    values = (0.2, 1.5, 1000.0) if quick else (0.1, 0.2, 0.4, 0.8, 1.5, 3.0, 6.0, 1000.0)
+    return [Setting("strands", f"{value:g}", raster(strands=value)) for value in values]
+
+
+def light_of_settings(quick: bool) -> List[Setting]:
+    return [Setting("light_of", f"{value}", raster(light_of=value)) for value in ((1, 4) if quick else (1, 2, 4, 8))]
+
+
+def scale_settings(quick: bool) -> List[Setting]:
+    values = (0.5, 1.0) if quick else (0.5, 0.75, 1.0, 1.5, 2.0)
+    return [Setting("scale", f"{value:g}", raster(scale=value)) for value in values]
 
 
 def grid(quick: bool) -> List[Setting]:
     return [
-        Setting("grid", "", f"{shells} x {steps} x {scale:g}",
-                changed(INTERACTIVE, shells=shells, steps=steps, scale=scale))
-        for shells in ((4, 8) if quick else (2, 4, 8, 16, 32))
-        for steps in ((2,) if quick else (1, 3, 6))
-        for scale in (0.5, 0.75, 1.0)
+        Setting("grid", f"{strands:g} x {light_of} x {scale:g}", raster(strands, light_of, scale))
+        for strands in ((0.4, 1.5) if quick else (0.4, 1.5, 4.0, 1000.0))
+        for light_of in ((1, 4) if quick else (1, 2, 4))
+        for scale in ((0.5, 1.0) if quick else (0.5, 0.75, 1.0, 2.0))
     ]
 
 
 def settings_for(swept: bool, quick: bool) -> List[Setting]:
-    """Tiers and shells; `swept`: every knob around the tiers and a grid as well. quick: Few values."""
-    shells = (4, 16) if quick else (2, 4, 8, 16, 32, 64)
-    settings = [Setting("tier", "", name, knobs) for name, knobs in TIERS.items()]
-    settings += turned("interactive", "shells", shells)
-    if not swept:
-        return settings
-    settings += turned("draft", "shells", shells)
-    for base in BASES:
-        settings += turned(base, "steps", (1, 4) if quick else (1, 2, 4, 8))
-        settings += turned(base, "scale", (0.5, 1.0) if quick else (0.5, 0.67, 0.75, 1.0, 1.5))
-    if not quick:
-        settings += turned("interactive", "shell_policy", ("uniform", "adaptive"))
-        settings += turned("interactive", "order", ("shells", "sorted"))
-        settings += turned("interactive", "guard_hairs", (0, 5000, 20000))
-    return settings + grid(quick)
+    """Tiers and strands; `swept`: every knob of `interactive` and a grid as well. quick: Few values."""
+    settings = [Setting("tier", name, knobs) for name, knobs in TIERS.items()] + strands_settings(quick)
+    if swept:
+        settings += light_of_settings(quick) + scale_settings(quick) + grid(quick)
+    return settings

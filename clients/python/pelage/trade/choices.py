@@ -1,8 +1,7 @@
-"""What is worth its cost: means over scenes, the Pareto front, the best choice, and how fast an error falls."""
+"""What is worth its cost: means over scenes, the Pareto front and the best choice."""
 
 from __future__ import annotations
 
-import math
 import statistics
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
@@ -21,10 +20,10 @@ class Mean(NamedTuple):
 
 
 def means_over(rows: Sequence[Row], scenes: Sequence[str]) -> List[Mean]:
-    """Of the settings that every one of these scenes has, against R1, in the order of the rows."""
+    """Of the settings that every one of these scenes has, in the order of the rows."""
     of_knobs: Dict[str, Dict[str, Row]] = {}
     for row in rows:
-        if row.is_of_shells and row.scene in scenes:
+        if row.scene in scenes:
             of_knobs.setdefault(row.knobs, {}).setdefault(row.scene, row)
     return [mean_of(list(group.values())) for group in of_knobs.values() if len(group) == len(scenes)]
 
@@ -57,13 +56,3 @@ def pareto_front(points: Sequence[Point]) -> List[Point]:
         if not front or point[1] < front[-1][1]:
             front.append(point)
     return front
-
-
-def fitted_order(points: Sequence[Point]) -> Optional[float]:
-    """The p that fits y = c / x^p in least squares of logarithms; None with fewer than 2 different x. All above 0."""
-    if len({x for x, _ in points}) < 2:
-        return None
-    xs, ys = ([math.log(value) for value in values] for values in zip(*points))
-    x_mean, y_mean = statistics.fmean(xs), statistics.fmean(ys)
-    together = sum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys))
-    return -together / sum((x - x_mean) ** 2 for x in xs)

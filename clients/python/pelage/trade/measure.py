@@ -1,4 +1,4 @@
-"""Frames, what they cost, and how far they are from the truths."""
+"""Frames, what they cost, and how far they are from the truth."""
 
 from __future__ import annotations
 
@@ -7,31 +7,29 @@ import pathlib
 import shutil
 import subprocess
 import tempfile
-from typing import Any, Dict, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from ..arrays import numpy_module
 from ..errors import PelageError
 from ..frame import Frame
 from ..scene import Scene
-from ..schemas import Knobs, Tracing
-from .cases import INTERACTIVE, Vector, changed
+from ..schemas import Knobs
+from .cases import Vector
 
 CLIENT = "pelage"
-PLAIN = "R1"  # with the shadows of the default knobs
 LUMINANCE = [0.2126, 0.7152, 0.0722]
 PAPER = [0.35, 0.35, 0.35]  # linear grey behind the pictures of the report
-LONGEST_SECONDS = 86400  # of a frame: the truths take long
+LONGEST_SECONDS = 86400  # of a frame: the truth takes long
 
 
 class Shot(NamedTuple):
     """A frame in linear light, and what it cost.
 
-    scale: As it was drawn. non_finite: Pixels. luminance: Mean over alpha. coverage: Sum of alpha.
-    draw_ms, cpu_ms: Of drawing, shadows included; cpu_ms of all threads, 0 where the server does not say.
+    non_finite: Pixels. luminance: Mean over alpha. coverage: Sum of alpha.
+    draw_ms, cpu_ms: Of drawing; cpu_ms of all threads, 0 where the server does not say.
     """
 
     exr: bytes
-    scale: float
     non_finite: int
     luminance: float
     coverage: float
@@ -59,7 +57,7 @@ class View:
     def shoot(self, knobs: Knobs, repeats: int = 1) -> Shot:
         """Each time is the least of so many frames."""
         numpy = numpy_module()
-        exr = self.exr(knobs)  # first, so that what frames share, such as shadow maps, is in no time
+        exr = self.exr(knobs)  # first, so that what frames share, such as grown strands, is in no time
         # The camera is moved a little each time: a server does not draw again what it has drawn.
         moves = [1 + 1e-5 * count for count in range(1, repeats + 1)]
         frames = [self._frame(knobs, move, format="npy_linear") for move in moves]
@@ -68,11 +66,10 @@ class View:
         light, alpha = (pixels[finite, :3] @ LUMINANCE).sum(), pixels[finite, 3].sum(dtype=float)
         return Shot(
             exr=exr,
-            scale=cast(Knobs, frames[0].quality).get("scale", 1.0),
             non_finite=int((~finite).sum()),
             luminance=float(light / alpha) if alpha > 0 else 0.0,
             coverage=float(alpha),
-            draw_ms=min(frame.timing.get("draw", 0.0) + frame.timing.get("shadow", 0.0) for frame in frames),
+            draw_ms=min(frame.timing.get("draw", 0.0) for frame in frames),
             cpu_ms=min(frame.timing.get("cpu", 0.0) for frame in frames),
         )
 
@@ -121,67 +118,30 @@ def difference(truth: bytes, picture: bytes) -> Difference:
 
 
 class Truth(NamedTuple):
-    """What pictures are measured against.
+    """What pictures are measured against: every strand traced.
 
-    name: "R1" with its shadows, or "R2". detail: Shells of R1, or passes of R2. floor: FLIP against half the shells.
+    luminance, coverage: As of a `Shot`, from half the passes, which are enough for means.
+    floor: FLIP against half the passes. It is about what all passes differ from endless ones.
     """
 
-    name: str
     knobs: Knobs
-    shot: Shot
-    detail: int
-    floor: float = 0.0
+    exr: bytes
+    luminance: float
+    coverage: float
+    floor: float
 
     def difference(self, shot: Shot) -> Difference:
-        return BROKEN if shot.non_finite else difference(self.shot.exr, shot.exr)
+        return BROKEN if shot.non_finite else difference(self.exr, shot.exr)
 
 
-class Truths:
-    """Those of one view, drawn when they are first asked for."""
-
-    def __init__(self, view: View, shells: int, passes: int) -> None:
-        """shells: Of R1. passes: Of R2."""
-        self._view, self._shells, self._passes = view, shells, passes
-        self._drawn: Dict[str, Truth] = {}
-
-    def shells(self, knobs: Knobs) -> Truth:
-        """R1: many sorted shells with the shadows of these knobs, and their scale where it is above 1.
-
-        Shadows are the same, so that shells are measured and not light; what light leaves out is seen against R2. More
-        samples of a pixel make another picture.
-        """
-        name = name_of_shells(knobs)
-        if name not in self._drawn:
-            truth = self._draw(name, converged(knobs, self._shells), self._shells)
-            self._drawn[name] = truth._replace(floor=self._floor(truth))
-        return self._drawn[name]
-
-    def strands(self) -> Truth:
-        """R2: every strand traced, lit by the look's own model."""
-        if "R2" not in self._drawn:
-            trace: Tracing = {"passes": self._passes, "scattering": "look"}
-            self._drawn["R2"] = self._draw("R2", {"method": "strands", "eye_steps": 16, "trace": trace}, self._passes)
-        return self._drawn["R2"]
-
-    def _draw(self, name: str, knobs: Knobs, detail: int) -> Truth:
-        shot = self._view.shoot(knobs)
-        if shot.non_finite:
-            raise PelageError(f"{name} has pixels that are not finite: it is no truth.")
-        return Truth(name, knobs, shot, detail)
-
-    def _floor(self, truth: Truth) -> float:
-        """Of the default knobs: shells are the same in any light."""
-        if truth.name != PLAIN:
-            return self.shells(INTERACTIVE).floor
-        return difference(truth.shot.exr, self._view.exr(converged(INTERACTIVE, self._shells // 2))).flip
+def traced(passes: int) -> Knobs:
+    """The tier `reference`, without its filter: noise that a truth has left is to be seen as such."""
+    return {"method": "strands", "eye_steps": 16, "trace": {"passes": passes, "filter": False}}
 
 
-def converged(knobs: Knobs, shells: int) -> Knobs:
-    """The knobs of R1 for these."""
-    shadows = {name: knobs.get(name) for name in ("self_shadow", "shadow_maps", "shadow_resolution")}
-    return changed(INTERACTIVE, shells=shells, scale=max(1.0, knobs["scale"]), order="sorted", **shadows)
-
-
-def name_of_shells(knobs: Knobs) -> str:
-    size = f"{PLAIN} at {knobs['scale']:g} times the size" if knobs["scale"] > 1 else PLAIN
-    return f"{size} with maps of {knobs['shadow_resolution']}" if knobs["shadow_maps"] else size
+def trace_truth(view: View, passes: int) -> Truth:
+    half = view.shoot(traced(passes // 2))
+    if half.non_finite:
+        raise PelageError("The traced picture has pixels that are not finite: it is no truth.")
+    exr = view.exr(traced(passes))
+    return Truth(traced(passes), exr, half.luminance, half.coverage, difference(exr, half.exr).flip)

@@ -1,11 +1,11 @@
-"""The plots of the report, each an svg. Rows that are not against R1 are passed over."""
+"""The plots of the report, each an svg."""
 
 from __future__ import annotations
 
 import math
 from typing import Dict, List, NamedTuple, Sequence
 
-from .choices import Point, fitted_order, pareto_front
+from .choices import Point, pareto_front
 from .markup import Element, tag
 from .table import Row, milliseconds, scenes_of
 
@@ -94,7 +94,7 @@ def hint_of(row: Row) -> str:
 
 def scatter_plot(rows: Sequence[Row], scene: str) -> Element:
     """Error against cost of every setting on one scene, with the Pareto front and the tiers."""
-    ours = [row for row in rows if row.scene == scene and row.is_of_shells]
+    ours = [row for row in rows if row.scene == scene]
     tiers = [row for row in ours if row.series == "tier"]
     others: Dict[str, Row] = {row.knobs: row for row in ours if row.series != "tier"}
     x = axis_for([row.cost for row in ours], 64, 504)
@@ -112,30 +112,30 @@ def scatter_plot(rows: Sequence[Row], scene: str) -> Element:
 
 def knob_plots(rows: Sequence[Row], scene: str) -> Element:
     """One small plot for each knob: the way that turning it takes through error and cost on one scene."""
-    ours = [row for row in rows if row.scene == scene and row.is_of_shells]
+    ours = [row for row in rows if row.scene == scene]
     knobs = dict.fromkeys(row.series for row in ours if row.series not in ("tier", "grid"))
     return tag("div", *(knob_plot(ours, knob) for knob in knobs), class_="panels")
 
 
 def knob_plot(rows: Sequence[Row], knob: str) -> Element:
+    colour = TIER_COLOURS["interactive"]
     x = axis_for([row.cost for row in rows], 56, 272)
     y = axis_for([row.flip for row in rows], 174, 24)
     parts = [label(56, 14, knob, "start", "#222"), *axes(x, y, "ms", "error")]
     parts += [dot(x(row.cost), y(row.flip), 1.6, "#d6d0c6") for row in rows]
-    for base, colour in TIER_COLOURS.items():
-        turned = [row for row in rows if (row.series, row.base) == (knob, base)]
-        places = [(x(row.cost), y(row.flip)) for row in turned]
-        parts.append(line(places, colour, 2))
-        parts += [dot(*place, 4, colour, hint_of(row)) for place, row in zip(places, turned)]
-        parts += [label(a + 6, b + (15 if n % 2 else -5), row.value, "start", colour)  # beside its neighbours
-                  for n, ((a, b), row) in enumerate(zip(places, turned))]
+    turned = [row for row in rows if row.series == knob]
+    places = [(x(row.cost), y(row.flip)) for row in turned]
+    parts.append(line(places, colour, 2))
+    parts += [dot(*place, 4, colour, hint_of(row)) for place, row in zip(places, turned)]
+    parts += [label(a + 6, b + (15 if n % 2 else -5), row.value, "start", colour)  # beside its neighbours
+              for n, ((a, b), row) in enumerate(zip(places, turned))]
     return svg(300, 220, f"What {knob} buys", parts)
 
 
 def tier_plot(rows: Sequence[Row]) -> Element:
     """Where the tiers' errors lie on every scene, over the fur and in its silhouette."""
     scenes = scenes_of(rows)
-    tiers = [row for row in rows if row.series == "tier" and row.is_of_shells]
+    tiers = [row for row in rows if row.series == "tier"]
     left, top, step = 390.0, 34.0, 26.0
     bottom = top + step * len(scenes)
     x = axis_for([error for row in tiers for error in (row.flip, row.silhouette)], left, 930)
@@ -157,19 +157,14 @@ def tier_key(y: float) -> List[Element]:
     return parts
 
 
-def convergence_plot(rows: Sequence[Row]) -> Element:
-    """Error against the number of shells on every scene, with fitted orders."""
-    curves: Dict[str, List[Point]] = {scene: [] for scene in scenes_of(rows)}
-    for row in rows:
-        if (row.series, row.base) == ("shells", "interactive") and row.is_of_shells and row.flip > 0:
-            curves[row.scene].append((row.shells, row.flip))
-    every = [point for points in curves.values() for point in points]
-    x, y = axis_for([shells for shells, _ in every], 64, 544), axis_for([flip for _, flip in every], 346, 16)
-    parts = axes(x, y, "shells", ERROR)
-    for n, (scene, points) in enumerate(curves.items()):
-        colour, order = COLOURS[n % len(COLOURS)], fitted_order(points)
+def strands_plot(rows: Sequence[Row]) -> Element:
+    """Error against the strands of a pixel on every scene."""
+    turned = [row for row in rows if row.series == "strands"]
+    x, y = axis_for([row.strands for row in turned], 64, 544), axis_for([row.flip for row in turned], 346, 16)
+    parts = axes(x, y, "strands a pixel; 1000 keeps all", ERROR)
+    for n, scene in enumerate(scenes_of(turned)):
+        colour, points = COLOURS[n % len(COLOURS)], [(row.strands, row.flip) for row in turned if row.scene == scene]
         parts.append(line([(x(a), y(b)) for a, b in points], colour, 1.8, "5 4" if n >= len(COLOURS) else "none"))
-        parts += [dot(x(a), y(b), 3.5, colour, f"{scene}: {a} shells, FLIP {b:.4f}") for a, b in points]
-        name = scene if order is None else f"{scene}: order {order:.2f}"
-        parts += [dot(562, 26 + 18 * n, 4, colour), label(572, 30 + 18 * n, name)]
-    return svg(1000, 400, "Error against shells", parts)
+        parts += [dot(x(a), y(b), 3.5, colour, f"{scene}: {a:g} strands a pixel, FLIP {b:.4f}") for a, b in points]
+        parts += [dot(562, 26 + 18 * n, 4, colour), label(572, 30 + 18 * n, scene)]
+    return svg(1000, 400, "Error against strands", parts)

@@ -8,29 +8,27 @@ from typing import List, NamedTuple, Sequence, get_type_hints
 
 
 class Row(NamedTuple):
-    """A setting of the knobs on a scene, measured against a truth. FLIP is in [0, 1], over the fur.
+    """A setting of the knobs on a scene, measured against its traced truth. FLIP is in [0, 1], over the fur.
 
     size: Pixels of a side.
-    series, base, value: What is turned ("tier", "grid" or a knob), the tier that the other knobs are of, and to what.
-    reference, truth: "R1" with its shadows, or "R2"; its shells or passes.
-    scale: As it was drawn, which `min_radius` may raise.
+    passes: Of the truth.
+    series, value: What is turned ("tier", "grid" or a knob of `interactive`), and to what.
+    strands, light_of, scale: The knobs.
     silhouette: FLIP in the band around the fur's edge; 0 where there is no edge.
     luminance, coverage: Mean luminance of the fur and sum of alpha, over those of the truth.
     floor: FLIP that the truth itself may be off.
     non_finite: Pixels with NaN or infinity.
-    draw_ms, cpu_ms: The least of the repeats, shadows included; cpu_ms of all threads, 0 where the server does not say.
+    draw_ms, cpu_ms: The least of the repeats; cpu_ms of all threads, 0 where the server does not say.
     knobs: JSON, as a request's `quality`.
     """
 
     scene: str
     size: int
+    passes: int
     series: str
-    base: str
     value: str
-    reference: str
-    truth: int
-    shells: int
-    steps: int
+    strands: float
+    light_of: int
     scale: float
     flip: float
     flip_95: float
@@ -50,18 +48,13 @@ class Row(NamedTuple):
         if self.series == "tier":
             return self.value
         if self.series == "grid":
-            return f"{self.shells} shells of {self.steps} steps at {self.scale:g} of the size"
-        return f"{self.base} with {self.series} {self.value}"
+            return f"{self.strands:g} strands a pixel, light of {self.light_of}, scale {self.scale:g}"
+        return f"interactive with {self.series} {self.value}"
 
     @property
     def cost(self) -> float:
         """Milliseconds of CPU where the server says them, else those that passed."""
         return self.cpu_ms if self.cpu_ms > 0 else self.draw_ms
-
-    @property
-    def is_of_shells(self) -> bool:
-        """Whether the truth is R1, with any shadows."""
-        return self.reference.startswith("R1")
 
 
 KINDS = get_type_hints(Row)

@@ -18,7 +18,7 @@ async function findScene(): Promise<Scene> {
 
 const camera = {position: [0.2, 0.3, 0.2] as Vector, target: [0, 0.02, 0] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};
 /** Of the picture that stays: hairs are thinner than its pixels. */
-const fine: NonNullable<FrameRequest["quality"]> = {shells: 24, scale: 1.5};
+const fine: NonNullable<FrameRequest["quality"]> = {raster: {strands: 1000, light_of: 1}, scale: 1.5};
 
 export interface Patch { scene: string; revision: number }
 

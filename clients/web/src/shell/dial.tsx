@@ -73,7 +73,7 @@ function Card({close}: {close: () => void}) {
         <StopRow stop="budget" name={name}><Limit stop="budget" value={budget_ms.value} set={(to) => { budget_ms.value = to; }} unit="ms" /></StopRow>
         <StopRow stop="error" name={name}><Limit stop="error" value={max_error.value} set={(to) => { max_error.value = to; }} unit="FLIP" /></StopRow>
       </fieldset>
-      <p class="help">Times are those of the newest pictures here. Error is the server's estimate: mean FLIP over the fur against many sorted shells; .03 is hardly seen, .1 at once.</p>
+      <p class="help">Times are those of the newest pictures here. Error is the server's estimate: mean FLIP over the fur against the same strands, traced.</p>
       <label class="dial-trace"><input type="checkbox" checked={trace_at_rest.value} onChange={(event) => { trace_at_rest.value = event.currentTarget.checked; }} /> Trace strands once the picture rests</label>
       <button type="button" class="wide" disabled={!scene.value} onClick={() => { close(); dialog.value = "reference"; }}>Compare with the reference</button>
     </>

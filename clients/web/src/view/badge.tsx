@@ -3,10 +3,16 @@ import {offline, unsent} from "../api/outbox";
 import {pending, shown, type Shown} from "./frames";
 import {durationOf, millisecondsOf} from "./measured";
 
+/** Of a picture that was rasterized: strands for each pixel of skin, from so many on all that there are. */
+function rasterWords(strands = 1.5): string {
+  const all = 100;
+  return strands >= all ? "all strands" : `${strands} strands a pixel`;
+}
+
 function stageWords({stage, picture}: Shown): string {
   if (stage === "draft" || stage === "turning") return "draft";
   const passes = picture.trace?.passes ?? 0;
-  if (stage === "rest" || passes === 0) return `${picture.knobs.shells ?? ""} shells`;
+  if (stage === "rest" || passes === 0) return rasterWords(picture.knobs.raster?.strands);
   const samples = Math.round(picture.trace!.samples);
   return picture.trace!.end === "none" ? `strands, ${samples} samples` : `strands, ${samples} samples, done`;
 }

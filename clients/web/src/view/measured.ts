@@ -19,8 +19,8 @@ export interface Measure {
 export const measured = signal<Partial<Record<Stop, Measure>>>({});
 
 export function millisecondsOf({timings}: Picture): number {
-  const {draw = 0, shadow = 0, upload = 0, read = 0, encode = 0, trace = 0} = timings;
-  return draw + shadow + upload + read + encode + trace;
+  const {draw = 0, upload = 0, read = 0, encode = 0, trace = 0} = timings;
+  return draw + upload + read + encode + trace;
 }
 
 /** "60 ms", "3.2 s", "4 min" */

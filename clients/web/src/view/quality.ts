@@ -37,6 +37,6 @@ export const plain_request = computed<Partial<FrameRequest>>(() => ({
 export const shared_request = computed<Partial<FrameRequest>>(() => ({...plain_request.value, ...overlay_request.value}));
 
 /** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands;
- *  beside an earlier revision, which is drawn with shells, strands would look like a difference. */
+ *  beside an earlier revision, which is not traced, what tracing adds would look like a difference. */
 export const wants_trace = computed(() => shared_request.value.overlay === "none" && compared.value === null && dial.value.kind === "tier" &&
   (trace_at_rest.value || dial.value.tier === "reference"));

@@ -40,7 +40,7 @@ async function compare(pair: Signal<Pair | null>, stop: AbortController) {
   const {width, height} = viewport_size.value;
   const request: FrameRequest = {...plain_request.value, background: "transparent", width: Math.round(width), height: Math.round(height), camera: pinholeOf(orbit.value)};
   const id = scene.value!.id;
-  const picture = await drawFrame(id, {...request, ...rest_quality.value, view: `${page_id}-shells`}, null, stop.signal);
+  const picture = await drawFrame(id, {...request, ...rest_quality.value, view: `${page_id}-compared`}, null, stop.signal);
   if (!picture) return;
   const traced = {...request, quality: "interactive" as const, view: `${page_id}-reference`};
   let last = Promise.resolve();
@@ -62,7 +62,7 @@ function Report({pair: {picture, reference, difference}}: {pair: Pair}) {
   return (
     <dl class="versus-report">
       <div><dt>Mean absolute difference, sRGB, where the model is</dt><dd>{difference.mean.toFixed(4)} <small>of 1{end === "none" ? ", so far, noise included" : ""}; largest {difference.largest.toFixed(2)}</small></dd></div>
-      {picture.estimate && <div><dt>The server's estimate, mean FLIP against sorted shells</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
+      {picture.estimate && <div><dt>The server's estimate, mean FLIP against traced strands</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
       <div><dt>This picture</dt><dd>{picture.redrawn > 0 ? durationOf(millisecondsOf(picture)) : "cached"}</dd></div>
       <div><dt>Reference{end === "none" ? `, pass ${passes} of at most ${reference_passes}` : ""}</dt><dd>{durationOf(grow_ms + trace_ms)} <small>{Math.round(samples)} samples, noise {noise.toFixed(3)}</small></dd></div>
     </dl>

@@ -4,7 +4,7 @@ import type {FrameRequest, Tracing} from "../api/types";
 
 const wait_seconds = 20;
 
-/** Traces until it ends by `tracing`; `seen` hears each better picture, first the shells of pass 0. */
+/** Traces until it ends by `tracing`; `seen` hears each better picture, first the rasterized one of pass 0. */
 export async function traceToEnd(id: string, request: FrameRequest, tracing: Partial<Tracing>, seen: (picture: Picture) => void, stop: AbortSignal): Promise<Picture> {
   const progressive = tracing as NonNullable<FrameRequest["progressive"]>;
   let news: {after: number; after_pass: number; wait: number} | null = null;

@@ -1,0 +1,120 @@
+#include "renderer/shells/fur/fur_pass.h"
+
+#include <algorithm>
+
+#include "renderer/shaders/constants.h"
+#include "renderer/shells/draw/draw.h"
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const fur_vert;
+extern const char* const fur_frag;
+extern const char* const lengyel_vert;
+extern const char* const lengyel_frag;
+extern const char* const solid_frag;
+extern const char* const skin_vert;
+extern const char* const skin_frag;
+}  // namespace shaders
+
+namespace {
+
+// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the
+// fur's length over the cosine of the view, so that the shells of one coat do not hide each other. Without it the
+// body's outer shells would cover an ear's fringe; with a whole length they shine through thin rims.
+constexpr int solid_shells = 4;
+constexpr float solid_push = 0.25f;
+
+}  // namespace
+
+FurPass::Shading::Shading(const Gl& gl, const std::string& defines, bool at_vertices)
+    : skin(gl, shaders::skin_vert, shaders::skin_frag, defines),
+      solid(gl, shaders::fur_vert, shaders::solid_frag, defines),
+      fur(gl, at_vertices ? shaders::lengyel_vert : shaders::fur_vert,
+          at_vertices ? shaders::lengyel_frag : shaders::fur_frag, defines) {}
+
+FurPass::FurPass(const Gl& gl) { shading_of(gl, "", false); }
+
+const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
+  const auto [place, made] = skins_.try_emplace(defines, gl, shaders::skin_vert, shaders::skin_frag, defines);
+  if (made) failure_ += place->second.log();
+  return place->second;
+}
+
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const FurDrawing& drawing) {
+  return shading_of(gl, drawing.variant, drawing.frame.look.shading == ShadingModel::lengyel);
+}
+
+const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant, bool at_vertices) {
+  const auto [place, made] = shadings_.try_emplace(variant, gl, variant, at_vertices);
+  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
+  return place->second;
+}
+
+void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {
+  gl.BindVertexArray(drawing.model.vertex_array());
+  gl.BindTextureUnit(shapes_unit, drawing.coat.shapes());
+  gl.BindTextureUnit(colours_unit, drawing.coat.colours());
+  gl.BindTextureUnit(skin_images_unit, drawing.model.base_images());
+}
+
+void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
+  bind(gl, drawing);
+  const Shading& shading = shading_of(gl, drawing);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+  shading.skin.use();
+  draw_list(gl, drawing.lists.furred);
+  if (drawing.lists.bare.count > 0) {
+    skin_of(gl, drawing.variant + "#define BARE_SKIN\n").use();
+    draw_list(gl, drawing.lists.bare);
+  }
+}
+
+namespace {
+
+/// How a shell is drawn: of how many, how often they may be halved, and from which side the ray comes to its slab, 1 or
+/// -1. With a program of fur_vertex.glsl, in use.
+struct ShellDrawing {
+  int shells, max_lod, side;
+
+  void draw(const Gl& gl, const Program& program, int shell, const ModelBuffers::DrawList& list) const {
+    if (list.count == 0) return;
+    program.set("shell_count", shells);
+    program.set("shell", shell);
+    program.set("max_shell_lod", max_lod);  // is there with SHELL_LOD alone
+    program.set("shell_side", side);
+    draw_list(gl, list);
+  }
+};
+
+}  // namespace
+
+void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
+  const Program& solid = shading_of(gl, drawing).solid;
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  solid.use();
+  solid.set("push", solid_push);
+  for (int shell = 0; shell < solid_shells; ++shell)
+    ShellDrawing{solid_shells, 0, 1}.draw(gl, solid, shell, drawing.lists.shown);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void FurPass::draw_shells(const Gl& gl, const FurDrawing& drawing) {
+  bind(gl, drawing);
+  const Program& fur = shading_of(gl, drawing).fur;
+  const Layering& shells = drawing.frame.knobs.shells;
+  const int lod = max_lod(shells.count, shells.policy);
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  fur.use();
+  fur.set("push", 0.0f);
+  for (const auto& [shell, list] : drawing.lists.back_facing)
+    ShellDrawing{shells.count, lod, -1}.draw(gl, fur, shell, list);
+  for (const auto& [shell, list] : drawing.lists.facing) ShellDrawing{shells.count, lod, 1}.draw(gl, fur, shell, list);
+  gl.DepthMask(GL_TRUE);
+  gl.Disable(GL_BLEND);
+}
+
+}  // namespace pelage

@@ -1,0 +1,16 @@
+#version 450 core
+// The baseline that GPU fur starts from (eq 1): light at the vertices.
+#include "frame.glsl"
+#include "lighting.glsl"
+#include "fur_vertex.glsl"
+
+out vec3 vertex_light;   // for fur of colour 1
+
+void main() {
+  const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
+  float s = place_vertex();
+  int above = int(s * float(slice_count));
+  float strands = frame.depth_above[above / 4][above % 4] * length_share;
+  vertex_light = fibre_light(Fibre(place, vec4(place, 0.0), shading_normal, normalize(fibre_tangent), normalize(frame.viewpoint.xyz - place),
+                                   vec3(grey), colour_above(s), s, strands, 0.5)) / grey;
+}

@@ -1,0 +1,99 @@
+#version 450 core
+#include "frame.glsl"
+#include "known.glsl"
+#include "lighting.glsl"
+#include "base_colour.glsl"
+#ifdef PATTERN
+#include "pattern.glsl"
+#endif
+#include "paint_light.glsl"
+#if defined(BARE_SKIN) || defined(PAINT)
+#include "bare_skin.glsl"
+#endif
+
+
+in vec3 place;
+#ifdef SHADOW_MAPS
+in vec4 open_place;
+#endif
+in vec3 skin_normal;
+in vec3 fur_offset;
+in vec3 base_uv;
+in vec3 base_colour;
+in float fur_length;
+#ifdef PATTERN
+in vec4 varied;
+#endif
+
+layout(location = 0) out vec4 result;
+
+/// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body, where no shell is seen.
+float rising_from_face() {
+  vec3 across = cross(dFdx(place), dFdy(place));
+  across = dot(across, frame.viewpoint.xyz - place) < 0.0 ? -across : across;
+  float size = length(across) * length(fur_offset);
+  return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
+}
+
+// Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
+// Under fur lies an undercoat: the colour of the roots in the light that gets there. The inner side
+// of an open model shows no fur, nor does a fold where it grows into the body: they are lit as a matt surface of the
+// fur's mean colour.
+void main() {
+  vec3 normal = normalize(skin_normal);
+  if (!gl_FrontFacing) normal = -normal;
+  float grown = smoothstep(0.0, 0.008, fur_length), above = frame.depth_above[0].x * fur_length / nominal_length;
+#ifdef PAINT
+  grown *= 1.0 - pow(1.0 - clamp(amounts.x, 0.0, 1.0), 3.0);  // thinned fur does not hide the skin
+  above *= painted_depth();
+#endif
+  float furred = gl_FrontFacing ? grown : 0.0;
+  furred *= rising_from_face();
+  float covered = furred;
+  vec3 bare = takes_model_colours() ? model_colour(base_colour, base_uv) : frame.skin.rgb;
+  vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
+#ifdef PATTERN
+  undercoat = pattern_colour(place, varied, undercoat);
+#endif
+#ifdef PAINT_COLOUR
+  undercoat = colour_painted(undercoat, 0.0, 1.0);
+#endif
+#ifdef PAINT
+  undercoat = colour_wetted(undercoat);
+#endif
+  vec3 coat = colour_crossed(undercoat, colour_above(0.0));
+  vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
+  vec3 sum = frame.weights.x * share * colour * environment_light(normal);
+  for (int i = 0; i < LIGHTS; ++i) {
+    vec3 to_light, radiance;
+    light_at(i, place, to_light, radiance);
+    float facing = dot(normal, to_light);
+    float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
+    float to_skin = covered * strands_crossed(above, 0.0, normal, to_light, facing);
+#ifdef SHADOW_MAPS
+    to_skin = shell_depth(i, place, open_place, 0.0, facing, to_skin);
+    radiance *= cast_light(i, place, open_place, normal);
+#endif
+    sum += radiance * colour * lit * transmittance(to_skin, crossed);
+  }
+#if defined(BARE_SKIN) || defined(PAINT)
+  Bare region = not_bare;
+#ifdef PAINT
+  region = painted_bare(bare, amounts.w, amounts.z);
+#endif
+#ifdef BARE_SKIN
+  region = bare_over(region, place, normal);
+#endif
+  if (region.share > 0.0) {
+#ifdef SHADOW_MAPS
+    vec4 open = open_place;
+#else
+    vec4 open = vec4(place, 0.0);
+#endif
+    sum = mix(sum, bare_light(region, place, open, normal), region.share);
+    colour = mix(colour, region.colour.rgb, region.share);
+  }
+#endif
+  result = known(vec4(sum, 1.0));
+}

@@ -1,0 +1,23 @@
+#version 450 core
+#include "frame.glsl"
+#include "slab.glsl"
+
+
+in float density_share;
+#ifdef TUFTS
+in vec3 tile_u;
+#endif
+
+const int steps = 2;  // inside each shell
+
+layout(location = 0) out float kept;
+
+// What one shell lets through on the way from the light; blending multiplies the shells.
+void main() {
+  look_around();
+  if (dot(fibre_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
+#ifdef TUFTS
+  shift_to_strand(normalize(fibre_normal), tile_u);
+#endif
+  kept = 1.0 - march(steps, 0.0, density_share, shell_height(), shell_thickness()).opacity;
+}

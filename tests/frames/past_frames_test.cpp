@@ -1,0 +1,102 @@
+// Frames of earlier revisions through the frame service.
+#include "server/frames/frame_service.h"
+#include "server/frames/shown_scene.h"
+#include "tests/unit/scene/store_fixture.h"
+
+namespace pelage::testing::past_frames_test {
+namespace {
+
+class PastFrames : public StoreTest {
+ protected:
+  void SetUp() override {
+    StoreTest::SetUp();
+    frames_ = std::move(FrameService::start(GlChoice::none, 2, gate_)).value();
+  }
+  void TearDown() override {
+    frames_.reset();
+    StoreTest::TearDown();
+  }
+
+  FrameAnswer draw(const std::shared_ptr<Scene>& scene, std::optional<Revision> revision = {}) const {
+    FrameRequest request;
+    request.width = request.height = 96, request.knobs = knobs_of(Tier::draft), request.revision = revision;
+    Result<FrameAnswer> answer = frames_->frame(scene, request);
+    EXPECT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
+    return answer.ok() ? std::move(*answer) : FrameAnswer{};
+  }
+  static SetCoat blue_coat() {
+    SetCoat set;
+    set.coat.ramp = {{0, {0, 0, 1}}, {1, {0, 0, 1}}};
+    return set;
+  }
+  /// What was drawn at each revision: strokes, an undo and another coat.
+  std::vector<std::string> groom(const std::shared_ptr<Scene>& scene) const {
+    std::vector<std::string> seen{draw(scene).bytes};
+    const auto see = [&](const CommandAnswer& answer) {
+      EXPECT_EQ(answer.revision, seen.size());
+      seen.push_back(draw(scene).bytes);
+    };
+    see(execute(*scene, {comb_at(*scene, 5)}));
+    see(execute(*scene, {comb_at(*scene, 200)}));
+    see(move(*scene, Undo{2}));
+    see(execute(*scene, {blue_coat()}));
+    see(execute(*scene, {comb_at(*scene, 300)}));
+    return seen;
+  }
+
+  YieldGate gate_;
+  std::unique_ptr<FrameService> frames_;
+};
+
+TEST_F(PastFrames, AreWhatWasDrawnThen) {
+  const auto scene = make();
+  const std::vector<std::string> seen = groom(scene);
+  EXPECT_NE(seen[4], seen[3]);
+  for (const Revision revision : {0, 5, 1, 2, 3, 4, 4, 0, 2}) {
+    const FrameAnswer past = draw(scene, revision);
+    EXPECT_EQ(past.revision, revision);
+    EXPECT_TRUE(past.bytes == seen[revision]) << revision;
+    EXPECT_TRUE(draw(scene).bytes == seen.back()) << "the present after " << revision;
+  }
+}
+
+TEST_F(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
+  const auto scene = make();
+  draw(scene);
+  const std::uint64_t id = scene->memory().copy_id;
+  const std::size_t alone = frames_->copy_bytes(id);
+  groom(scene);
+  draw(scene, 1);
+  EXPECT_GT(frames_->copy_bytes(id), 2 * alone) << "strands as many, and fields";
+  draw(scene, 2), draw(scene, 0), draw(scene);
+  EXPECT_LT(frames_->copy_bytes(id), 5 * alone) << "two of three are kept";
+  ASSERT_TRUE(store_->subdivide(*scene, {}).ok());
+  frames_->forget(id);
+  FrameRequest request;
+  request.revision = 1;
+  EXPECT_EQ(frames_->frame(scene, request).status().pointer, "/revision");
+  draw(make(Builtin::plane, 2));  // after the render thread has forgotten
+  EXPECT_EQ(frames_->copy_bytes(id), 0u);
+}
+
+TEST_F(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
+  Renderer renderer{{.threads = 2}};
+  const auto scene = make();
+  FrameRequest request;
+  request.revision = 0;
+  PastScenes scenes;
+  Result<FramePast> past = past_of(*scene, request, scenes);
+  ASSERT_TRUE(past.ok());
+  EXPECT_FALSE(past->copy) << "of the present as long as it is asked for";
+  execute(*scene, {comb_at(*scene, 5)});
+  MovedFur fur;
+  const Result<Shown> shown = show(renderer, *scene, request, *past, scenes, fur, false, false);
+  ASSERT_TRUE(shown.ok());
+  EXPECT_EQ(shown->revision, 0u);
+  ASSERT_TRUE(past->copy);
+  EXPECT_EQ(shown->copy_id, past->copy->view().copy_id);
+  for (const std::uint64_t id : {shown->copy_id, scene->memory().copy_id}) renderer.forget(id);
+}
+
+}  // namespace
+}  // namespace pelage::testing::past_frames_test
