@@ -307,12 +307,13 @@ void members(V& v, Visited<V, Light>& c) {
            "Radius of the ball that a point or spot light is: larger ones cast softer shadows.");
   v.number("width", c.width, {0.001, 100, "sizes"}, "Width of an area light; its sides along it are level.");
   v.number("height", c.height, {0.001, 100, "sizes"}, "Height of an area light.");
-  v.boolean("self_shadow_maps", c.self_shadow_maps,
-            "Of method shells with `shadow_maps`: draws shadow maps of the shells in place of the estimate.");
-  v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
-         "Of method shells with `shadow_maps`: shadow of one part of the body on another, with a sharp edge, with one "
-         "that "
-         "`shadow_scale` widens, or blurred by the light's size. Strands take the shadow of every light.");
+  v.boolean(
+      "self_shadow_maps", c.self_shadow_maps,
+      "Draws shadow maps of the shells in place of the estimate. Only method shells with `shadow_maps` reads it.");
+  v.name(
+      "cast_shadow", c.cast_shadow, json_names::cast_shadows,
+      "Shadow of one part of the body on another, with a sharp edge, with one that `shadow_scale` widens, or blurred "
+      "by the light's size. Only method shells with `shadow_maps` reads it: strands take every light's shadow.");
   v.number("shadow_scale", c.shadow_scale, {0, 1000, "factor"},
            "Larger makes the edge of a `soft` cast shadow narrower.");
 }

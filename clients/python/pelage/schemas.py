@@ -1699,11 +1699,11 @@ class Light(TypedDict, total=False):
         Default 0.05.
     width: Width of an area light; its sides along it are level. 0.001 to 100 (sizes). Default 0.5.
     height: Height of an area light. 0.001 to 100 (sizes). Default 0.5.
-    self_shadow_maps: Of method shells with `shadow_maps`: draws shadow maps of the shells in place of the estimate.
-        Default false.
-    cast_shadow: Of method shells with `shadow_maps`: shadow of one part of the body on another, with a sharp edge,
-        with one that `shadow_scale` widens, or blurred by the light's size. Strands take the shadow of every light.
-        Default "none".
+    self_shadow_maps: Draws shadow maps of the shells in place of the estimate. Only method shells with `shadow_maps`
+        reads it. Default false.
+    cast_shadow: Shadow of one part of the body on another, with a sharp edge, with one that `shadow_scale` widens, or
+        blurred by the light's size. Only method shells with `shadow_maps` reads it: strands take every light's
+        shadow. Default "none".
     shadow_scale: Larger makes the edge of a `soft` cast shadow narrower. 0 to 1000 (factor). Default 10.
     """
 
