@@ -18,6 +18,8 @@ enum class RadiusUnits { relative, world, pixels };  // pixels: of the stroke's 
 /// How far a vertex is from a dab: through space, along the surface (it does not reach another part of the model that
 /// is only near in space), or in the picture plane of the stroke's view.
 enum class FalloffShape { volume, surface, screen };
+/// What a brush reaches: skin within its radius, with the fur that stands on it, or fur that itself comes within it.
+enum class Reach { skin, fur };
 enum class Falloff { constant, linear, smooth, sharp, sphere };
 
 /// Where a stroke passes: a point in the model's coordinates, a pixel of the stroke's view (origin top left, y down,
@@ -53,6 +55,7 @@ struct Brush {
   double radius = 0.05;  // in `units`, [0, 1e6 sizes]
   RadiusUnits units = RadiusUnits::relative;
   FalloffShape falloff_shape = FalloffShape::volume;
+  std::optional<Reach> reach = {};  // absent: fur of pixel samples and the volume shape, else skin
   Falloff falloff = Falloff::smooth;
   std::vector<double> falloff_points =
       {};                           // empty, or 2 to 64 weights [0, 1] from the middle to the rim, in place of the name

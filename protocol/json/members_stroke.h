@@ -55,6 +55,10 @@ void members(V& v, Visited<V, Brush>& c) {
   v.name("falloff_shape", c.falloff_shape, json_names::falloff_shapes,
          "How the distance of a vertex from a dab is measured: through space, along the surface (it does not reach "
          "another part of the model that is only near in space), or in the picture of the stroke's view.");
+  v.name("reach", c.reach, json_names::reaches,
+         "What the brush reaches: fur that itself comes within its radius, or skin within it, with the fur that stands "
+         "there. fur goes with falloff_shape volume. Absent it is fur for samples in pixels, which then are places on "
+         "the fur that is seen there, and skin for others.");
   v.name("falloff", c.falloff, json_names::falloffs, "How the effect fades from the middle of a dab to its rim.");
   v.numbers(sparse("falloff_points"), c.falloff_points, share, {2, limits::falloff_points},
             "Weights from the middle to the rim, straight between them, in place of the named curve.");

@@ -312,6 +312,9 @@ void check_brush(const Value& value, const Tool& tool) {
     const Brush& brush = tool.brush;
     if (brush.invert && Tool::opposite == Opposite::no)
       value.refuse_below("brush/invert", "The tool has no opposite.", "false");
+    if (brush.reach == Reach::fur && brush.falloff_shape != FalloffShape::volume)
+      value.refuse_below("brush/reach", "How far strands are away is measured through space.",
+                         "skin, or falloff_shape volume");
     if (brush.strand_to <= brush.strand_from)
       value.refuse_below("brush/strand_to", "The part of the strand ends before it begins.", "above strand_from");
     if ((brush.strand_from > 0 || brush.strand_to < 1) && !changes_colours_only(tool)) {

@@ -293,7 +293,7 @@ class MemberSchemas {
   }
   template <class Place>
   void place(const Place&) {
-    add("position", reference("Position"), {}, "A point; the nearest place on the surface is meant.");
+    add("position", reference("Position"), {}, "A point on the skin, in the fur or anywhere else.");
     add("screen", list_schema(number_schema("number", screen_coordinate), {2, 2}), {},
         "A pixel of the stroke's view: from the top left, y down, centres at .5.");
     add("triangle", number_schema("integer", whole_number), {}, "Number of a triangle.");

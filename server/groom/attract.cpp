@@ -75,8 +75,8 @@ class Stick {
 
 /// Under the stroke, or all around the point.
 std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surface, const FieldSet& fields,
-                                   glm::dvec3 point, double radius, const Cancel& cancel) {
-  if (command.stroke) return region_of(command.stroke, command.brush, surface, fields, cancel);
+                                   glm::dvec3 point, double radius, const ToolExtras& extras) {
+  if (command.stroke) return region_of(command.stroke, command.brush, surface, fields, extras);
   std::vector<std::uint32_t> found;
   surface.vertices_within(point, radius, found);
   std::vector<VertexWeight> all;
@@ -94,7 +94,7 @@ Evaluation run(const Attract& command, const Surface& surface, const FieldSet& f
   const double sign = command.brush.invert ? -1 : 1;
   if (!(radius > 0)) return {};
   Stick stick(command, fields);
-  for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius, extras.cancel)) {
+  for (const auto [vertex, restriction] : reach_of(command, surface, fields, point, radius, extras)) {
     const glm::dvec3 to_point = point - glm::dvec3(mesh.positions[vertex]);
     const double weight =
         command.strength * restriction * falloff_weight(command.brush, glm::length(to_point) / radius);

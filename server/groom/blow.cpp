@@ -54,7 +54,7 @@ Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fiel
   FieldWriter writer(fields, Field::direction);
   const Brush brush =
       command.stroke ? command.brush : Brush{.strength = 1};  // without a stroke the wind blows everywhere
-  for (const auto [vertex, restriction] : region_of(command.stroke, brush, surface, fields, extras.cancel)) {
+  for (const auto [vertex, restriction] : region_of(command.stroke, brush, surface, fields, extras)) {
     const glm::dvec3 position(mesh.positions[vertex]), heading = wind.heading(position);
     const double weight = command.strength * restriction * wind.share(heading) * wind.strength(position);
     if (weight == 0) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "protocol/base/limits.h"
 #include "server/groom/vertex_frame.h"
@@ -54,6 +55,8 @@ const Brush* brush_of(const Command& command) {
       command);
 }
 
+Brush* brush_of(Command& command) { return const_cast<Brush*>(brush_of(std::as_const(command))); }
+
 double internal_length(double value, Units units, const Mesh& mesh) {
   return units == Units::world ? value / mesh.size : value;
 }
@@ -66,8 +69,14 @@ double falloff_weight(const Brush& brush, double distance) {
   return glm::mix(brush.falloff_points[before], brush.falloff_points[before + 1], place - static_cast<double>(before));
 }
 
-BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface)
-    : brush_(brush), surface_(surface) {
+std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surface, const FieldSet& fields,
+                                       const Coat& coat) {
+  if (brush.reach != Reach::fur) return std::nullopt;
+  return std::optional<StandingFur>(std::in_place, surface, fields, coat);
+}
+
+BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur)
+    : brush_(brush), surface_(surface), fur_(fur) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
         {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfaceSample>(sample.place)});
@@ -135,6 +144,11 @@ std::vector<Dab> BrushStroke::covering_dabs() const {
   return dabs;
 }
 
+void BrushStroke::reach_fur(const Dab& dab, std::vector<Reached>& reached) const {
+  for (const auto [vertex, distance, lift] : fur_->within(dab.centre, dab.radius))
+    reached.push_back({vertex, distance / dab.radius, lift});
+}
+
 void BrushStroke::reach_through_space(const Dab& dab, std::vector<Reached>& reached) const {
   std::vector<std::uint32_t> found;
   surface_.vertices_within(dab.centre, dab.radius, found);
@@ -170,12 +184,16 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
   constexpr double half_diagonal = 0.5 + 1e-6;
   weights.clear();
   const bool screen = brush_.falloff_shape == FalloffShape::screen;
-  if (!(dab.radius > 0) || (!screen && glm::length(dab.centre) > half_diagonal + dab.radius)) return;
+  if (!(dab.radius > 0) ||
+      (!screen && glm::length(dab.centre) > half_diagonal + dab.radius + (fur_ ? fur_->longest() : 0)))
+    return;
   std::vector<Reached> reached;
   if (screen) {
     if (camera_) reach_on_screen(dab, reached);
   } else if (brush_.falloff_shape == FalloffShape::surface) {
     reach_along_surface(dab, reached);
+  } else if (fur_) {
+    reach_fur(dab, reached);
   } else {
     reach_through_space(dab, reached);
   }
@@ -185,10 +203,11 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
   const glm::dvec3 outwards = judge_by_normal ? surface_.normal(surface_.nearest(dab.centre)) : glm::dvec3(0);
   const double cut_off = brush_.cut_off_degrees == 90 ? 0 : std::cos(glm::radians(brush_.cut_off_degrees));
   const double strength = brush_.strength * (1 - brush_.pressure_to_strength * (1 - dab.pressure));
-  for (const auto [v, distance] : reached) {
+  for (const auto [v, distance, lift] : reached) {
     const glm::dvec3 position(mesh.positions[v]), normal(mesh.normals[v]);
     const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->position - position);
-    if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off)) continue;
+    // A tip is seen over the edge of a body, so that its root's facing counts less the higher on the strand the dab is.
+    if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off - 2 * lift)) continue;
     const double weight = strength * falloff_weight(brush_, distance);
     if (weight > 0) weights.push_back({v, weight});
   }
@@ -212,12 +231,13 @@ namespace {
 
 /// For each vertex under the stroke the largest weight of any dab.
 std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface,
-                                  const Cancel& cancel) {
-  const BrushStroke painted(stroke, brush, surface);
+                                  const FieldSet& fields, const ToolExtras& extras) {
+  const std::optional<StandingFur> fur = fur_reached(brush, surface, fields, extras.coat);
+  const BrushStroke painted(stroke, brush, surface, fur ? &*fur : nullptr);
   std::unordered_map<std::uint32_t, double> largest;
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {
-    cancel.check();
+    extras.cancel.check();
     painted.weigh(dab, weights);
     for (const auto [vertex, weight] : weights) {
       double& so_far = largest[vertex];
@@ -241,9 +261,9 @@ std::vector<VertexWeight> everywhere(double weight, std::size_t vertices) {
 }  // namespace
 
 std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
-                                    const FieldSet& fields, const Cancel& cancel, Masked masked) {
+                                    const FieldSet& fields, const ToolExtras& extras, Masked masked) {
   std::vector<VertexWeight> region =
-      stroke ? covered(*stroke, brush, surface, cancel) : everywhere(brush.strength, fields.size());
+      stroke ? covered(*stroke, brush, surface, fields, extras) : everywhere(brush.strength, fields.size());
   if (masked == Masked::no || fields.at_default(Field::mask)) return region;
   for (VertexWeight& place : region) place.weight *= fields.number(Field::mask, place.vertex);
   std::erase_if(region, [](const VertexWeight& place) { return !(place.weight > 0); });

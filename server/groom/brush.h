@@ -8,6 +8,7 @@
 
 #include "protocol/commands/command.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/standing_fur.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -17,8 +18,13 @@ double falloff_weight(Falloff curve, double distance);
 /// The brush's own: its points, straight between them, or the curve that it names.
 double falloff_weight(const Brush& brush, double distance);
 
+/// The fur as it stands, where it is what the brush reaches.
+std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surface, const FieldSet& fields,
+                                       const Coat& coat);
+
 /// The brush of a tool; null for commands that have none.
 const Brush* brush_of(const Command& command);
+Brush* brush_of(Command& command);
 
 /// A length of a command in sizes.
 double internal_length(double value, Units units, const Mesh& mesh);
@@ -42,7 +48,8 @@ struct VertexWeight {
 /// sampling rate nor the parts that it came in matter. The path between two samples on the surface follows the surface.
 class BrushStroke {
  public:
-  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface);
+  /// `fur` is what a brush reaches that does not reach for skin; it outlives the stroke.
+  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur = nullptr);
 
   /// Dabs of a brush that moves; none for a stroke without length or a brush of radius 0.
   std::vector<Dab> moving_dabs() const;
@@ -52,6 +59,9 @@ class BrushStroke {
   double dab_count() const;
   /// At the first sample, sizes; the step from dab to dab follows it.
   double radius() const { return radius_; }
+
+  /// How wide it is at a place; in pixels it grows with the distance to the camera.
+  double radius_at(glm::dvec3 place) const;
 
   /// Vertices that the dab reaches with a weight above 0, in rising order. Cost follows their number, not the mesh,
   /// but for the screen shape, which looks at every vertex.
@@ -66,17 +76,18 @@ class BrushStroke {
   struct Reached {
     std::uint32_t vertex;
     double distance;  // radii
+    double lift = 0;  // over the skin of the strand's nearest point, in its lengths
   };
   /// Somewhere between two nodes.
   Dab between(const Node& a, const Node& b, double t) const;
-  /// The brush's radius at a place; in pixels it grows with the distance to the camera.
-  double radius_at(glm::dvec3 place) const;
+  void reach_fur(const Dab& dab, std::vector<Reached>& reached) const;
   void reach_through_space(const Dab& dab, std::vector<Reached>& reached) const;
   void reach_along_surface(const Dab& dab, std::vector<Reached>& reached) const;
   void reach_on_screen(const Dab& dab, std::vector<Reached>& reached) const;
 
   Brush brush_;
   const Surface& surface_;
+  const StandingFur* fur_;
   std::vector<Node> path_;
   std::optional<PlacedCamera> camera_;  // of the stroke's view: front faces are judged against its eye
   int view_height_ = 1;                 // pixels
@@ -93,7 +104,7 @@ enum class Masked { yes, no };
 /// Under the stroke the largest weight of any dab; without one everywhere the brush's strength. Times the mask, unless
 /// it is the mask itself that is painted. Rising vertices with weights above 0. Throws Cancelled.
 std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
-                                    const FieldSet& fields, const Cancel& cancel, Masked masked = Masked::yes);
+                                    const FieldSet& fields, const ToolExtras& extras, Masked masked = Masked::yes);
 
 /// How much of a field lies in the part of the strand that the brush changes: of the root's colour, which stands for
 /// the lower half, or the tip's, which stands for the upper. Others have one value for the whole strand: 1.

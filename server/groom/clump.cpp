@@ -19,7 +19,7 @@ Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fie
   const double sign = command.brush.invert ? -1 : 1, goal = command.brush.invert ? 0 : command.amount;
   FieldWriter directions(fields, Field::direction), clumps(fields, Field::clump);
   if (!command.stroke->samples.empty()) {
-    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
       if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);

@@ -19,12 +19,12 @@ glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& 
 }
 
 /// Combs the whole surface one way.
-void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, const Cancel& cancel,
+void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                 FieldDelta& delta) {
   if (!command.direction) return;
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 towards = safe_unit(*command.direction) * (command.brush.invert ? -1.0 : 1.0);
-  const std::vector<VertexWeight> region = region_of({}, command.brush, surface, fields, cancel);
+  const std::vector<VertexWeight> region = region_of({}, command.brush, surface, fields, extras);
   const auto count = static_cast<std::uint32_t>(region.size());
   write_in_parallel(fields, Field::direction, count, delta, [&](std::uint32_t i, FieldWriter& writer) {
     const auto [v, weight] = region[i];
@@ -33,14 +33,15 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
 }
 
 /// Each dab turns fur the way that the brush moved. The exponent makes many small dabs do what one large one does.
-void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const Cancel& cancel,
+void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                  FieldDelta& delta) {
-  const BrushStroke stroke(*command.stroke, command.brush, surface);
+  const std::optional<StandingFur> fur = fur_reached(command.brush, surface, fields, extras.coat);
+  const BrushStroke stroke(*command.stroke, command.brush, surface, fur ? &*fur : nullptr);
   WorkingField directions(fields, Field::direction);
   std::vector<VertexWeight> weights;
   for (const Dab& dab : stroke.moving_dabs()) {
     const glm::dvec3 towards = command.brush.invert ? -dab.motion : dab.motion;
-    cancel.check();
+    extras.cancel.check();
     stroke.weigh(dab, weights);
     for (const auto [vertex, weight] : weights) {
       glm::dvec4& direction = directions.at(vertex);
@@ -57,9 +58,9 @@ void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fi
 Evaluation run(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   Evaluation done;
   if (command.flood)
-    comb_flood(command, surface, fields, extras.cancel, done.delta);
+    comb_flood(command, surface, fields, extras, done.delta);
   else if (command.stroke)
-    comb_stroke(command, surface, fields, extras.cancel, done.delta);
+    comb_stroke(command, surface, fields, extras, done.delta);
   return done;
 }
 

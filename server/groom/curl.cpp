@@ -11,7 +11,7 @@ Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fiel
   const double goal = command.brush.invert ? 0 : command.amount;
   const double turn = glm::radians(command.turn_degrees) * (command.brush.invert ? -1 : 1);
   FieldWriter directions(fields, Field::direction), curls(fields, Field::curl);
-  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
     const glm::dvec2 direction(fields.direction()[v]);
     const double c = std::cos(turn * weight), s = std::sin(turn * weight);
     directions.put(v, glm::dvec2(c * direction.x - s * direction.y, s * direction.x + c * direction.y));

@@ -20,8 +20,8 @@ bool erases(const Erase& command, Field field) {
 }  // namespace
 
 Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
-                            const std::vector<EditLayer>& layers, const Cancel& cancel) {
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, cancel);
+                            const std::vector<EditLayer>& layers, const ToolExtras& extras) {
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   const std::size_t layer = number_of(command.edit_layer, layers);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
@@ -45,7 +45,7 @@ Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const 
 Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   assert(extras.baseline != nullptr && extras.baseline->size() == fields.size());
   const FieldSet& baseline = *extras.baseline;
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);

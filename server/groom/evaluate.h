@@ -20,19 +20,27 @@ struct Evaluation {
   std::vector<std::string> warnings = {};
 };
 
-/// Replaces pixel samples of the command's stroke by the triangles that they hit (misses are dropped; so the log
-/// replays without a camera), and checks what can only be checked against the surface: triangle and vertex numbers
-/// (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays, for the facing test.
-Result<Command> resolve(const Command& command, const Surface& surface);
-
 /// What some tools read beside the surface and its fields.
 struct ToolExtras {
-  Coat coat;                            // trim: how strands lean
+  Coat coat;                            // how strands lean: trim, and brushes that reach fur
   const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
   const Surface* source = nullptr;      // retarget: where `rest` lies; required
   const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
   Cancel cancel = {};                   // asked between dabs, passes and images
 };
+
+/// The fur that pixels of a stroke may show.
+struct SeenFur {
+  const FieldSet& fields;
+  const Coat& coat;
+};
+
+/// Replaces pixel samples of the command's stroke by what they show: places on the fur, where the brush reaches fur and
+/// some is given, else the triangles that they hit (misses are dropped; so the log replays without a camera). Says what
+/// the brush reaches, where the command leaves that open. Checks what can only be checked against the surface: triangle
+/// and vertex numbers (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays, for the
+/// facing test.
+Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur = nullptr);
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count. Throws
 /// Cancelled once nobody waits.
@@ -42,7 +50,7 @@ Evaluation evaluate(const Command& resolved, const Surface& surface, const Field
 /// Takes away what the command's edit layer adds, by the brush's weight at each vertex; exactly all of it where that
 /// is 1.
 Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
-                            const std::vector<EditLayer>& layers, const Cancel& cancel = {});
+                            const std::vector<EditLayer>& layers, const ToolExtras& extras = {});
 
 /// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.

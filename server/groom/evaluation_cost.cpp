@@ -7,6 +7,7 @@
 
 #include "protocol/base/limits.h"
 #include "server/groom/brush.h"
+#include "server/groom/standing_fur.h"
 
 namespace pelage {
 
@@ -17,12 +18,13 @@ constexpr double dab_visits = 32;                        // finding the vertices
 constexpr double along_surface = 30;                     // a vertex of a dab along the surface
 constexpr double nearest_visits = 50;                    // the nearest place of the surface
 constexpr double ring_visits = 8;                        // a vertex with its neighbours
+constexpr double strand_visits = UnitStrand::places;     // how far a strand is away
 constexpr double edges_visits = 16;                      // a vertex on a way along edges
 constexpr double heat_visits = 400;                      // a vertex of one distance by heat
 constexpr double curve_step = 0.01, curve_steps = 4096;  // as flow walks along curves: sizes, and of one piece at most
 
 /// How many vertices lie under a dab: the mean of at most 16 samples, spread over the stroke.
-double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {
   constexpr std::size_t places = 16;
   const std::size_t count = std::min(places, stroke.samples.size());
   if (count == 0) return 0;
@@ -33,7 +35,8 @@ double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& su
     one.samples = {stroke.samples[k * stroke.samples.size() / count]}, one.view = stroke.view;
     const Dab dab = BrushStroke(one, brush, surface).covering_dabs().front();
     found.clear();
-    if (dab.radius > 0) surface.vertices_within(dab.centre, dab.radius, found);
+    const double around = brush.reach == Reach::fur ? longest_fur : 0;
+    if (dab.radius > 0) surface.vertices_within(dab.centre, dab.radius + around, found);
     sum += found.size();
   }
   return static_cast<double>(sum) / static_cast<double>(count);
@@ -45,14 +48,16 @@ struct StrokeWork {
   double region = 0;  // vertices under it, at most
 };
 
-StrokeWork work_of(const Stroke& stroke, const Brush& brush, const Surface& surface) {
+StrokeWork work_of(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {
   const auto vertices = static_cast<double>(surface.mesh().positions.size());
   const BrushStroke painted(stroke, brush, surface);
   const double dabs = std::min(painted.dab_count(), double{limits::dabs_per_stroke}) + 2;
-  const double reach = typical_reach(stroke, brush, surface), samples = static_cast<double>(stroke.samples.size());
+  const double reach = typical_reach(stroke, brush, surface, longest_fur),
+               samples = static_cast<double>(stroke.samples.size());
   const bool screen = brush.falloff_shape == FalloffShape::screen;
   const bool surface_shape = brush.falloff_shape == FalloffShape::surface;
-  const double each = screen ? vertices : surface_shape ? nearest_visits + along_surface * reach : reach;
+  const double straight = brush.reach == Reach::fur ? strand_visits * reach : reach;
+  const double each = screen ? vertices : surface_shape ? nearest_visits + along_surface * reach : straight;
   return {samples * nearest_visits + dabs * (dab_visits + nearest_visits + each), std::min(vertices, dabs * reach)};
 }
 
@@ -116,12 +121,13 @@ double image_count(const Symmetry& symmetry) {
   return std::ldexp(std::max(symmetry.count, 1), static_cast<int>(symmetry.planes.size()));
 }
 
-EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface) {
+EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface,
+                               double longest_fur) {
   const Mesh& mesh = surface.mesh();
   StrokeWork stroke{0, static_cast<double>(mesh.positions.size())};
   double samples = 0;
   if (const Stroke* drawn = stroke_of(resolved)) {
-    stroke = work_of(*drawn, *brush_of(resolved), surface);
+    stroke = work_of(*drawn, *brush_of(resolved), surface, longest_fur);
     samples = static_cast<double>(drawn->samples.size());
   }
   EvaluationCost cost = std::visit(ToolWork{mesh, stroke.region, samples}, resolved);
@@ -131,8 +137,9 @@ EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry
   return cost;
 }
 
-Status add_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface, double& visits) {
-  const EvaluationCost cost = evaluation_cost(resolved, symmetry, surface);
+Status add_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface, double longest_fur,
+                double& visits) {
+  const EvaluationCost cost = evaluation_cost(resolved, symmetry, surface, longest_fur);
   visits += cost.visits;
   if (visits <= limits::evaluation_visits) return {};
   return failure(Code::invalid, "the commands are too much work, images of the symmetry included", cost.field,

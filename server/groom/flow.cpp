@@ -71,7 +71,7 @@ std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface
 
 Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras);
   Evaluation done;
   if (region.empty()) return done;
   const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region, extras.cancel);

@@ -78,7 +78,7 @@ std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surfa
 
 Evaluation run(const Interpolate& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
-  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras);
   Evaluation done;
   if (region.empty()) return done;
   const std::vector<Said> said = what_keys_say(command, surface, region, extras.cancel);

@@ -45,7 +45,7 @@ double goal_of(const Length& command, double length, double value, double mean, 
 Evaluation run(const Length& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const bool is_factor = command.mode == LengthMode::scale || command.mode == LengthMode::jitter;
   const double value = is_factor ? command.value : internal_length(command.value, command.units, surface.mesh());
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   const double mean = command.mode == LengthMode::average ? weighted_mean(region, fields) : 0;
   FieldWriter writer(fields, Field::length);
   Evaluation done;

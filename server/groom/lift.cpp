@@ -7,7 +7,7 @@ namespace pelage {
 
 Evaluation run(const Lift& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   FieldWriter writer(fields, Field::direction);
-  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+  for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
     const glm::dvec2 direction(fields.direction()[v]);
     const double inclination = glm::length(direction);
     if (inclination < no_heading) continue;

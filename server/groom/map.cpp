@@ -19,7 +19,7 @@ Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& 
   Brush everywhere;
   everywhere.strength = command.strength;
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
-  const std::vector<VertexWeight> region = region_of({}, everywhere, surface, fields, extras.cancel, masked);
+  const std::vector<VertexWeight> region = region_of({}, everywhere, surface, fields, extras, masked);
   Evaluation done;
   for (const Field field : targets.fields) {
     FieldWriter writer(fields, field);

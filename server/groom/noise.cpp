@@ -62,7 +62,7 @@ glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, c
 Evaluation run(const Noise& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const PlacedNoise random(command, mesh);
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);

@@ -22,7 +22,7 @@ Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fie
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
   const double share = strand_share(command.brush, command.field);
   FieldWriter writer(fields, command.field);
-  for (const auto [v, reach] : region_of(command.stroke, command.brush, surface, fields, extras.cancel, masked)) {
+  for (const auto [v, reach] : region_of(command.stroke, command.brush, surface, fields, extras, masked)) {
     const double weight = share * reach;
     const glm::dvec4 now(fields.value(command.field, v));
     writer.put(v, shape.channels == 4 ? over(now, glm::dvec3(command.colour), value, weight)

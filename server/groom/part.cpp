@@ -11,7 +11,7 @@ Evaluation run(const Part& command, const Surface& surface, const FieldSet& fiel
   const double sign = command.brush.invert ? -1 : 1;
   FieldWriter writer(fields, Field::direction);
   if (!command.stroke->samples.empty()) {
-    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
       if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 away = sign * safe_unit(position - nearest_on_path(*command.stroke, surface, position));

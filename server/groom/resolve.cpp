@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "protocol/base/limits.h"
@@ -38,24 +39,69 @@ Status check_view(const Stroke& stroke, const Mesh& mesh) {
   return {};
 }
 
-/// Turns a pixel into the place on the surface that its ray hits.
-std::optional<SurfaceSample> hit(const ScreenSample& place, const View& view, const Surface& surface) {
-  const double aspect = static_cast<double>(view.width) / view.height;
-  const PlacedCamera camera = place_camera(view.camera, aspect, surface.mesh());
-  const auto point = surface.raycast(camera.position, pixel_ray(camera, place.screen, view.width, view.height));
-  if (!point) return std::nullopt;
-  return SurfaceSample{point->triangle, glm::max(point->barycentric, 0.0)};
+bool shows_pixels(const Stroke& stroke) {
+  return std::any_of(stroke.samples.begin(), stroke.samples.end(),
+                     [](const StrokeSample& sample) { return std::holds_alternative<ScreenSample>(sample.place); });
 }
 
-Status resolve_stroke(Stroke& stroke, const Surface& surface) {
+Stroke seen_from(const View& view) {
+  Stroke stroke;
+  stroke.view = view;
+  return stroke;
+}
+
+/// What pixels of a stroke's view show.
+class SeenPlaces {
+ public:
+  /// `fur` is null where skin alone is looked for.
+  SeenPlaces(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur)
+      : view_(*stroke.view),
+        camera_(place_camera(view_.camera, static_cast<double>(view_.width) / view_.height, surface.mesh())),
+        surface_(surface),
+        fur_(fur),
+        brush_(seen_from(view_), brush, surface) {}
+
+  /// On the fur that lies before any skin, else on the skin; nothing beside both.
+  std::optional<decltype(StrokeSample::place)> at(glm::dvec2 pixel) const {
+    const glm::dvec3 direction = glm::normalize(pixel_ray(camera_, pixel, view_.width, view_.height));
+    const std::optional<SurfacePoint> skin = surface_.raycast(camera_.position, direction);
+    if (const auto hit = fur_ ? fur_at(direction, skin) : std::nullopt)
+      return PositionSample{surface_.mesh().to_model(*hit)};
+    if (skin) return SurfaceSample{skin->triangle, glm::max(skin->barycentric, 0.0)};
+    return std::nullopt;
+  }
+
+ private:
+  /// In front of skin the fur has to cover the pixel; beside it the brush may reach a little to the side.
+  std::optional<glm::dvec3> fur_at(glm::dvec3 direction, const std::optional<SurfacePoint>& skin) const {
+    const glm::dvec3 end = skin ? surface_.position(*skin) : glm::dvec3(0);
+    const double length = skin ? glm::distance(end, camera_.position) : std::numeric_limits<double>::infinity();
+    return fur_->hit_by({camera_.position, direction, length}, skin ? 0 : brush_.radius_at(end));
+  }
+
+  const View& view_;
+  PlacedCamera camera_;
+  const Surface& surface_;
+  const StandingFur* fur_;
+  BrushStroke brush_;
+};
+
+Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, const SeenFur* fur) {
   if (Status bad = check_view(stroke, surface.mesh()); !bad.ok()) return bad;
+  const bool pixels = shows_pixels(stroke);
+  if (pixels && !stroke.view)
+    return failure(Code::invalid, "pixel samples need the view they were drawn on", "/stroke/view");
+  if (!brush.reach && pixels && brush.falloff_shape == FalloffShape::volume) brush.reach = Reach::fur;
+  const std::optional<StandingFur> standing =
+      pixels && fur ? fur_reached(brush, surface, fur->fields, fur->coat) : std::nullopt;
+  std::optional<SeenPlaces> seen;
+  if (pixels) seen.emplace(stroke, brush, surface, standing ? &*standing : nullptr);
   std::vector<StrokeSample> resolved;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     StrokeSample sample = stroke.samples[i];
     if (Status bad = check_place(sample, i, surface); !bad.ok()) return bad;
     if (const auto* pixel = std::get_if<ScreenSample>(&sample.place)) {
-      if (!stroke.view) return failure(Code::invalid, "pixel samples need the view they were drawn on", "/stroke/view");
-      const auto place = hit(*pixel, *stroke.view, surface);
+      const auto place = seen->at(pixel->screen);
       if (!place) continue;
       sample.place = *place;
     }
@@ -234,13 +280,14 @@ struct CheckTool {
 
 }  // namespace
 
-Result<Command> resolve(const Command& command, const Surface& surface) {
+Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur) {
   if (Status bad = std::visit(CheckTool{surface.mesh()}, command); !bad.ok()) return bad;
   Command resolved = command;
   Stroke* stroke = stroke_of(resolved);
   if (stroke == nullptr) return resolved;
-  if (Status bad = resolve_stroke(*stroke, surface); !bad.ok()) return bad;
-  if (Status bad = check_brush(*stroke, *brush_of(resolved), surface); !bad.ok()) return bad;
+  Brush& brush = *brush_of(resolved);
+  if (Status bad = resolve_stroke(*stroke, brush, surface, fur); !bad.ok()) return bad;
+  if (Status bad = check_brush(*stroke, brush, surface); !bad.ok()) return bad;
   return resolved;
 }
 

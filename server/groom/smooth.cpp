@@ -210,7 +210,7 @@ class SmoothedField {
 }  // namespace
 
 Evaluation run(const Smooth& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   Evaluation done;
   if (region.empty() || command.t == 0) return done;
   const Neighbourhood near(region, surface);

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "protocol/base/lean_curve.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
+#include "server/groom/standing_fur.h"
 #include "server/groom/tools.h"
 #include "server/groom/vertex_frame.h"
 
@@ -13,28 +13,6 @@ namespace pelage {
 namespace {
 
 constexpr double uncut = std::numeric_limits<double>::infinity();
-constexpr int places = 8;  // along a strand that are looked at
-
-/// A strand of length 1 that leans as the field says. A shorter one is the same curve, smaller, so that each of its
-/// places moves along a straight line from the root as it is cut.
-struct UnitStrand {
-  glm::dvec3 root{0};
-  glm::dvec3 offsets[places] = {};  // of a strand of length 1
-  double heights[places] = {};      // over the skin
-};
-
-UnitStrand strand_at(std::uint32_t v, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
-  const VertexFrame frame = frame_at(mesh, v);
-  const auto [inclination, along] = lean_of(glm::dvec2(fields.direction()[v]), frame.normal, frame.tangent);
-  UnitStrand strand;
-  strand.root = glm::dvec3(mesh.positions[v]);
-  for (int k = 0; k < places; ++k) {
-    const LeanPoint place = lean_point(coat.lean_curve, inclination, coat.root_share, (k + 1.0) / places);
-    strand.offsets[k] = place.across * along + place.up * frame.normal;
-    strand.heights[k] = place.up;
-  }
-  return strand;
-}
 
 /// How far one can go from `root` along `offset`, in its lengths, before the sphere's border is passed.
 double reach_in_sphere(glm::dvec3 root, glm::dvec3 offset, double radius, bool keep_inside) {
@@ -55,26 +33,26 @@ class LongestStrand {
 
   double operator()(const UnitStrand& strand) const {
     double longest = uncut;
-    for (int k = 0; k < places; ++k)
+    for (std::size_t k = 0; k < UnitStrand::places; ++k)
       longest =
           std::min(longest, std::visit([&](const auto& shape) { return limit(shape, strand, k); }, command_.shape));
     return longest;
   }
 
  private:
-  double limit(const TrimPlane& plane, const UnitStrand& strand, int k) const {
+  double limit(const TrimPlane& plane, const UnitStrand& strand, std::size_t k) const {
     const glm::dvec3 normal = safe_unit(plane.normal);
     const double room = glm::dot(mesh_.to_internal(plane.point) - strand.root, normal);
     const double climb = glm::dot(strand.offsets[k], normal);
     if (room <= 0) return 0;
     return climb > 0 ? room / climb : uncut;
   }
-  double limit(const TrimSphere& sphere, const UnitStrand& strand, int k) const {
+  double limit(const TrimSphere& sphere, const UnitStrand& strand, std::size_t k) const {
     const double radius = internal_length(sphere.radius, command_.units, mesh_);
     return reach_in_sphere(strand.root - mesh_.to_internal(sphere.centre), strand.offsets[k], radius,
                            sphere.keep_inside);
   }
-  double limit(double height, const UnitStrand& strand, int k) const {
+  double limit(double height, const UnitStrand& strand, std::size_t k) const {
     const double room = internal_length(height, command_.units, mesh_);
     return strand.heights[k] > 0 ? room / strand.heights[k] : uncut;
   }
@@ -89,7 +67,7 @@ Evaluation run(const Trim& command, const Surface& surface, const FieldSet& fiel
   const LongestStrand longest(command, surface.mesh());
   const Brush brush = command.stroke ? command.brush : Brush{.strength = 1};
   FieldWriter writer(fields, Field::length);
-  for (const auto [v, weight] : region_of(command.stroke, brush, surface, fields, extras.cancel)) {
+  for (const auto [v, weight] : region_of(command.stroke, brush, surface, fields, extras)) {
     const double now = fields.length()[v];
     const double cut = std::min(now, longest(strand_at(v, surface.mesh(), fields, extras.coat)));
     writer.put(v, now + weight * (cut - now));

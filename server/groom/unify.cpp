@@ -54,7 +54,7 @@ struct Target {
 
 Evaluation run(const Unify& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
-  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras.cancel);
+  const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
   Evaluation done;
   if (region.empty() || command.weight == 0) return done;
   const auto to_mean = [&](Field field) { return std::count(command.mean.begin(), command.mean.end(), field) > 0; };

@@ -13,7 +13,7 @@ Evaluation run(const Whorl& command, const Surface& surface, const FieldSet& fie
   const double turn = glm::radians(command.brush.invert ? -command.turn_degrees : command.turn_degrees);
   FieldWriter writer(fields, Field::direction);
   if (!command.stroke->samples.empty()) {
-    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras.cancel)) {
+    for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
       if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
       const VertexFrame frame = frame_at(mesh, v);
       const glm::dvec3 position(mesh.positions[v]);

@@ -43,6 +43,11 @@ Result<LiveStroke::Plan> LiveStroke::plan(const Command& command) const {
   return Plan{command, command, false};
 }
 
+bool LiveStroke::joins(const Command& command) const {
+  const Stroke* stroke = stroke_of(command);
+  return stroke != nullptr && !id_.empty() && stroke->id == id_ && logged_parts_ > 0;
+}
+
 Result<LiveStroke::Plan> LiveStroke::next_part(const Command& command) const {
   const Stroke& part = *stroke_of(command);
   if (finished_) return failure(Code::conflict, "this stroke has had its last part", "/stroke/id");

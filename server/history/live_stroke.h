@@ -24,6 +24,9 @@ class LiveStroke {
   /// the tool with other settings (invalid); a part after the last one (conflict).
   Result<Plan> plan(const Command& command) const;
 
+  /// Whether the command goes on with a stroke that has changed something.
+  bool joins(const Command& command) const;
+
   /// The plan was carried out. `changed` tells whether it made or joined a step.
   void accept(const Plan& plan, const Command& command, bool changed);
   /// The scene was changed by something else.

@@ -76,7 +76,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     return then;
   };
   BatchPictures pictures(journal_);
-  const Past past{*replay.settings, replayed_fields_at, options.sources, pictures};
+  const Past past{*replay.settings, replay.fields, replayed_fields_at, options.sources, pictures};
   std::vector<Step> steps;
   std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {
@@ -90,7 +90,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     resolved.push_back(step->command);
     steps.push_back(std::move(*step));
   }
-  if (Status dear = check_cost(steps, replay.settings->symmetry, model_->surface); !dear.ok()) {
+  if (Status dear = check_cost(steps, replay.settings->symmetry, model_->surface, replay.fields); !dear.ok()) {
     if (steps.size() == 1) dear.pointer.insert(0, "/commands/0");  // as the other refusals here
     return dear;
   }

@@ -7,6 +7,7 @@
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/evaluation_cost.h"
+#include "server/groom/standing_fur.h"
 #include "server/groom/together.h"
 
 namespace pelage {
@@ -71,10 +72,10 @@ Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface
 
 /// What all images take away from their edit layer, one after the other.
 FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& surface, FieldSet fields,
-                            const SceneSettings& settings, const Cancel& cancel) {
+                            const SceneSettings& settings, const ToolExtras& extras) {
   FieldDelta all;
   for (const Command& image : images) {
-    const FieldDelta one = erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers, cancel).delta;
+    const FieldDelta one = erase_edit_layer(std::get<Erase>(image), surface, fields, settings.layers, extras).delta;
     fields.apply(one);
     all = compose(all, one);
   }
@@ -93,7 +94,7 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
   const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get(), cancel};
   const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
   if (erases_edit_layer(images.front()))
-    all.delta = erase_all_images(images, surface, fields, settings, cancel);
+    all.delta = erase_all_images(images, surface, fields, settings, extras);
   else
     all = evaluate_all_images(images, surface, fields, settings, extras);
   fields.apply(all.delta);
@@ -173,11 +174,12 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
   }
 }
 
-Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface) {
+Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface, const FieldSet& fields) {
+  const double longest = longest_fur(fields);
   double visits = 0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (const auto* set = std::get_if<SetSymmetry>(&steps[k].command)) symmetry = set->symmetry;
-    if (Status refused = add_cost(steps[k].command, symmetry, surface, visits); !refused.ok())
+    if (Status refused = add_cost(steps[k].command, symmetry, surface, longest, visits); !refused.ok())
       return in_batch(refused, k, steps.size());
   }
   return {};

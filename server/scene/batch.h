@@ -55,6 +55,6 @@ CommandResult describe_change(std::string op, const FieldDelta& delta, const Fie
 // Whether commands are too much work, before any of them begins.
 
 /// Refused (invalid) when the commands are too much work together; those before one may change its symmetry.
-Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface);
+Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface, const FieldSet& fields);
 
 }  // namespace pelage

@@ -13,7 +13,7 @@ namespace {
 /// As many keys as one command may have and may cost.
 void thin(Interpolate& command, std::size_t most, const Symmetry& symmetry, const Surface& surface) {
   command.keys = thinned(command.keys, most);
-  const double visits = evaluation_cost(command, symmetry, surface).visits;
+  const double visits = evaluation_cost(command, symmetry, surface, 0).visits;
   if (visits <= limits::evaluation_visits) return;
   const double affordable = static_cast<double>(command.keys.size()) * limits::evaluation_visits / visits;
   command.keys = thinned(command.keys, std::max(static_cast<std::size_t>(affordable), std::size_t{1}));

@@ -99,7 +99,8 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
   const Result<Plan> planned = plan(commands, options.sources);
   if (!planned) return planned.status();
-  if (Status dear = check_cost(planned->whole, history_.settings().symmetry, model_->surface); !dear.ok()) return dear;
+  if (Status dear = check_cost(planned->whole, history_.settings().symmetry, model_->surface, *fields_); !dear.ok())
+    return dear;
 
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
@@ -173,7 +174,16 @@ Status Scene::admit(const ExecuteOptions& options) const {
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const {
   Plan plan;
   BatchPictures pictures(journal_);
-  const Past past{history_.settings(), [this](Revision revision) { return fields_at(revision); }, sources, pictures};
+  // A later part of a stroke meets fur as the first one did, so that parts give what the whole would have given.
+  std::optional<FieldSet> before_stroke;
+  if (commands.size() == 1 && live_.joins(commands.front())) {
+    const Result<FieldDelta> so_far = history_.last_step();
+    if (!so_far) return so_far.status();
+    before_stroke.emplace(*fields_).apply(*so_far);
+  }
+  const FieldSet& seen = before_stroke ? *before_stroke : *fields_;
+  const Past past{history_.settings(), seen, [this](Revision revision) { return fields_at(revision); }, sources,
+                  pictures};
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
     Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
@@ -195,7 +205,8 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std:
 
 /// A command as it is evaluated: resolved, with all that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
-  Result<Command> resolved = resolve(command, model_->surface);
+  const SeenFur fur{past.fields, past.settings.coat};
+  Result<Command> resolved = resolve(command, model_->surface, &fur);
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);

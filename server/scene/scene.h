@@ -234,6 +234,7 @@ class Scene {
   /// What the names and revisions in commands refer to.
   struct Past {
     const SceneSettings& settings;
+    const FieldSet& fields;
     std::function<Result<FieldSet>(Revision)> fields_at;
     const std::vector<GroomSource>& sources;
     BatchPictures& pictures;

@@ -40,6 +40,39 @@ test("a drag on the fur is one undo step of the comb, and the picture follows", 
   await studio.finish();
 });
 
+/** Places along the top of the creature's head, with the fur that grows there. */
+function crest() {
+  const view = {camera: {auto: "top"}, width: 400, height: 400};
+  return Promise.all([270, 280, 290, 300].map((y) => server.post(`/v1/scenes/${id}/pick`, {view, pixel: [200, y]})));
+}
+
+async function growMohawk() {
+  const stroke = {samples: (await crest()).map(({position}) => ({position}))};
+  const brush = {radius: 0.04, strength: 1, falloff: "constant"};
+  await server.post(`/v1/scenes/${id}/commands`, {commands: [{op: "lift", stroke, brush}, {op: "length", mode: "set", value: 0.15, stroke, brush}]});
+}
+
+test("a mohawk is combed by its tips, where no skin is under the pointer", async () => {
+  await fresh("mohawk");
+  await growMohawk();
+  const top = Math.max(...(await crest()).map(({position}) => position[1]));
+  await studio.page.keyboard.press("2");
+  await studio.seen("rest");
+  await studio.tool("comb");
+  for (let pass = 0; pass < 3; ++pass) await studio.drag([[0.7, 0.3], [0.74, 0.12], [0.56, 0.13]], {steps: 24});
+  const combs = async () => (await steps()).map((entry) => commandsOf(entry)[0]).filter(({op}) => op === "comb");
+  const ended = async () => (await combs()).filter(({stroke}) => stroke.last).length;
+  for (let tries = 0; tries < 600 && await ended() < 3; ++tries) await studio.page.waitForTimeout(50);
+  const parts = await combs();
+  assert.ok(parts.every(({brush}) => brush.reach === "fur"));
+  const {size} = await server.get(`/v1/scenes/${id}`);
+  const high = parts.flatMap(({stroke}) => stroke.samples).filter(({position}) => position?.[1] > top + 0.05 * size);
+  assert.ok(high.length >= 8, `${high.length} places among the tips`);
+  const back = (await crest()).map(({direction, inclination}) => -direction[2] * inclination);
+  assert.ok(back.every((lean) => lean > 0) && Math.max(...back) > 0.2, `roots follow their tips: ${back.join()}`);
+  await studio.finish();
+});
+
 test("beside the model a drag turns the view and changes nothing", async () => {
   await fresh("orbit");
   const pictures = () => studio.page.evaluate(() => window.marks.frame.length);

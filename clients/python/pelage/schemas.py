@@ -69,7 +69,7 @@ direction, or the nearest to a point.
 class Sample(TypedDict, total=False):
     """One place, as a position, a pixel of the stroke's view, or a triangle with barycentrics.
 
-    position: A point; the nearest place on the surface is meant. 3 items (model units).
+    position: A point on the skin, in the fur or anywhere else. 3 items (model units).
     screen: A pixel of the stroke's view: from the top left, y down, centres at .5. 2 items (pixels).
     triangle: Number of a triangle. 0 to 4294967295.
     barycentric: Weights of the triangle's corners; their sum is within 0.001 of 1. 3 items (share).
@@ -821,6 +821,9 @@ class Brush(TypedDict, total=False):
     falloff_shape: How the distance of a vertex from a dab is measured: through space, along the surface (it does not
         reach another part of the model that is only near in space), or in the picture of the stroke's view. Default
         "volume".
+    reach: What the brush reaches: fur that itself comes within its radius, or skin within it, with the fur that
+        stands there. fur goes with falloff_shape volume. Absent it is fur for samples in pixels, which then are
+        places on the fur that is seen there, and skin for others.
     falloff: How the effect fades from the middle of a dab to its rim. Default "smooth".
     falloff_points: Weights from the middle to the rim, straight between them, in place of the named curve. 2 to 64
         items (share).
@@ -840,6 +843,7 @@ class Brush(TypedDict, total=False):
     radius: float
     units: Literal["relative", "world", "pixels"]
     falloff_shape: Literal["volume", "surface", "screen"]
+    reach: Literal["skin", "fur"]
     falloff: Literal["constant", "linear", "smooth", "sharp", "sphere"]
     falloff_points: Sequence[float]
     strength: float

@@ -63,6 +63,7 @@ Brush CommandMaker::brush() {
   Brush brush;
   brush.radius = extreme({0, 9e5, 1, 1e-6}, 0.05, 0.5);
   brush.falloff_shape = chance(0.6) ? FalloffShape::volume : FalloffShape::surface;
+  if (brush.falloff_shape == FalloffShape::volume && chance(0.5)) brush.reach = one_of({Reach::skin, Reach::fur});
   brush.falloff = one_of({Falloff::constant, Falloff::linear, Falloff::smooth, Falloff::sharp, Falloff::sphere});
   if (chance(0.2)) {
     for (std::size_t k = 0; k < 2 + below(5); ++k) brush.falloff_points.push_back(extreme({0, 1}, 0, 1));
@@ -116,7 +117,7 @@ Tool CommandMaker::restricted() {
   tool.stroke = stroke();
   if (views_ == Views::some && chance(0.3)) {
     tool.stroke->view = view();
-    if (chance(0.5)) tool.brush.falloff_shape = FalloffShape::screen;
+    if (chance(0.5)) tool.brush.falloff_shape = FalloffShape::screen, tool.brush.reach.reset();
     if (chance(0.5)) tool.brush.units = RadiusUnits::pixels, tool.brush.radius = extreme({0, 9e5, 1}, 10, 100);
   }
   return tool;

@@ -137,13 +137,13 @@ bool changes_the_mask(const Command& command) {
 
 TEST_P(EveryTool, ChangesNothingOutsideBrushAndMask) {
   all(Numbers::ordinary, [](const Try& one) {
-    const plain::Body body(one.surface);
+    const plain::Stage stage{plain::Body(one.surface), one.coat, plain::read(one.rest)};
     const plain::Fur fur = plain::read(one.before);
     std::visit(
         [&](const auto& tool) {
           if constexpr (requires { tool.stroke; }) {
             const bool masked = !changes_the_mask(one.command);
-            const std::vector<double> region = plain::region_of(tool.stroke, tool.brush, body, fur, masked);
+            const std::vector<double> region = plain::region_of(tool.stroke, tool.brush, stage, fur, masked);
             for (const std::uint32_t v : one.evaluated().delta.vertices()) RC_ASSERT(!tool.stroke || region[v] > 0);
             for (const std::uint32_t v : one.evaluated().delta.vertices())
               RC_ASSERT(!masked || one.before.number(Field::mask, v) > 0);

@@ -79,7 +79,10 @@ inline void fit(Environment& environment) {
 inline void fit(Eye& eye) {
   if (eye.look_at) eye.look_at->x = eye.position.x > 0 ? -1 : 1;
 }
-inline void fit(Brush& brush) { brush.strand_from /= 2, brush.strand_to = 0.6 + 0.4 * brush.strand_to; }
+inline void fit(Brush& brush) {
+  brush.strand_from /= 2, brush.strand_to = 0.6 + 0.4 * brush.strand_to;
+  if (brush.reach == Reach::fur) brush.falloff_shape = FalloffShape::volume;
+}
 inline void fit(Stroke& stroke) {
   if (!stroke.view) stroke.view.emplace();
   for (std::size_t i = 0; i < stroke.samples.size(); ++i)

@@ -145,6 +145,10 @@ class MemberMaker {
     out = names[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(N)))].value;
   }
   template <class E, std::size_t N>
+  void name(MemberName name, std::optional<E>& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
+    if (coin()) this->name(name, out.emplace(), names);
+  }
+  template <class E, std::size_t N>
   void word(MemberName, std::string& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     out = names[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(N)))].text;
   }

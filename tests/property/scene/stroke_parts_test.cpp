@@ -14,10 +14,13 @@ using PartsTest = StoreTest;
 void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb whole) {
   const glm::dvec3 start = std::get<PositionSample>(whole.stroke->samples[0].place).position;
   whole.stroke->samples.clear();
+  const bool drawn = random.uniform() < 0.4;
+  if (drawn) whole.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
   for (int i = 0; i < 20; ++i) {
     StrokeSample sample;
     const double away = random.uniform() < 0.2 ? 5 : 0;  // now and then the pointer leaves the model
     sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
+    if (drawn) sample.place = ScreenSample{{away > 0 ? 0 : 60 + 14 * i, 200 + 6 * i}};
     whole.stroke->samples.push_back(sample);
   }
   RC_ASSERT(sent_whole.execute({whole}).ok());
@@ -40,7 +43,8 @@ TEST_F(PartsTest, AnyPartsOfAStrokeGiveTheWhole) {
     Random random(seed);
     const auto live = make(Builtin::torus, 400), sent_whole = make(Builtin::torus, 400);
     const auto anew = make(Builtin::torus, 400);
-    const Comb whole = comb_at(*live, static_cast<std::size_t>(random.uniform(0, 200)));
+    Comb whole = comb_at(*live, static_cast<std::size_t>(random.uniform(0, 200)));
+    if (random.uniform() < 0.5) whole.brush.reach = Reach::fur;
     send_whole_and_in_parts(random, *sent_whole, *live, whole);
     RC_ASSERT(hash(*live) == hash(*sent_whole));
     RC_ASSERT(live->summary().undo_steps == sent_whole->summary().undo_steps);

@@ -31,7 +31,7 @@ class EvaluationCostTest : public ::testing::Test {
     return comb;
   }
   static double visits(const Command& command, const Surface& surface, const Symmetry& symmetry = {}) {
-    return evaluation_cost(command, symmetry, surface).visits;
+    return evaluation_cost(command, symmetry, surface, 0).visits;
   }
 
   Surface sphere_ = make_surface(Builtin::sphere, 2000);
@@ -67,10 +67,10 @@ TEST_F(EvaluationCostTest, GrowsWithPassesKeysAndCurves) {
 TEST_F(EvaluationCostTest, SumsCommandsAndNamesTheFieldAndTheLimit) {
   const Comb comb = round(sphere_, 1000);
   double so_far = 0;
-  EXPECT_TRUE(add_cost(comb, {}, sphere_, so_far).ok());
+  EXPECT_TRUE(add_cost(comb, {}, sphere_, 0, so_far).ok());
   EXPECT_EQ(so_far, visits(comb, sphere_));
   so_far = limits::evaluation_visits;
-  const Status refused = add_cost(comb, {}, sphere_, so_far);
+  const Status refused = add_cost(comb, {}, sphere_, 0, so_far);
   EXPECT_EQ(refused.code, Code::invalid);
   EXPECT_EQ(refused.pointer, "/stroke/samples");
   EXPECT_NE(refused.limit.find(std::to_string(static_cast<long long>(limits::evaluation_visits))), std::string::npos);

@@ -40,6 +40,66 @@ TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
   EXPECT_GT(hit.z, 0.2);
 }
 
+/// Pixels of a picture of the ball from the front with upright fur of a length of 0.1 sizes on it.
+class ResolveToFurTest : public ResolveTest {
+ protected:
+  ResolveToFurTest() : fields_(static_cast<std::uint32_t>(sphere_.mesh().positions.size())) {
+    for (std::uint32_t v = 0; v < fields_.size(); ++v) fields_.set(Field::length, v, glm::vec4(0.1f));
+    comb_.stroke = Stroke{};
+    comb_.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
+  }
+  Comb resolved(std::vector<StrokeSample> samples) {
+    comb_.stroke->samples = std::move(samples);
+    const SeenFur fur{fields_, coat_};
+    const Result<Command> done = resolve(comb_, sphere_, &fur);
+    EXPECT_TRUE(done.ok());
+    return done.ok() ? std::get<Comb>(*done) : Comb{};
+  }
+  /// How far the sample's place is from the ball's middle; 0 unless it lies in space.
+  double height(const StrokeSample& sample) const {
+    const auto* place = std::get_if<PositionSample>(&sample.place);
+    return place ? glm::length(sphere_.mesh().to_internal(place->position)) : 0;
+  }
+
+  FieldSet fields_;
+  Coat coat_;
+  Comb comb_;
+  const double radius_ = glm::length(glm::dvec3(sphere_.mesh().positions[0]));
+};
+
+TEST_F(ResolveToFurTest, PixelsAreOnTheFurThatIsSeenThere) {
+  const Comb done = resolved({pixel(200, 200), pixel(210, 200)});
+  ASSERT_EQ(done.stroke->samples.size(), 2u);
+  EXPECT_EQ(done.brush.reach, Reach::fur);
+  for (const StrokeSample& sample : done.stroke->samples) {
+    EXPECT_GT(height(sample), radius_ + 0.03);
+    EXPECT_LT(height(sample), radius_ + 0.11);
+  }
+}
+
+TEST_F(ResolveToFurTest, PixelsBesideTheSkinAreOnTheFurThatStandsThere) {
+  const PlacedCamera camera = place_camera(comb_.stroke->view->camera, 1, sphere_.mesh());
+  const double depth = glm::length(camera.position), pixels = 200 / (camera.tan_half_fov * depth);
+  const Comb done = resolved({pixel(200 + pixels * (radius_ + 0.08), 200), pixel(200 + pixels * (radius_ + 0.3), 200)});
+  ASSERT_EQ(done.stroke->samples.size(), 1u);  // the other one is beyond the tips
+  EXPECT_NEAR(height(done.stroke->samples[0]), radius_ + 0.08, 0.04);
+}
+
+TEST_F(ResolveToFurTest, BrushesForSkinSeeSkin) {
+  comb_.brush.reach = Reach::skin;
+  const Comb done = resolved({pixel(200, 200)});
+  ASSERT_EQ(done.stroke->samples.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<SurfaceSample>(done.stroke->samples[0].place));
+}
+
+TEST_F(ResolveToFurTest, PlacesInSpaceAndOtherShapesKeepToTheSkin) {
+  comb_.stroke->view.reset();
+  EXPECT_FALSE(resolved(stroke_through(sphere_, {{0, 0, 0.3}}).samples).brush.reach.has_value());
+  comb_.stroke->view = View{.camera = {.automatic = AutoView::front}};
+  comb_.brush.falloff_shape = FalloffShape::surface;
+  EXPECT_FALSE(resolved({pixel(200, 200)}).brush.reach.has_value());
+}
+
 TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
   Comb comb;
   comb.stroke = Stroke{};

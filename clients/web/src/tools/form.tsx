@@ -129,7 +129,8 @@ function MemberRow({member, value, set, units}: {member: Member; value: unknown;
       return <Row member={member}>{(id) => <input id={id} type="checkbox" checked={Boolean(value ?? member.fallback)} onChange={(event) => set(event.currentTarget.checked, true)} />}</Row>;
     case "choice":
       return <Row member={member}>{(id) => (
-        <select id={id} value={String(value ?? member.fallback ?? options(member)[0])} onChange={(event) => set(event.currentTarget.value, true)}>
+        <select id={id} value={String(value ?? member.fallback ?? "")} onChange={(event) => set(event.currentTarget.value || undefined, true)}>
+          {member.fallback === undefined && !member.required && <option value="">Automatic</option>}
           {options(member).map((one) => <option key={one} value={one}>{words(one)}</option>)}
         </select>)}</Row>;
     case "colour":

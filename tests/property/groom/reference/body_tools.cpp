@@ -108,7 +108,7 @@ void smooth_once(const Smooth& command, const Body& body, Field field, const std
 void apply(const Interpolate& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
   const double sigma = body.sizes(command.sigma, command.units);
-  const std::vector<double> region = restriction_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = restriction_of(command.stroke, command.brush, stage, fur);
   std::vector<Reach> reaches;
   for (const Key& key : command.keys) reaches.push_back(reach(body, command.distance, corners_of(key, body)));
   for (Vertex v = 0; v < body.size(); ++v) {
@@ -132,7 +132,7 @@ void apply(const Interpolate& command, const Stage& stage, Fur& fur) {
 void apply(const Flow& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
   const double sigma = body.sizes(command.sigma, command.units);
-  const std::vector<double> region = restriction_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = restriction_of(command.stroke, command.brush, stage, fur);
   std::vector<Reach> reaches;
   for (const std::vector<dvec3>& curve : command.curves)
     reaches.push_back(reach(body, command.distance, corners_of(curve, body)));
@@ -149,7 +149,7 @@ void apply(const Flow& command, const Stage& stage, Fur& fur) {
 }
 
 void apply(const Smooth& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   fur.multiply_colours();
   for (const Field field : command.fields) {
     std::vector<double> reached = region;

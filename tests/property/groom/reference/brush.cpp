@@ -50,9 +50,13 @@ Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stro
 }
 
 /// Distances of all vertices from the dab, in its radii.
-std::vector<double> distances_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body) {
+std::vector<double> distances_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body,
+                                 const std::optional<Standing>& standing) {
   std::vector<double> distances(body.size(), std::numeric_limits<double>::infinity());
-  if (brush.falloff_shape == FalloffShape::volume) {
+  if (standing) {
+    for (Vertex v = 0; v < body.size(); ++v)
+      distances[v] = glm::distance(nearest_of(standing->strands[v], print.centre).at, print.centre);
+  } else if (brush.falloff_shape == FalloffShape::volume) {
     for (Vertex v = 0; v < body.size(); ++v) distances[v] = glm::distance(body.positions[v], print.centre);
   } else if (brush.falloff_shape == FalloffShape::surface) {
     const SurfacePoint nearest = body.surface.nearest(print.centre);
@@ -142,27 +146,31 @@ double falloff_at(const Brush& brush, double d) {
   return std::sqrt(std::max(0.0, 1 - d * d));
 }
 
-std::vector<double> weights_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body) {
+std::vector<double> weights_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body,
+                               const std::optional<Standing>& standing) {
   std::vector<double> weights(body.size(), 0.0);
   if (!(print.radius > 0)) return weights;
-  const std::vector<double> distances = distances_of(print, stroke, brush, body);
+  const std::vector<double> distances = distances_of(print, stroke, brush, body, standing);
   const dvec3 skin = body.surface.normal(body.surface.nearest(print.centre));
   const double cosine = std::cos(brush.cut_off_degrees * pi / 180);
   const double pressure = 1 - brush.pressure_to_strength + brush.pressure_to_strength * print.pressure;
   for (Vertex v = 0; v < body.size(); ++v) {
     const dvec3 front = stroke.view ? unit(eye_of(*stroke.view, body).place - body.positions[v]) : skin;
-    if (brush.front_faces_only && glm::dot(front, body.normals[v]) <= cosine) continue;
+    const double lift = standing ? nearest_of(standing->strands[v], print.centre).lift : 0;
+    if (brush.front_faces_only && glm::dot(front, body.normals[v]) <= cosine - 2 * lift) continue;
     weights[v] = brush.strength * pressure * falloff_at(brush, distances[v]);
   }
   return weights;
 }
 
-std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body, const Fur& fur,
-                              bool masked) {
+std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Stage& stage,
+                              const Fur& fur, bool masked) {
+  const Body& body = stage.body;
   std::vector<double> region(body.size(), stroke ? 0.0 : brush.strength);
   if (stroke) {
+    const std::optional<Standing> standing = standing_of(brush, stage, fur);
     for (const Print& print : prints_of(*stroke, brush, body, true)) {
-      const std::vector<double> weights = weights_of(print, *stroke, brush, body);
+      const std::vector<double> weights = weights_of(print, *stroke, brush, body, standing);
       for (Vertex v = 0; v < body.size(); ++v) region[v] = std::max(region[v], weights[v]);
     }
   }
@@ -170,11 +178,11 @@ std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& 
   return region;
 }
 
-std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body,
+std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Brush& brush, const Stage& stage,
                                    const Fur& fur) {
   Brush whole;
   whole.strength = 1;
-  return region_of(stroke, stroke ? brush : whole, body, fur);
+  return region_of(stroke, stroke ? brush : whole, stage, fur);
 }
 
 dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 place) {

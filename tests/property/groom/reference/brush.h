@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "tests/property/groom/reference/body.h"
+#include "tests/property/groom/reference/standing.h"
 
 namespace pelage::plain {
 
@@ -17,15 +18,18 @@ struct Print {
 /// The dabs of a brush that moves; with `begin` there is one more where the stroke begins.
 std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Body& body, bool begin);
 
-/// What the dab does to each vertex, [0, 1]: strength x falloff x pressure on front faces, without the mask.
-std::vector<double> weights_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body);
+/// What the dab does to each vertex, [0, 1]: strength x falloff x pressure on front faces, without the mask. Of fur
+/// that stands the strands are reached, and a root's facing counts less by twice the height, in lengths, at which the
+/// strand is reached.
+std::vector<double> weights_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body,
+                               const std::optional<Standing>& standing);
 
 /// The largest weight of any dab, or the brush's strength everywhere without a stroke; times the mask.
-std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body, const Fur& fur,
-                              bool masked = true);
+std::vector<double> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Stage& stage,
+                              const Fur& fur, bool masked = true);
 
 /// The same without a strength of its own where there is no stroke: tools that bring their own.
-std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Brush& brush, const Body& body,
+std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Brush& brush, const Stage& stage,
                                    const Fur& fur);
 
 double falloff_at(const Brush& brush, double distance);

@@ -72,8 +72,9 @@ void apply(const Comb& command, const Stage& stage, Fur& fur) {
                   command.brush.strength * fur.number(Field::mask, v));
     return;
   }
+  const std::optional<Standing> standing = standing_of(command.brush, stage, fur);
   for (const Print& print : prints_of(*command.stroke, command.brush, body, false)) {
-    const std::vector<double> weights = weights_of(print, *command.stroke, command.brush, body);
+    const std::vector<double> weights = weights_of(print, *command.stroke, command.brush, body, standing);
     for (Vertex v = 0; v < body.size(); ++v) {
       const double w = 1 - std::pow(1 - weights[v] * fur.number(Field::mask, v), print.arc);
       comb_vertex(command, body, fur, v, sign * print.motion, w);
@@ -85,7 +86,7 @@ void apply(const Blow& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
   const dvec3 source = body.inside(command.source), axis = unit(command.direction);
   const double fall = body.sizes(command.fall, command.units);
-  const std::vector<double> region = restriction_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = restriction_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < body.size(); ++v) {
     const dvec3 wind = unit(body.positions[v] - source);
     const double away = glm::distance(body.positions[v], source);
@@ -100,7 +101,7 @@ void apply(const Attract& command, const Stage& stage, Fur& fur) {
   const dvec3 point = body.inside(command.point);
   const double radius = body.sizes(command.radius, command.units);
   if (radius == 0) return;
-  const std::vector<double> region = restriction_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = restriction_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < body.size(); ++v) {
     const dvec3 pull = unit(point - body.positions[v]) * (command.brush.invert ? -1.0 : 1.0);
     const double near = glm::distance(point, body.positions[v]) / radius;
@@ -111,7 +112,7 @@ void apply(const Attract& command, const Stage& stage, Fur& fur) {
 
 void apply(const Part& command, const Stage& stage, Fur& fur) {
   if (command.stroke->samples.empty()) return;
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const dvec3 place = stage.body.positions[v];
     dvec3 away = unit(place - nearest_of_path(*command.stroke, stage.body, place));
@@ -123,7 +124,7 @@ void apply(const Part& command, const Stage& stage, Fur& fur) {
 void apply(const Whorl& command, const Stage& stage, Fur& fur) {
   if (command.stroke->samples.empty()) return;
   const Body& body = stage.body;
-  const std::vector<double> region = region_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < body.size(); ++v) {
     const dvec2 out =
         body.in_frame(v, unit(body.positions[v] - nearest_of_path(*command.stroke, body, body.positions[v])));
@@ -136,7 +137,7 @@ void apply(const Whorl& command, const Stage& stage, Fur& fur) {
 }
 
 void apply(const Lift& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const double now = glm::length(fur.direction(v));
     const double goal = command.brush.invert ? 1 : 0;
@@ -146,7 +147,7 @@ void apply(const Lift& command, const Stage& stage, Fur& fur) {
 
 void apply(const Clump& command, const Stage& stage, Fur& fur) {
   if (command.stroke->samples.empty()) return;
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const dvec3 place = stage.body.positions[v];
     dvec3 middle = unit(nearest_of_path(*command.stroke, stage.body, place) - place);
@@ -159,7 +160,7 @@ void apply(const Clump& command, const Stage& stage, Fur& fur) {
 }
 
 void apply(const Curl& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const dvec2 d = fur.direction(v);
     const double turn = command.turn_degrees * turning_pi / 180 * region[v] * (command.brush.invert ? -1 : 1);

@@ -11,8 +11,6 @@ namespace pelage::plain {
 
 namespace {
 
-constexpr double value_pi = 3.14159265358979323846;
-
 /// A random number in [-1, 1] that belongs to the place whose 32-bit coordinates these are.
 double number_at(glm::vec3 p, std::uint64_t seed) {
   std::uint64_t bits[3];
@@ -63,23 +61,6 @@ void disturb(const Noise& command, const Body& body, Field field, double amount,
   }
 }
 
-/// The strand's place at a share of its length, for a strand of length 1: across and up (science.md 2).
-dvec2 lean_place(const Coat& coat, double inclination, double s) {
-  const double tip = inclination * value_pi / 2, a0 = coat.root_share * tip, a = tip - a0;
-  if (a < 1e-7) return s * dvec2(std::sin(a0), std::cos(a0));
-  const double chord = s * std::sin(a * s / 2) / (a * s / 2);
-  if (coat.lean_curve == LeanCurve::arc) return chord * dvec2(std::sin(a0 + a * s / 2), std::cos(a0 + a * s / 2));
-  const auto g = [](double u) { return u * std::sqrt(1 + u * u) + std::asinh(u); };
-  const double u1 = 2 * std::tan(a / 2), k2 = 4 / g(u1);
-  double low = 0, high = u1;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = (low + high) / 2;
-    (g(middle) < s * g(u1) ? low : high) = middle;
-  }
-  const double y = k2 * low / 2, x = k2 * low * low / 4;
-  return {std::cos(a0) * x + std::sin(a0) * y, std::cos(a0) * y - std::sin(a0) * x};
-}
-
 /// Whether fur may be at a place: `root` and `place` in internal coordinates, `up` its height over the skin.
 class Allowed {
  public:
@@ -127,7 +108,7 @@ double jitter(const Length& command, const Body& body, Vertex v) {
 }  // namespace
 
 void apply(const Noise& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (const Field field : command.fields) {
     for (Vertex v = 0; v < stage.body.size(); ++v)
       disturb(command, stage.body, field,
@@ -138,7 +119,7 @@ void apply(const Noise& command, const Stage& stage, Fur& fur) {
 
 void apply(const Unify& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
-  const std::vector<double> region = region_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   double whole = 0, inclination = 0;
   dvec3 lean(0);
   fur.multiply_colours();
@@ -179,7 +160,7 @@ void apply(const Unify& command, const Stage& stage, Fur& fur) {
 
 void apply(const Length& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
-  const std::vector<double> region = region_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   const double value = body.sizes(command.value, command.units);
   double sum = 0, whole = 0;
   for (Vertex v = 0; v < body.size(); ++v) sum += region[v] * fur.number(Field::length, v), whole += region[v];
@@ -201,7 +182,7 @@ void apply(const Length& command, const Stage& stage, Fur& fur) {
 void apply(const Trim& command, const Stage& stage, Fur& fur) {
   const Body& body = stage.body;
   const Allowed allowed(command, body);
-  const std::vector<double> region = restriction_of(command.stroke, command.brush, body, fur);
+  const std::vector<double> region = restriction_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < body.size(); ++v) {
     if (region[v] == 0) continue;
     double& length = fur.of(Field::length)[v].x;
@@ -218,7 +199,7 @@ void apply(const Trim& command, const Stage& stage, Fur& fur) {
 }
 
 void apply(const Erase& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region = region_of(command.stroke, command.brush, stage.body, fur);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   Fur rest = stage.rest;
   rest.multiply_colours(), fur.multiply_colours();
   for (std::size_t f = 0; f < field_count; ++f) {
@@ -233,8 +214,7 @@ void apply(const Erase& command, const Stage& stage, Fur& fur) {
 }
 
 void apply(const Paint& command, const Stage& stage, Fur& fur) {
-  const std::vector<double> region =
-      region_of(command.stroke, command.brush, stage.body, fur, command.field != Field::mask);
+  const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur, command.field != Field::mask);
   const double value = command.brush.invert ? double{shape_of(command.field).default_value} : command.value;
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     dvec4& now = fur.of(command.field)[v];

@@ -1,0 +1,145 @@
+#include "server/groom/standing_fur.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "protocol/base/lean_curve.h"
+#include "server/groom/vertex_frame.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr double half_diagonal = 0.5 + 1e-6;  // of any model
+constexpr double finest_step = 0.01;          // sizes, along a ray
+
+/// The share of the way from a to b at which a place is nearest.
+double nearest_share(glm::dvec3 place, glm::dvec3 a, glm::dvec3 b) {
+  const glm::dvec3 along = b - a;
+  const double square = glm::dot(along, along);
+  return square > 0 ? std::clamp(glm::dot(place - a, along) / square, 0.0, 1.0) : 0;
+}
+
+/// Where a line comes nearest to a segment: how far along the line, and how near.
+struct Approach {
+  double along, distance;
+};
+Approach approach(glm::dvec3 origin, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b) {
+  const glm::dvec3 way = b - a, from = a - origin;
+  const double way_along = glm::dot(way, direction), from_along = glm::dot(from, direction);
+  const double square = glm::dot(way, way) - way_along * way_along;  // 0 where they are parallel
+  const double t = square > 0 ? std::clamp((from_along * way_along - glm::dot(from, way)) / square, 0.0, 1.0) : 0;
+  const double along = from_along + t * way_along;
+  return {along, glm::distance(a + t * way, origin + along * direction)};
+}
+
+}  // namespace
+
+UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
+  const VertexFrame frame = frame_at(mesh, vertex);
+  const auto [inclination, along] = lean_of(glm::dvec2(fields.at(vertex).direction), frame.normal, frame.tangent);
+  UnitStrand strand;
+  strand.root = glm::dvec3(mesh.positions[vertex]);
+  for (std::size_t k = 0; k < UnitStrand::places; ++k) {
+    const double s = static_cast<double>(k + 1) / UnitStrand::places;
+    const LeanPoint place = lean_point(coat.lean_curve, inclination, coat.root_share, s);
+    strand.offsets[k] = place.across * along + place.up * frame.normal;
+    strand.heights[k] = place.up;
+  }
+  return strand;
+}
+
+double longest_fur(const FieldSet& fields) {
+  const std::vector<float>& lengths = fields.length();
+  return lengths.empty() ? 0 : double{*std::max_element(lengths.begin(), lengths.end())};
+}
+
+/// The one nearest to the camera of those that the ray hits, else the one nearest to the ray.
+struct StandingFur::Hit {
+  double gap = std::numeric_limits<double>::infinity(), along = 0;
+
+  void take(double other_gap, double other_along) {
+    if (other_gap < gap || (other_gap == gap && other_along < along)) gap = other_gap, along = other_along;
+  }
+};
+
+StandingFur::StandingFur(const Surface& surface, const FieldSet& fields, const Coat& coat)
+    : surface_(surface), fields_(fields), coat_(coat), lengths_(fields.length()), longest_(longest_fur(fields)) {}
+
+const UnitStrand& StandingFur::strand(std::uint32_t vertex) const {
+  const auto [known, added] = strands_.try_emplace(vertex);
+  if (added) known->second = strand_at(vertex, surface_.mesh(), fields_, coat_);
+  return known->second;
+}
+
+StandingFur::Reached StandingFur::nearest(std::uint32_t vertex, glm::dvec3 place) const {
+  glm::dvec3 from(surface_.mesh().positions[vertex]);
+  Reached reached{vertex, glm::distance(from, place), 0};
+  const double length = this->length(vertex);
+  if (!(length > 0)) return reached;
+  const UnitStrand& unit = strand(vertex);
+  double low = 0;
+  for (std::size_t k = 0; k < UnitStrand::places; ++k) {
+    const glm::dvec3 to = unit.root + length * unit.offsets[k];
+    const double t = nearest_share(place, from, to);
+    const double distance = glm::distance(place, glm::mix(from, to, t));
+    if (distance < reached.distance) reached.distance = distance, reached.lift = glm::mix(low, unit.heights[k], t);
+    from = to, low = unit.heights[k];
+  }
+  return reached;
+}
+
+std::vector<StandingFur::Reached> StandingFur::within(glm::dvec3 place, double radius) const {
+  std::vector<std::uint32_t> roots;
+  surface_.vertices_within(place, radius + longest_, roots);
+  std::vector<Reached> reached;
+  for (const std::uint32_t v : roots) {
+    if (glm::distance(glm::dvec3(surface_.mesh().positions[v]), place) > radius + length(v)) continue;
+    if (const Reached one = nearest(v, place); one.distance <= radius) reached.push_back(one);
+  }
+  return reached;
+}
+
+void StandingFur::intersect(const Ray& ray, std::uint32_t vertex, double beside, Hit& best) const {
+  const std::vector<glm::vec3>& positions = surface_.mesh().positions;
+  const double length = this->length(vertex);
+  if (!(length > 0)) return;
+  const glm::dvec3 root(positions[vertex]);
+  const auto neighbours = surface_.neighbours(vertex);
+  const double edge = neighbours.empty() ? 0 : glm::distance(root, glm::dvec3(positions[neighbours.front()]));
+  const double spacing = std::min(edge, length);
+  const glm::dvec3 off = root - ray.origin;
+  const double along = glm::dot(off, ray.direction), near = spacing + beside;
+  if (glm::length(off - along * ray.direction) > length + near) return;
+  const UnitStrand& unit = strand(vertex);
+  glm::dvec3 from = root;
+  for (const glm::dvec3& offset : unit.offsets) {
+    const glm::dvec3 to = root + length * offset;
+    const Approach nearest = approach(ray.origin, ray.direction, from, to);
+    if (nearest.distance <= near && nearest.along >= 0 && nearest.along <= ray.length)
+      best.take(std::max(nearest.distance - spacing, 0.0), nearest.along);
+    from = to;
+  }
+}
+
+std::optional<glm::dvec3> StandingFur::hit_by(const Ray& ray, double beside) const {
+  if (!(longest_ > 0)) return std::nullopt;
+  // Balls along the part of the ray that comes near the model, each over a step of it.
+  const double reach = std::max(longest_ + beside, finest_step), ball = half_diagonal + reach;
+  const double middle = -glm::dot(ray.origin, ray.direction);
+  const double off = glm::length(ray.origin + middle * ray.direction);
+  if (!(off < ball)) return std::nullopt;
+  const double half = std::sqrt(ball * ball - off * off), end = std::min(middle + half, ray.length + reach);
+  Hit best;
+  std::vector<std::uint32_t> roots;
+  for (double at = std::max(middle - half, 0.0); at < end; at += reach) {
+    if (best.gap == 0 && best.along < at - reach) break;  // nothing that begins here is nearer
+    surface_.vertices_within(ray.origin + (at + 0.5 * reach) * ray.direction, 2.2 * reach, roots);
+    for (const std::uint32_t v : roots) intersect(ray, v, beside, best);
+  }
+  if (!std::isfinite(best.gap)) return std::nullopt;
+  return ray.origin + best.along * ray.direction;
+}
+
+}  // namespace pelage

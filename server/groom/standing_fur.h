@@ -1,0 +1,70 @@
+// The fur that stands on a surface, as a brush reaches it: at each vertex the strand that the fields and the coat
+// shape.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "protocol/commands/coat.h"
+#include "server/fields/field_set.h"
+#include "server/surface/surface.h"
+
+namespace pelage {
+
+/// A strand of length 1 that leans as the field says. A shorter one is the same curve, smaller, so that each of its
+/// places moves along a straight line from the root as it is cut.
+struct UnitStrand {
+  static constexpr int places = 8;  // along a strand that are looked at
+
+  glm::dvec3 root{0};
+  std::array<glm::dvec3, places> offsets{};  // from the root
+  std::array<double, places> heights{};      // over the skin
+};
+UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
+
+/// Sizes; 0 where all is bald.
+double longest_fur(const FieldSet& fields);
+
+/// All in internal coordinates. What it is made of outlives it. For one thread: it remembers strands.
+class StandingFur {
+ public:
+  StandingFur(const Surface& surface, const FieldSet& fields, const Coat& coat);
+
+  struct Ray {
+    glm::dvec3 origin, direction;  // unit
+    double length = 0;             // nothing beyond it is hit; may be infinite
+  };
+  struct Reached {
+    std::uint32_t vertex;
+    double distance;  // sizes
+    double lift;      // how high over the skin its nearest point is, in its lengths: 0 at its root, at most 1
+  };
+
+  /// Strands that come within `radius` of a place, in rising order of their vertices; bald vertices count as roots.
+  std::vector<Reached> within(glm::dvec3 place, double radius) const;
+  /// Where a ray comes nearest to the first strand that it hits. Strands stand as close as their vertices, so that the
+  /// gap between neighbours is hit, too; where nothing is, the strand nearest to the ray, within `beside` of it.
+  std::optional<glm::dvec3> hit_by(const Ray& ray, double beside) const;
+
+  double length(std::uint32_t vertex) const { return lengths_.empty() ? 0 : double{lengths_[vertex]}; }
+  double longest() const { return longest_; }
+
+ private:
+  struct Hit;
+  const UnitStrand& strand(std::uint32_t vertex) const;
+  Reached nearest(std::uint32_t vertex, glm::dvec3 place) const;
+  void intersect(const Ray& ray, std::uint32_t vertex, double beside, Hit& best) const;
+
+  const Surface& surface_;
+  const FieldSet& fields_;
+  const Coat& coat_;
+  const std::vector<float>& lengths_;
+  double longest_ = 0;
+  mutable std::unordered_map<std::uint32_t, UnitStrand> strands_;
+};
+
+}  // namespace pelage
