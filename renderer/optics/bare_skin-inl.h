@@ -22,10 +22,6 @@ struct Bare {
 HWY_INLINE Bare painted_bare(Vec3 colour, Real bare, Real wetness) {
   return {colour, 0.5f, 0.5f, wetness, 0.0004f, 0.004f, 0.5f, smoothstep(0.3f, 0.7f, bare)};
 }
-HWY_INLINE Bare not_bare() {
-  const Real none = 0.0f;
-  return {Vec3(none), none, none, none, none, none, none, none};
-}
 
 /// The colour ends where fur has about half of its length, or within two pixels where that is sharper.
 HWY_INLINE Real bare_share(const SkinEntry& region, Vec3 place, Vec3 normal, Real pixel) {
@@ -163,24 +159,6 @@ HWY_INLINE Vec3 sky_on_skin(const FrameOptics& optics, const Bare& bare, const S
   const Vec3 dry = mirrored_sky(optics, surface.normal, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
   const Vec3 wet = mirrored_sky(optics, surface.film, surface.to_camera, 0.03f, surface.wet_roughness);
   return sum + surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
-}
-
-/// Light that bare skin sends to the camera; `pixel` is the size of one there, sizes. Its share of `direct` is added to
-/// where that is given.
-HWY_INLINE Vec3 bare_light(const FrameOptics& optics, const Bare& bare, Vec3 place, Vec3 open, Real hull, Vec3 normal,
-                           Vec3 to_camera, Real pixel, Direct* direct) {
-  const SkinSurface surface = skin_surface(bare, place, normal, to_camera, pixel);
-  Vec3 sum = sky_on_skin(optics, bare, surface);
-  for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = light_at(optics, i, place);
-    const Vec3 without = light.radiance * light_on_skin(optics, bare, surface, light.to_light);
-    Vec3 arriving = without;
-    if (!optics.casters.empty())
-      arriving *= cast_light(optics.casters[static_cast<std::size_t>(i)], place, open, hull, normal);
-    if (direct) direct->add(bare.share * arriving, bare.share * without);
-    sum += arriving;
-  }
-  return sum;
 }
 
 }  // namespace pelage::HWY_NAMESPACE

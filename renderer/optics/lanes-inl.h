@@ -28,7 +28,6 @@ struct Mask {
 };
 HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
-HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
 HWY_INLINE bool any(Mask a) { return !hn::AllFalse(float_tag, a.m); }
 HWY_INLINE bool all(Mask a) { return hn::AllTrue(float_tag, a.m); }
 /// Lane i is bit i.
@@ -36,10 +35,6 @@ HWY_INLINE std::uint32_t bits_of(Mask a) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(float_tag, a.m, bytes);
   return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
-}
-HWY_INLINE Mask mask_of_bits(std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
-  return {hn::LoadMaskBits(float_tag, bytes)};
 }
 
 /// One number for each lane.
@@ -55,7 +50,6 @@ HWY_INLINE Real operator*(Real a, Real b) { return hn::Mul(a.v, b.v); }
 HWY_INLINE Real operator/(Real a, Real b) { return hn::Div(a.v, b.v); }
 HWY_INLINE Real operator-(Real a) { return hn::Neg(a.v); }
 HWY_INLINE Real& operator+=(Real& a, Real b) { return a = a + b; }
-HWY_INLINE Real& operator-=(Real& a, Real b) { return a = a - b; }
 HWY_INLINE Real& operator*=(Real& a, Real b) { return a = a * b; }
 HWY_INLINE Mask operator<(Real a, Real b) { return {hn::Lt(a.v, b.v)}; }
 HWY_INLINE Mask operator>(Real a, Real b) { return {hn::Gt(a.v, b.v)}; }
@@ -168,8 +162,6 @@ struct Vec2 {
 HWY_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 HWY_INLINE Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 HWY_INLINE Vec2 operator*(Vec2 a, Real s) { return {a.x * s, a.y * s}; }
-HWY_INLINE Vec2& operator+=(Vec2& a, Vec2 b) { return a = a + b; }
-
 HWY_INLINE Real length(Vec2 a) { return sqrt(mul_add(a.x, a.x, a.y * a.y)); }
 
 struct Vec3 {
@@ -188,7 +180,6 @@ HWY_INLINE Vec3 operator*(Vec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; 
 HWY_INLINE Vec3 operator*(Real s, Vec3 a) { return a * s; }
 HWY_INLINE Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
 HWY_INLINE Vec3& operator*=(Vec3& a, Vec3 b) { return a = a * b; }
-HWY_INLINE Vec3& operator*=(Vec3& a, Real s) { return a = a * s; }
 HWY_INLINE Real dot(Vec3 a, Vec3 b) { return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z)); }
 HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 HWY_INLINE Real length(Vec3 a) { return sqrt(dot(a, a)); }

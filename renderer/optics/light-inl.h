@@ -1,5 +1,5 @@
-// Light on fur for several pixels at once: what arrives, what gets through, and what a fibre sends to the camera. The
-// twin of renderer/shaders/lighting.glsl, which has the sources of the formulas.
+// Light on fur for several pixels at once: what arrives, and what gets through. The twin of
+// renderer/shaders/lighting.glsl, which has the sources of the formulas.
 #if defined(PELAGE_OPTICS_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_LIGHT_INL_H_
 #undef PELAGE_OPTICS_LIGHT_INL_H_
@@ -10,7 +10,6 @@
 #include "renderer/optics/frame_optics.h"
 #include "renderer/optics/lanes-inl.h"
 #include "renderer/optics/scattering-inl.h"
-#include "renderer/optics/shadows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
@@ -72,7 +71,6 @@ HWY_INLINE Vec3 ambient_share(const FrameBlock& frame, Real height, Real above, 
 
 /// Light from all around on a surface with that normal; 1 for a white surrounding.
 HWY_INLINE Vec3 environment_light(const FrameOptics& optics, Vec3 n) {
-  if (!optics.environment) return Vec3(1.0f);
   const auto& e = optics.frame.environment;
   Vec3 sum = Vec3(0.28209479f * glm::vec3(e[0]));
   sum += 0.48860251f * (n.y * Vec3(e[1]) + n.z * Vec3(e[2]) + n.x * Vec3(e[3]));
@@ -91,8 +89,6 @@ struct Fibre {
   Real above;    // strands over the place that a ray at 45 degrees to upright fur would cross
   Real strand;   // number of the strand in [0, 1]
   Shine shine;
-  Vec3 open;  // where light that the rest of the body lets through comes to the fur, on its hull
-  Real hull;  // how high that is, sizes
 };
 
 /// What of a fibre's view all lights share.
@@ -105,62 +101,6 @@ HWY_INLINE FibreView view_of(const FrameBlock& frame, const Fibre& fibre) {
   const Real way = way_out(fibre.height, dot(fibre.normal, fibre.to_camera));
   return {way, strands_crossed(fibre.above, way, fibre.tangent, fibre.to_camera),
           fibre.above * (1 / std::max(frame.counts.y, 1e-6f)) * max(dot(fibre.tangent, fibre.normal), 0.15f)};
-}
-
-/// Less those that are met for sure, as the eye looks past them: the hot spot (strands_shared of lighting.glsl).
-HWY_INLINE Real strands_to_light(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real facing) {
-  const Real way = way_out(fibre.height, facing);
-  const Real strands = strands_crossed(fibre.above, way, fibre.tangent, to_light);
-  Vec3 apart = fibre.to_camera * view.way - to_light * way;
-  apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
-  const Real x = 6.0f * view.widths * length(apart);
-  const Real share = (1.0f + x * 0.16666667f) / (1.0f + x * (0.66666667f + x * 0.16666667f));
-  return max(strands - sqrt(max(view.strands * strands, 0.0f)) * share, 0.0f);
-}
-
-/// What lights add beside the light from all around (Aov::direct and shadow).
-struct Direct {
-  Vec3 light;
-  Real kept, whole;  // luminance of it, and what it would be without shadows
-
-  static HWY_INLINE Direct none() { return {Vec3(0.0f), 0.0f, 0.0f}; }
-  HWY_INLINE void add(Vec3 with_shadows, Vec3 without) {
-    light += with_shadows, kept += luminance(with_shadows), whole += luminance(without);
-  }
-  HWY_INLINE void keep(Real share) { light *= share, kept *= share, whole *= share; }
-};
-
-/// Light that a fibre sends to the camera, after GPU fur eq 1 to 3. `direct` is added to where it is given.
-HWY_INLINE Vec3 fibre_light(const FrameOptics& optics, const Fibre& fibre, Direct* direct = nullptr) {
-  const FrameBlock& frame = optics.frame;
-  const float self_shadow = frame.exponents.w;
-  const Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f, self_shadow);
-  Vec3 sum = frame.weights.x * fibre.colour *
-             ambient_share(frame, fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f, self_shadow)) *
-             environment_light(optics, fibre.normal);
-  const FibreView view = view_of(frame, fibre);
-  const Scattering strand{fibre.tangent, fibre.normal, fibre.to_camera, fibre.colour, fibre.strand, fibre.shine};
-  FibreEye eye;
-  if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
-  for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = light_at(optics, i, fibre.place);
-    const Real facing = dot(fibre.normal, light.to_light);
-    Real strands = strands_to_light(fibre, view, light.to_light, facing);
-    if (!optics.casters.empty())
-      strands = shell_depth(optics.casters[static_cast<std::size_t>(i)], fibre.place, fibre.open, fibre.height, facing,
-                            strands);
-    const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * strands * s); });
-    const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
-    const Real behind = light_behind(optics.model, facing, frame.exponents.z);
-    Vec3 arriving = light.radiance * scattered * through * behind;
-    if (!optics.casters.empty()) {
-      const ShadowCaster& caster = optics.casters[static_cast<std::size_t>(i)];
-      arriving *= cast_light(caster, fibre.place, fibre.open, fibre.hull, fibre.normal);
-    }
-    if (direct) direct->add(arriving, light.radiance * scattered * behind);
-    sum += arriving;
-  }
-  return sum;
 }
 
 }  // namespace pelage::HWY_NAMESPACE

@@ -6,7 +6,6 @@
 #define HWY_TARGET_INCLUDE "renderer/optics/one_strand.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 
-#include "renderer/optics/paint-inl.h"
 #include "renderer/optics/scattering-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,10 +13,8 @@ namespace pelage::HWY_NAMESPACE {
 
 /// The same in all lanes.
 HWY_INLINE Scattering lanes_of(const StrandOptics& optics, const LitStrand& strand) {
-  PaintOptics paint;
-  paint.wetness = optics.wetness;
   return {Vec3(strand.tangent), Vec3(strand.normal), Vec3(strand.to_camera),
-          Vec3(strand.colour),  strand.number,       shine_of(paint, strand.wetness)};
+          Vec3(strand.colour),  strand.number,       shine_of(optics.wetness, strand.wetness)};
 }
 
 HWY_INLINE glm::vec3 first_lane(Vec3 v) { return {hn::GetLane(v.x.v), hn::GetLane(v.y.v), hn::GetLane(v.z.v)}; }

@@ -20,6 +20,15 @@ struct Shine {
   Real weight, exponent;
 };
 
+/// Of a coat of that wetness, for water that is painted beyond it: wet_shine and wet_sharpness over the coat's own.
+HWY_INLINE Shine shine_of(float coat, Real painted) {
+  const auto wetter = [=](double rise) HWY_ATTR {
+    const auto by = static_cast<float>(rise);
+    return (1.0f + by * min(coat + painted, 1.0f)) * (1 / (1 + by * coat));
+  };
+  return {wetter(water_shines), wetter(water_sharpens)};
+}
+
 /// A strand and who looks at it. Directions are unit and point away from the strand, the tangent from root to tip.
 struct Scattering {
   Vec3 tangent, normal, to_camera;

@@ -45,7 +45,6 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
                                   frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
-  optics.environment = true;
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
                                   [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
@@ -56,7 +55,7 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
     if (!images_ || pictured_ != model.id) images_.emplace(model.images), pictured_ = model.id;
     optics.images = &*images_;
   }
-  optics.paint.wetness = static_cast<float>(frame.coat.wetness);
+  optics.wetness = static_cast<float>(frame.coat.wetness);
   return optics;
 }
 

@@ -10,7 +10,6 @@
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/optics/light-inl.h"
-#include "renderer/optics/paint-inl.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/raster/place-inl.h"
 
@@ -71,7 +70,8 @@ HWY_INLINE CrossedLanes crossed_at(std::span<const Crossed> cells, const GridLan
   return {strands * (1 / Crossed::one), body * (1 / Crossed::one)};
 }
 
-/// Strands between a fibre and a light less those that the eye looks past: the hot spot (light-inl.h).
+/// Strands between a fibre and a light less those that are met for sure, as the eye looks past them: the hot spot
+/// (strands_shared of lighting.glsl).
 HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real way, Real strands) {
   Vec3 apart = fibre.to_camera * view.way - to_light * way;
   apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
@@ -139,7 +139,7 @@ HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& p
   strand.normal = depth.normal, strand.number = gather(&set.roots[0].number, roots);
   strand.longer = depth.length * part.crowding;
   strand.thin = part.role == StrandRole::coat ? thinness(scene, depth) : Real(0.0f);
-  strand.shine = shine_of(optics.paint, gather(&set.roots[0].wetness, roots));
+  strand.shine = shine_of(optics.wetness, gather(&set.roots[0].wetness, roots));
   strand.ambient = optics.frame.weights.x * environment_light(optics, strand.normal);
   return strand;
 }
