@@ -262,6 +262,25 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
 
 using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 
+/// A slice of `texels` a side at half of it.
+std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
+  const float outside = seen_from_outside(coat);
+  const int half = texels / 2;
+  std::vector<SliceTexel> result(static_cast<std::size_t>(half * half));
+  for (int y = 0; y < half; ++y) {
+    for (int x = 0; x < half; ++x) {
+      SliceTexel& sum = result[at(x, y, half)];
+      std::array<const SliceTexel*, 4> parts{};
+      for (int k = 0; k < 4; ++k) {
+        const SliceTexel& part = slice[at(2 * x + k % 2, 2 * y + k / 2, texels)];
+        sum.add(part), parts[static_cast<std::size_t>(k)] = &part;
+      }
+      sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = light_of(parts, outside);
+    }
+  }
+  return result;
+}
+
 Stack halved_stack(const Coat& coat, const Stack& stack, int texels) {
   Stack result;
   for (const std::vector<SliceTexel>& slice : stack) result.push_back(halved(coat, slice, texels));
@@ -309,35 +328,17 @@ void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice) 
   }
 }
 
-std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
-  const float outside = seen_from_outside(coat);
-  const int half = texels / 2;
-  std::vector<SliceTexel> result(static_cast<std::size_t>(half * half));
-  for (int y = 0; y < half; ++y) {
-    for (int x = 0; x < half; ++x) {
-      SliceTexel& sum = result[at(x, y, half)];
-      std::array<const SliceTexel*, 4> parts{};
-      for (int k = 0; k < 4; ++k) {
-        const SliceTexel& part = slice[at(2 * x + k % 2, 2 * y + k / 2, texels)];
-        sum.add(part), parts[static_cast<std::size_t>(k)] = &part;
-      }
-      sum.depth /= 4, sum.slope /= 4.0f, sum.colour /= 4.0f, sum.light = light_of(parts, outside);
-    }
-  }
-  return result;
-}
-
-std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, int finest, Stack stack) {
-  assert(stack.size() == slice_count && finest >= 0 && finest < slice_levels);
+std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack stack) {
+  assert(stack.size() == slice_count);
   LetThrough open;
   const auto let_through = [&](std::size_t k) { open[k] = rays_let_through(coat, strands, slants[k]); };
   run_both([&] { let_through(1), let_through(3); }, [&] { let_through(0), let_through(2); });
   std::vector<SliceLevel> levels(slice_levels);
-  run_both([&] { levels[static_cast<std::size_t>(finest)] = make_level(coat, stack, slice_texels >> finest, open); },
+  run_both([&] { levels[0] = make_level(coat, stack, slice_texels, open); },
            [&] {
              const Stack* finer = &stack;
              Stack coarse;
-             for (int level = finest + 1; level < slice_levels; ++level) {
+             for (int level = 1; level < slice_levels; ++level) {
                coarse = halved_stack(coat, *finer, slice_texels >> (level - 1)), finer = &coarse;
                levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, slice_texels >> level, open);
              }

@@ -37,12 +37,8 @@ StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands
 /// Puts it into the texels of a full-size slice.
 void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice);
 
-/// A slice of `texels` a side at half of it.
-std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels);
-
-/// The levels from `finest` on; those before it stay empty. `stack` has slice_count slices of these strands, of the
-/// texels of that level.
-std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, int finest,
+/// All levels. `stack` has slice_count full-size slices of these strands.
+std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands,
                                      std::vector<std::vector<SliceTexel>> stack);
 
 }  // namespace pelage

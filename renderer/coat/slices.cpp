@@ -87,7 +87,7 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
 
 }  // namespace
 
-Slices bake_slices(const Coat& coat, int finest, const std::function<bool()>& go_on) {
+Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on) {
   const std::vector<Strand> strands = make_strands(coat);
   const StackLight light = light_from_above(coat, strands);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
@@ -100,44 +100,37 @@ Slices bake_slices(const Coat& coat, int finest, const std::function<bool()>& go
         if (stopped) return;
         stack[i] = bake_slice(coat, strands, static_cast<int>(i));
         set_light(light.cells[i], stack[i]);
-        for (int level = 0; level < finest; ++level) stack[i] = halved(coat, stack[i], slice_texels >> level);
       },
       2);
   if (stopped || (go_on && !go_on())) return {};
-  return {build_levels(coat, strands, finest, std::move(stack)), finest, light.depth_above};
+  return {build_levels(coat, strands, std::move(stack)), light.depth_above};
 }
 
 Slices without_texels(const Slices& slices) {
-  Slices rest{{}, slices.finest, slices.depth_above};
+  Slices rest{{}, slices.depth_above};
   for (const SliceLevel& level : slices.levels) rest.levels.push_back({level.texels, {}, {}, level.depth_scale});
   return rest;
 }
 
-std::shared_ptr<const Slices> bake_here(const CoatNeed& need, const std::function<bool()>&) {
-  return std::make_shared<const Slices>(bake_slices(need.coat, need.finest));
-}
+std::shared_ptr<const Slices> bake_here(const Coat& coat) { return std::make_shared<const Slices>(bake_slices(coat)); }
 
 namespace {
 
-/// Texels of all slices of a level.
-std::size_t level_texels(int level) {
-  const auto side = static_cast<std::size_t>(slice_texels >> level);
-  return side * side * slice_count;
+/// Texels of all slices of the first levels.
+std::size_t texels_of(int levels) {
+  std::size_t texels = 0;
+  for (std::size_t level = 0, side = slice_texels; level < static_cast<std::size_t>(levels); ++level, side /= 2)
+    texels += side * side * slice_count;
+  return texels;
 }
 
 }  // namespace
 
-std::size_t slices_bytes(int finest) {
-  std::size_t texels = 0;
-  for (int level = finest; level < slice_levels; ++level) texels += level_texels(level);
-  return 8 * texels;
-}
+std::size_t slices_bytes() { return 8 * texels_of(slice_levels); }
 
-std::size_t baking_bytes(int finest) {
-  std::size_t texels = 0;
-  for (int level = finest; level < std::min(finest + 3, slice_levels); ++level) texels += level_texels(level);
+std::size_t baking_bytes() {
   const std::size_t halving = 2 * 2 * slice_texels * slice_texels;  // on each of two threads
-  return sizeof(SliceTexel) * (texels + halving) + slices_bytes(finest);
+  return sizeof(SliceTexel) * (texels_of(3) + halving) + slices_bytes();
 }
 
 std::array<glm::vec3, slice_count> colour_above(const Coat& coat) {

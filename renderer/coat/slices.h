@@ -31,36 +31,26 @@ struct SliceLevel {
 
 struct Slices {
   std::vector<SliceLevel> levels;  // slice_levels
-  int finest = 0;                  // levels before it are empty
   /// Strands above each slice's middle that a ray at 45 degrees crosses on average, in fur nominal_length long.
   std::array<float, slice_count> depth_above{};
 };
 
-/// Deterministic in the coat alone: a level is the same whatever `finest`, in [0, slice_levels), is. A fraction of a
-/// second for 10,000 strands, of which levels that nobody looks at take half. `go_on` is asked on several threads for
+/// Deterministic in the coat alone. A fraction of a second for 10,000 strands. `go_on` is asked on several threads for
 /// each slice; once it has answered false the work ends, without levels, whatever it answers later.
-Slices bake_slices(const Coat& coat, int finest = 0, const std::function<bool()>& go_on = {});
+Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on = {});
 
 /// The slices without their texels, for who keeps those elsewhere: scales and depths.
 Slices without_texels(const Slices& slices);
 
-/// Bytes of the slices from a level on, and those that baking them takes at its height, with them.
-std::size_t slices_bytes(int finest);
-std::size_t baking_bytes(int finest);
+/// Bytes of the slices, and those that baking them takes at its height, with them.
+std::size_t slices_bytes();
+std::size_t baking_bytes();
 
-/// What a frame reads of its coat.
-struct CoatNeed {
-  Coat coat;
-  int finest = 0;  // level
-};
+/// Gives a renderer the slices of coats.
+using CoatSource = std::function<std::shared_ptr<const Slices>(const Coat& coat)>;
 
-/// Gives a renderer the slices of coats. `pause` is called again and again meanwhile, where there is one; null once it
-/// is false.
-using CoatSource =
-    std::function<std::shared_ptr<const Slices>(const CoatNeed& need, const std::function<bool()>& pause)>;
-
-/// Bakes them on the caller's thread, without a pause.
-std::shared_ptr<const Slices> bake_here(const CoatNeed& need, const std::function<bool()>& pause);
+/// Bakes them on the caller's thread.
+std::shared_ptr<const Slices> bake_here(const Coat& coat);
 
 // The colour of the fur that light crosses on its way to a strand: self-shadow takes its colour from there, not from
 // the strand that it falls on, or dark roots under pale tips turn black.

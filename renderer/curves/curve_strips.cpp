@@ -29,20 +29,18 @@ constexpr double max_turn = std::numbers::pi / 6, max_growth = 0.5;  // of fille
 /// A guide evaluated, or a mix of two.
 struct Curve {
   std::vector<glm::dvec3> places;
-  glm::dvec3 skin, normal;
-  double fur_height;
+  glm::dvec3 normal;
 };
 
 Curve evaluated(const FurGuide& guide) {
-  Curve curve{{}, guide.skin, guide.normal, guide.fur_height};
+  Curve curve{{}, guide.normal};
   for (std::size_t i = 0; i < places_of_curve; ++i)
     curve.places.push_back(spline_point(guide.points, static_cast<double>(i) / curve_segments));
   return curve;
 }
 
 Curve mixed(const Curve& a, const Curve& b, double at) {
-  Curve curve{
-      {}, glm::mix(a.skin, b.skin, at), glm::mix(a.normal, b.normal, at), glm::mix(a.fur_height, b.fur_height, at)};
+  Curve curve{{}, glm::mix(a.normal, b.normal, at)};
   for (std::size_t i = 0; i < places_of_curve; ++i) curve.places.push_back(glm::mix(a.places[i], b.places[i], at));
   const double length = glm::length(curve.normal);
   curve.normal = length > 1e-9 ? curve.normal / length : a.normal;
@@ -65,13 +63,8 @@ void stray(Curve& curve, double spread, Random& random) {
   for (glm::dvec3& place : curve.places) place = root + growth * turned(place - root, axis, angle);
 }
 
-float height_in_fur(const Curve& curve, glm::dvec3 place) {
-  const double height = glm::dot(place - curve.skin, curve.normal);
-  return static_cast<float>(std::clamp(height / std::max(curve.fur_height, 1e-9), 0.0, 2.0));
-}
-
 void append(const Curve& curve, const FurCurves& group, double number, CurveStrips& strips) {
-  for (const glm::dvec3& place : curve.places) strips.points.push_back({glm::vec3(place), height_in_fur(curve, place)});
+  for (const glm::dvec3& place : curve.places) strips.points.emplace_back(place);
   strips.styles.push_back({glm::vec4(group.root_colour, group.width_root), glm::vec4(group.tip_colour, group.width_tip),
                            glm::vec4(glm::vec3(curve.normal), number)});
 }
@@ -99,28 +92,6 @@ CurveStrips make_strips(std::span<const FurCurves> groups) {
   CurveStrips strips;
   for (const FurCurves& group : groups) append_group(group, strips);
   return strips;
-}
-
-CurveOrder order_strips(const CurveStrips& strips, glm::vec3 viewpoint) {
-  struct Seen {
-    bool facing;
-    float distance;
-    std::uint32_t curve;
-  };
-  std::vector<Seen> seen;
-  CurveOrder order;
-  for (std::uint32_t i = 0; i < strips.styles.size(); ++i) {
-    const std::size_t root = i * places_of_curve;
-    const glm::vec3 to_camera = viewpoint - strips.points[root].place;
-    const bool facing = glm::dot(to_camera, glm::vec3(strips.styles[i].normal)) >= 0;
-    seen.push_back({facing, glm::distance(viewpoint, strips.points[root + curve_segments / 2].place), i});
-    if (!facing) ++order.back_facing;
-  }
-  std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
-    return a.facing != b.facing ? b.facing : a.distance > b.distance;
-  });
-  for (const Seen& one : seen) order.curves.push_back(one.curve);
-  return order;
 }
 
 }  // namespace pelage

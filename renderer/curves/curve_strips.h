@@ -1,7 +1,6 @@
 // A smooth curve through points (Catmull and Rom 1974).
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -18,14 +17,6 @@ glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t);
 
 inline constexpr int curve_segments = 48;
 
-/// A place on a curve.
-struct CurvePoint {
-  glm::vec3 place{0};
-  float fur = 0;  // height above the skin at the root, in heights of the fur there, [0, 2]
-  bool operator==(const CurvePoint&) const = default;
-};
-static_assert(sizeof(CurvePoint) == 16);
-
 /// What a curve looks like.
 struct CurveStyle {
   glm::vec4 root{0}, tip{0};  // colour, linear; width, sizes
@@ -35,7 +26,7 @@ struct CurveStyle {
 static_assert(sizeof(CurveStyle) == 48);
 
 struct CurveStrips {
-  std::vector<CurvePoint> points;  // curve_segments + 1 for each curve, root first
+  std::vector<glm::vec3> points;   // curve_segments + 1 for each curve, root first
   std::vector<CurveStyle> styles;  // for each curve
 };
 
@@ -43,12 +34,5 @@ struct CurveStrips {
 /// their mix, and strays by the group's spread in place (half of the way to the next curve), length (by a half) and
 /// direction (30 degrees around its root). Deterministic.
 CurveStrips make_strips(std::span<const FurCurves> groups);
-
-/// Numbers of the curves for a view, far ones first; the first `back-facing` grow from skin back-facing.
-struct CurveOrder {
-  std::vector<std::uint32_t> curves;
-  std::size_t back_facing = 0;
-};
-CurveOrder order_strips(const CurveStrips& strips, glm::vec3 viewpoint);
 
 }  // namespace pelage

@@ -53,9 +53,8 @@ Status Renderer::can_draw(const FurFrame& frame) const {
   return failure(Code::invalid, "This server has no GL, which draws shells.", "/quality/method", "raster or strands");
 }
 
-std::optional<CoatNeed> Renderer::missing_coat(const FurFrame& frame) const {
-  if (!is_layered(frame) || !shells_) return {};
-  return shells_->missing_coat(frame);
+bool Renderer::misses_coat(const FurFrame& frame) const {
+  return is_layered(frame) && shells_ && shells_->misses_coat(frame);
 }
 
 void Renderer::grow(const FurFrame& frame) {

@@ -68,8 +68,8 @@ class Renderer {
 
   /// Makes the next frame be drawn whole, for who measures or doubts.
   void clear_view_cache() { raster_.clear_view_cache(); }
-  /// What the frame reads of its coat and the renderer does not have yet: it gets it from its source once it draws.
-  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const;
+  /// Whether the frame reads slices that the renderer does not have yet: it gets them from its source once it draws.
+  bool misses_coat(const FurFrame& frame) const;
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.

@@ -42,10 +42,10 @@ void add_changes(const CurveStrips& strips, const CurveStrips& other, const Ball
     const bool same =
         i < other.points.size() && strips.points[i] == other.points[i] && strips.styles[curve] == other.styles[curve];
     if (same) continue;
-    const glm::vec3 place = strips.points[i].place;
+    const glm::vec3 place = strips.points[i];
     float reach = 0;
-    if (i % each > 0) reach = glm::distance(place, strips.points[i - 1].place);
-    if (i % each < curve_segments) reach = std::max(reach, glm::distance(place, strips.points[i + 1].place));
+    if (i % each > 0) reach = glm::distance(place, strips.points[i - 1]);
+    if (i % each < curve_segments) reach = std::max(reach, glm::distance(place, strips.points[i + 1]));
     const float width = std::max(strips.styles[curve].root.w, strips.styles[curve].tip.w);
     all = union_of(all, boxes.of(place, reach + width));
   }

@@ -120,12 +120,10 @@ struct FurEye {
   bool operator==(const FurEye&) const = default;
 };
 
-/// A curve that is given: where it goes, and the fur that its root stands in.
+/// A curve that is given.
 struct FurGuide {
   std::vector<glm::dvec3> points;  // at least 2, root first
-  glm::dvec3 skin{0};              // nearest place on the skin to the root
-  glm::dvec3 normal{0, 1, 0};      // of the skin there, unit
-  double fur_height = 0;           // how far the tips of the fur stand above it, sizes
+  glm::dvec3 normal{0, 1, 0};      // of the skin at the root, unit
 
   bool operator==(const FurGuide&) const = default;
 };

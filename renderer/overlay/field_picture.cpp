@@ -177,13 +177,4 @@ FloatImage field_picture(const FurFrame& frame, const std::vector<glm::vec3>& se
   return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) { return stroke_at(field, x, y); });
 }
 
-FloatImage count_overlay(const FloatImage& counts, int shells) {
-  const float most = 2 * static_cast<float>(shells);
-  return plain_overlay(counts.width, counts.height, 1, [&](int x, int y) {
-    const float count = counts.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.width) +
-                                         static_cast<std::size_t>(x))];
-    return glm::vec4(ramp_of(count / most), count > 0 ? overlay_strength : 0.0f);
-  });
-}
-
 }  // namespace pelage

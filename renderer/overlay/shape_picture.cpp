@@ -58,8 +58,6 @@ struct Shape {
 
 }  // namespace
 
-bool is_shape(Overlay overlay) { return overlay == Overlay::bald || overlay == Overlay::wire; }
-
 FloatImage shape_picture(const FurFrame& frame, const FurModel& model, const FloatImage& normals,
                          const FloatImage& pieces, int threads) {
   assert(normals.width == frame.width && pieces.width == frame.width);

@@ -6,12 +6,9 @@
 
 namespace pelage {
 
-/// Whether an overlay is the shape of the model.
-bool is_shape(Overlay overlay);
-
-/// FurFrame::overlay, which is_shape, at the frame's size, which it hides: the skin in plain grey, lit from the camera,
-/// and for Overlay::wire the edges of its triangles. Of each pixel, row by row, `normals` has the normal of the skin
-/// that is seen and 1, 0 where there is none; the first number of `pieces` that of its piece of the model.
+/// Overlay::bald or wire at the frame's size, which it hides: the skin in plain grey, lit from the camera, and for wire
+/// the edges of its triangles. Of each pixel, row by row, `normals` has the normal of the skin that is seen and 1, 0
+/// where there is none; the first number of `pieces` that of its piece of the model.
 FloatImage shape_picture(const FurFrame& frame, const FurModel& model, const FloatImage& normals,
                          const FloatImage& pieces, int threads);
 

@@ -112,11 +112,6 @@ bool ShellsRenderer::has(const Coat& coat) const {
   return std::any_of(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
 }
 
-std::optional<CoatNeed> ShellsRenderer::missing_coat(const FurFrame& frame) const {
-  if (has(frame.coat)) return {};
-  return CoatNeed{frame.coat};
-}
-
 const CoatTextures& ShellsRenderer::textures_of(const Coat& coat) {
   const auto found =
       std::find_if(coats_.begin(), coats_.end(), [&](const CoatTextures& c) { return same_strands(c.coat(), coat); });
@@ -126,7 +121,7 @@ const CoatTextures& ShellsRenderer::textures_of(const Coat& coat) {
   }
   if (coats_.size() == max_cached_coats) coats_.pop_back();
   UploadCount count;
-  return coats_.emplace_front(gl_, coat, *coat_source_({coat}, {}), count);
+  return coats_.emplace_front(gl_, coat, *coat_source_(coat), count);
 }
 
 bool ShellsRenderer::fit_target(const FurFrame& frame) {

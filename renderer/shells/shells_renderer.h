@@ -5,7 +5,6 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "protocol/base/status.h"
@@ -43,8 +42,8 @@ class ShellsRenderer {
   /// too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
   Result<FloatImage> draw(const FurFrame& frame, FrameCounters& counters);
 
-  /// The frame's coat, where its slices are not there yet: it gets them from its source once it draws.
-  std::optional<CoatNeed> missing_coat(const FurFrame& frame) const;
+  /// Whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
+  bool misses_coat(const FurFrame& frame) const { return !has(frame.coat); }
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.

@@ -323,8 +323,8 @@ StrandSet grow_curves(std::span<const FurCurves> curves) {
     const CurveStyle& style = strips.styles[i];
     for (int k = 0; k <= curve_segments; ++k) {
       const glm::vec4 look = glm::mix(style.root, style.tip, static_cast<float>(k) / curve_segments);
-      const CurvePoint& point = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
-      set.points.push_back({point.place, std::max(0.5f * look.w, min_strand_radius)});
+      const glm::vec3 place = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
+      set.points.push_back({place, std::max(0.5f * look.w, min_strand_radius)});
       set.colours.push_back(pack_colour(glm::vec3(look)));
     }
     set.roots.push_back({.normal = glm::vec3(style.normal), .number = style.normal.w});

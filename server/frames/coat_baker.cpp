@@ -12,9 +12,7 @@ constexpr std::chrono::milliseconds pause_length{20};  // between two looks at w
 
 }  // namespace
 
-bool Bake::fits(const CoatNeed& need) const {
-  return stage_ <= Stage::baked && need_.finest <= need.finest && same_strands(need_.coat, need.coat);
-}
+bool Bake::fits(const Coat& coat) const { return stage_ <= Stage::baked && same_strands(coat_, coat); }
 
 CoatBaker::CoatBaker(int threads, std::size_t room, std::function<void()> on_settled)
     : room_(room), on_settled_(std::move(on_settled)) {
@@ -30,24 +28,23 @@ CoatBaker::~CoatBaker() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-CoatBaker::Handle CoatBaker::ask(const CoatNeed& need) {
+CoatBaker::Handle CoatBaker::ask(const Coat& coat) {
   const std::lock_guard lock(mutex_);
   for (const std::weak_ptr<Bake>& known : bakes_) {
-    if (BakePtr bake = known.lock(); bake && bake->fits(need)) return bake;
+    if (BakePtr bake = known.lock(); bake && bake->fits(coat)) return bake;
   }
   std::erase_if(bakes_, [](const auto& bake) { return bake.expired(); });
-  auto bake = std::make_shared<Bake>(need);
+  auto bake = std::make_shared<Bake>(coat);
   bakes_.push_back(bake);
   changed_.notify_all();
   return bake;
 }
 
-std::shared_ptr<const Slices> CoatBaker::wait(const CoatNeed& need, const std::function<bool()>& pause) {
-  for (Handle bake = ask(need);; bake = ask(need)) {  // anew where it was given up as it was asked for
-    while (!bake->settled()) {
-      if (pause && !pause()) return nullptr;
+std::shared_ptr<const Slices> CoatBaker::wait(const Coat& coat) {
+  for (Handle bake = ask(coat);; bake = ask(coat)) {  // anew where it was given up as it was asked for
+    {
       std::unique_lock lock(mutex_);
-      changed_.wait_for(lock, pause_length, [&] { return bake->settled(); });
+      changed_.wait(lock, [&] { return bake->settled(); });
     }
     if (bake->failed()) std::rethrow_exception(bake->error());
     if (auto slices = bake->slices()) return slices;
@@ -64,8 +61,8 @@ std::size_t CoatBaker::held_bytes() const {
   std::size_t bytes = 0;
   for (const std::weak_ptr<Bake>& known : bakes_) {
     const BakePtr bake = known.lock();
-    if (bake && bake->stage_ == Bake::Stage::baking) bytes += baking_bytes(bake->need_.finest);
-    if (bake && bake->stage_ == Bake::Stage::baked) bytes += slices_bytes(bake->need_.finest);
+    if (bake && bake->stage_ == Bake::Stage::baking) bytes += baking_bytes();
+    if (bake && bake->stage_ == Bake::Stage::baked) bytes += slices_bytes();
   }
   return bytes;
 }
@@ -76,7 +73,7 @@ CoatBaker::BakePtr CoatBaker::take_fitting() {
   for (const std::weak_ptr<Bake>& known : bakes_) {
     BakePtr bake = known.lock();
     if (!bake || bake->stage_ != Bake::Stage::waiting) continue;
-    const std::size_t needed = baking_bytes(bake->need_.finest);
+    const std::size_t needed = baking_bytes();
     if (held > 0 && (needed > room_ || held > room_ - needed)) continue;
     bake->stage_ = Bake::Stage::baking;
     return bake;
@@ -108,7 +105,7 @@ void CoatBaker::run() {
 void CoatBaker::bake(const BakePtr& bake) {
   const auto go_on = [&] { return !stopping_ && bake.use_count() > 1; };
   try {
-    Slices slices = bake_slices(bake->need_.coat, bake->need_.finest, go_on);
+    Slices slices = bake_slices(bake->coat_, go_on);
     if (slices.levels.empty()) return settle(*bake, Bake::Stage::given_up);
     bake->slices_ = std::make_shared<const Slices>(std::move(slices));
     ++baked_;

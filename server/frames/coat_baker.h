@@ -19,10 +19,10 @@ namespace pelage {
 /// A coat that is baked, or waits to be. All who want it hold it; once nobody does, its baking ends.
 class Bake {
  public:
-  explicit Bake(CoatNeed of) : need_(std::move(of)) {}
+  explicit Bake(Coat coat) : coat_(std::move(coat)) {}
 
-  /// Whether its slices do for the need, now or later.
-  bool fits(const CoatNeed& need) const;
+  /// Whether its slices are the coat's, now or later.
+  bool fits(const Coat& coat) const;
   /// Whether nothing is to be waited for any more.
   bool settled() const { return stage_ >= Stage::baked; }
   bool failed() const { return stage_ == Stage::failed; }
@@ -35,7 +35,7 @@ class Bake {
   friend class CoatBaker;
   enum class Stage { waiting, baking, baked, given_up, failed };
 
-  const CoatNeed need_;
+  const Coat coat_;
   std::shared_ptr<const Slices> slices_;  // written before `stage_`, as the error is
   std::exception_ptr error_;
   std::atomic<Stage> stage_{Stage::waiting};
@@ -53,9 +53,9 @@ class CoatBaker {
   CoatBaker(const CoatBaker&) = delete;
   CoatBaker& operator=(const CoatBaker&) = delete;
 
-  Handle ask(const CoatNeed& need);
+  Handle ask(const Coat& coat);
   /// Waits for the slices, as CoatSource has it. Throws what baking them threw.
-  std::shared_ptr<const Slices> wait(const CoatNeed& need, const std::function<bool()>& pause);
+  std::shared_ptr<const Slices> wait(const Coat& coat);
 
   /// Of what is baked and held.
   std::size_t bytes() const;

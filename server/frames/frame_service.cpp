@@ -109,8 +109,8 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<i
   if (!context) return started.set_value(context.status());
   threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
-  Result<std::unique_ptr<Renderer>> renderer = make_renderer(
-      context->get(), threads, [this](const CoatNeed& need, const Pause& pause) { return baker.wait(need, pause); });
+  Result<std::unique_ptr<Renderer>> renderer =
+      make_renderer(context->get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
   if (!renderer) return started.set_value(renderer.status());
   description = drawn_by(context->get());
   started.set_value({});
@@ -263,9 +263,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
 }
 
 bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job) {
-  const std::optional<CoatNeed> need = renderer.missing_coat(frame);
-  if (!need) return job.coat = nullptr, false;
-  if (!job.coat || !job.coat->fits(*need)) job.coat = baker.ask(*need);
+  if (!renderer.misses_coat(frame)) return job.coat = nullptr, false;
+  if (!job.coat || !job.coat->fits(frame.coat)) job.coat = baker.ask(frame.coat);
   return job.put_back = !job.coat->settled();
 }
 

@@ -260,25 +260,8 @@ TEST(Slices, SameBitsAgain) {
 
 TEST(Slices, OnceToldToStopTheyStopThoughSomebodyWaitsAgain) {
   std::atomic<int> asked{0};
-  const Slices slices = bake_slices(thin_coat(), slice_levels - 1, [&] { return ++asked != 2; });
+  const Slices slices = bake_slices(thin_coat(), [&] { return ++asked != 2; });
   EXPECT_TRUE(slices.levels.empty()) << "a slice is missing";
-}
-
-TEST(Slices, ALevelIsTheSameWhateverIsTheFinest) {
-  const Coat coat = thin_coat();
-  const Slices all = bake_slices(coat);
-  for (const int finest : {1, 3, slice_levels - 1}) {
-    const Slices some = bake_slices(coat, finest);
-    EXPECT_EQ(some.finest, finest);
-    EXPECT_EQ(some.depth_above, all.depth_above);
-    for (int i = 0; i < slice_levels; ++i) {
-      const SliceLevel &level = some.levels[static_cast<std::size_t>(i)],
-                       &same = all.levels[static_cast<std::size_t>(i)];
-      EXPECT_EQ(level.texels, i < finest ? 0 : same.texels) << i;
-      EXPECT_TRUE(i < finest ? level.shape.empty() : level.shape == same.shape && level.colour == same.colour) << i;
-      EXPECT_TRUE(i < finest || level.depth_scale == same.depth_scale) << i;
-    }
-  }
 }
 
 // 100,000 discs of ten tiles each: without an end it would take days.

@@ -15,8 +15,7 @@ FurCurves comb_of(int guides, int fill, double spread = 0) {
   FurCurves group;
   for (int g = 0; g < guides; ++g) {
     const double x = g;
-    group.guides.push_back(
-        {.points = {{x, 0, 0}, {x, 0, 1}}, .skin = {x, 0, 0}, .normal = {0, 0, 1}, .fur_height = 0.5});
+    group.guides.push_back({.points = {{x, 0, 0}, {x, 0, 1}}, .normal = {0, 0, 1}});
   }
   group.width_root = 0.01, group.width_tip = 0.001;
   group.root_colour = {1, 0.5f, 0.25f}, group.tip_colour = {0, 0.5f, 1};
@@ -25,16 +24,14 @@ FurCurves comb_of(int guides, int fill, double spread = 0) {
 }
 
 CurveStrips strips_of(const FurCurves& group) { return make_strips({&group, 1}); }
-glm::vec3 root_of(const CurveStrips& strips, std::size_t curve) { return strips.points[curve * places_of_curve].place; }
+glm::vec3 root_of(const CurveStrips& strips, std::size_t curve) { return strips.points[curve * places_of_curve]; }
 glm::vec3 tip_of(const CurveStrips& strips, std::size_t curve) {
-  return strips.points[curve * places_of_curve + curve_segments].place;
+  return strips.points[curve * places_of_curve + curve_segments];
 }
 
 void expect_finite(const CurveStrips& strips) {
-  for (const CurvePoint& point : strips.points) {
-    for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(point.place[k]));
-    ASSERT_GE(point.fur, 0);
-    ASSERT_LE(point.fur, 2);
+  for (const glm::vec3& place : strips.points) {
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(place[k]));
   }
   for (const CurveStyle& style : strips.styles) EXPECT_NEAR(glm::length(glm::vec3(style.normal)), 1, 1e-6);
 }
@@ -45,7 +42,7 @@ TEST(CurveStrips, GuidesAloneAreDrawnAsTheyAreGiven) {
   const CurveStrips strips = strips_of(group);
   ASSERT_EQ(strips.styles.size(), 3u);
   ASSERT_EQ(strips.points.size(), 3 * places_of_curve);
-  EXPECT_EQ(strips.points[places_of_curve + curve_segments / 2].place, glm::vec3(1, 1, 0));
+  EXPECT_EQ(strips.points[places_of_curve + curve_segments / 2], glm::vec3(1, 1, 0));
   EXPECT_EQ(tip_of(strips, 1), glm::vec3(2, 1, 0));
   EXPECT_EQ(strips.styles[0].root, glm::vec4(1, 0.5f, 0.25f, 0.01f));
   EXPECT_EQ(strips.styles[0].tip, glm::vec4(0, 0.5f, 1, 0.001f));
@@ -58,16 +55,6 @@ TEST(CurveStrips, FillLiesEvenlyBetweenNeighbours) {
     EXPECT_NEAR(root_of(strips, i).x, static_cast<double>(i) / 5, 1e-6) << i;
     EXPECT_NEAR(tip_of(strips, i).z, 1, 1e-6) << i;
   }
-}
-
-TEST(CurveStrips, HeightInTheFurIsMeasuredFromTheSkin) {
-  const CurveStrips strips = strips_of(comb_of(1, 0));
-  EXPECT_EQ(strips.points.front().fur, 0);
-  EXPECT_NEAR(strips.points[curve_segments / 4].fur, 0.5, 1e-6);  // a quarter along: half of the fur
-  EXPECT_EQ(strips.points.back().fur, 2);                         // held there
-  FurCurves bare = comb_of(1, 0);
-  bare.guides[0].fur_height = 0;
-  EXPECT_EQ(strips_of(bare).points[1].fur, 2);
 }
 
 TEST(CurveStrips, SpreadIsWithinWhatTheContractSays) {
@@ -101,19 +88,9 @@ TEST(CurveStrips, ExtremesAreFinite) {
   group.guides[0].normal = -group.guides[1].normal;  // their mix has no direction in the middle
   expect_finite(strips_of(group));
   group.guides[0].points = {{-1e6, 1e6, 1e6}, {1e6, -1e6, -1e6}, {-1e6, 1e6, 1e6}};
-  group.guides[0].fur_height = 1e-300;
   expect_finite(strips_of(group));
   group.width_root = group.width_tip = 0;
   expect_finite(strips_of(group));
-}
-
-TEST(CurveStrips, FarOnesComeFirstAndBackFacingOnesBeforeThem) {
-  FurCurves group = comb_of(4, 0);
-  group.guides[0].normal = group.guides[2].normal = {-1, 0, 0};
-  const CurveOrder order = order_strips(strips_of(group), {10, 0, 5});
-  EXPECT_EQ(order.back_facing, 2u);
-  EXPECT_EQ(order.curves, (std::vector<std::uint32_t>{0, 2, 1, 3}));
-  EXPECT_TRUE(order_strips({}, glm::vec3(0)).curves.empty());
 }
 
 }  // namespace

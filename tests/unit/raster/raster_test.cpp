@@ -145,7 +145,7 @@ TEST(Raster, CurvesAreDrawnWholeHoweverFewStrandsAre) {
   std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
   FurCurves whiskers;
   for (const double y : {0.06, 0.1, 0.14, 0.18, 0.22, 0.26, 0.3, 0.34})
-    whiskers.guides.push_back({.points = {{0.1, y, 0.01}, {0.3, y, 0.01}}, .skin = {0.1, y, 0}, .normal = {0, 0, 1}});
+    whiskers.guides.push_back({.points = {{0.1, y, 0.01}, {0.3, y, 0.01}}, .normal = {0, 0, 1}});
   whiskers.width_root = whiskers.width_tip = 0.006, whiskers.root_colour = whiskers.tip_colour = glm::vec3(1, 0, 0);
   const auto seen = [&](const RasterQuality& quality) {  // down the middle of the picture
     const FloatImage image = stage.draw(quality);

@@ -368,7 +368,7 @@ TEST(GrowAndSlices, CoverTheSamePlaces) {
 
 TEST(GrowCurves, AreTheStripsOfTheCurves) {
   FurCurves whiskers;
-  whiskers.guides = {{{{0, 0, 0}, {0, 0, 0.1}}, {0, 0, 0}, {0, 1, 0}, 0.03}, {{{0.1, 0, 0}, {0.1, 0.02, 0.1}}}};
+  whiskers.guides = {{{{0, 0, 0}, {0, 0, 0.1}}, {0, 1, 0}}, {{{0.1, 0, 0}, {0.1, 0.02, 0.1}}}};
   whiskers.width_root = 0.002, whiskers.width_tip = 0, whiskers.fill = 3;
   whiskers.root_colour = {1, 1, 1}, whiskers.tip_colour = {0, 0, 0};
   const StrandSet set = grow_curves({&whiskers, 1});
