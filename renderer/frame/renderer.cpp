@@ -37,14 +37,14 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererO
   return renderer;
 }
 
-UploadCount Renderer::add(const FurModel& model, const FurFields& fields) { return {raster_.add(model, fields), 1}; }
+UploadCount Renderer::add(const FurModel& model, const FurFields& fields) { return {raster_.add(model, fields)}; }
 
 UploadCount Renderer::add_shells(const FurModel& model, const FurFields& fields) {
   return shells_ ? shells_->add(model, fields) : UploadCount{};
 }
 
 UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
-  const UploadCount taken{raster_.update(model, fields), 0};
+  const UploadCount taken{raster_.update(model, fields)};
   return has_shells(model) ? shells_->update(model, fields) : taken;
 }
 

@@ -157,7 +157,6 @@ std::string Gl::load(const LoadFunction& find) {
   get(counted_.BindTextureUnit, "glBindTextureUnit");
   get(BindVertexArray, "glBindVertexArray");
   get(BlendEquation, "glBlendEquation");
-  get(BlendEquationSeparate, "glBlendEquationSeparate");
   get(BlendFunc, "glBlendFunc");
   get(CheckNamedFramebufferStatus, "glCheckNamedFramebufferStatus");
   get(ClearNamedBufferData, "glClearNamedBufferData");
@@ -209,7 +208,6 @@ std::string Gl::load(const LoadFunction& find) {
   get(MemoryBarrier, "glMemoryBarrier");
   get(counted_.NamedBufferData, "glNamedBufferData");
   get(counted_.NamedBufferSubData, "glNamedBufferSubData");
-  get(NamedFramebufferDrawBuffers, "glNamedFramebufferDrawBuffers");
   get(NamedFramebufferRenderbuffer, "glNamedFramebufferRenderbuffer");
   get(NamedFramebufferTexture, "glNamedFramebufferTexture");
   get(counted_.NamedRenderbufferStorage, "glNamedRenderbufferStorage");

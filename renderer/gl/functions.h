@@ -28,7 +28,6 @@ struct Gl {
   PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
   PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
   PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
-  PFNGLBLENDEQUATIONSEPARATEPROC BlendEquationSeparate = nullptr;
   PFNGLBLENDFUNCPROC BlendFunc = nullptr;
   PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
   PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
@@ -72,7 +71,6 @@ struct Gl {
   PFNGLGETSTRINGPROC GetString = nullptr;
   PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
   PFNGLMEMORYBARRIERPROC MemoryBarrier = nullptr;
-  PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC NamedFramebufferDrawBuffers = nullptr;
   PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
   PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
   PFNGLPIXELSTOREIPROC PixelStorei = nullptr;

@@ -41,8 +41,8 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
     scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
   }
   FrameOptics optics;
-  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), above_}, model.has_colours,
-                                  frame.height);
+  optics.frame =
+      make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), above_}, model.has_colours, frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),

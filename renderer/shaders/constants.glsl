@@ -69,4 +69,3 @@ const int iris_map_height = 256;     // rows from the pupil to the limbus
 const int caustic_angles = 20;       // of the light to the axis, from 0 to caustic_reach
 const float caustic_reach = 2.0;     // radians
 
-const int vertex_floats = 24;        // of a vertex in its buffer

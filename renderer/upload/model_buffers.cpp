@@ -65,7 +65,7 @@ ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields&
   gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(split.vertices.size() * sizeof(glm::vec3)), nullptr,
                      GL_DYNAMIC_DRAW);
   keep(model, std::move(split));
-  count.bytes += bytes, count.buffers += 1;
+  count.bytes += bytes;
   const DirtyRange all{0, static_cast<std::uint32_t>(model.positions.size())};
   update(gl, {fields.direction, fields.length, {&all, 1}, fields.skin, fields.paint}, count);
   make_vertex_array(gl);
@@ -189,7 +189,7 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
     if (begin == end) continue;
     const auto bytes = static_cast<GLsizeiptr>((end - begin) * sizeof(glm::vec3));
     gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, &groom_values_[begin]);
-    count.bytes += static_cast<std::size_t>(bytes), count.buffers += 1;
+    count.bytes += static_cast<std::size_t>(bytes);
     paint_.send(gl, fields.paint, begin, std::span(welded_).subspan(begin, end - begin), count);
   }
 }

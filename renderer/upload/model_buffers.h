@@ -35,7 +35,6 @@ enum class Attribute : GLuint {
 /// What was sent, for tests and metrics.
 struct UploadCount {
   std::size_t bytes = 0;
-  std::size_t buffers = 0;
 };
 
 struct SplitModel;
@@ -66,8 +65,6 @@ class ModelBuffers {
   /// Of render vertices, where patterns and tufts see them.
   std::span<const glm::vec3> rest_places() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
   VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
-  /// The model's vertex of each render vertex.
-  std::span<const std::uint32_t> welded() const { return welded_; }
   /// Slow changes of the fur at each render vertex (renderer/pattern); read by programs with a pattern only.
   void send_variation(const Gl& gl, std::span<const glm::vec4> values);
 

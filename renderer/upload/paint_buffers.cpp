@@ -46,7 +46,7 @@ void send_pairs(const Gl& gl, const Buffer& buffer, std::size_t begin, std::span
   const std::size_t bytes = pairs.size() * sizeof(Pair);
   gl.NamedBufferSubData(buffer.id(), static_cast<GLintptr>(begin * sizeof(Pair)), static_cast<GLsizeiptr>(bytes),
                         pairs.data());
-  count.bytes += bytes, count.buffers += 1;
+  count.bytes += bytes;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// As vertex_floats of renderer/shaders/constants.glsl counts it.
+/// A vertex in its buffer.
 struct RenderVertex {
   glm::vec3 position, normal, tangent;
   glm::vec2 tile_uv;

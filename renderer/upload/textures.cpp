@@ -40,7 +40,6 @@ Texture send(const Gl& gl, const Slices& slices, Texels texels, GLenum magnified
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnified));
   gl.TextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_REPEAT);
-  count.buffers += 1;
   return texture;
 }
 

@@ -92,7 +92,6 @@ void main() {
     vec4 open = vec4(place, 0.0);
 #endif
     sum = mix(sum, bare_light(region, place, open, normal), region.share);
-    colour = mix(colour, region.colour.rgb, region.share);
   }
 #endif
   result = known(vec4(sum, 1.0));
