@@ -61,18 +61,6 @@ using std::numbers::pi;
 
 double square(double x) { return x * x; }
 
-/// Written for both precisions: the difference of cosines keeps its digits where product and exponential would not.
-template <typename Real>
-Real longitudinal_whole(Real v) {
-  return -v * std::expm1(-2 / v);
-}
-
-template <typename Real>
-Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v, Real whole) {
-  const Real apart = cos_in - cos_out, sum = sin_in + sin_out;
-  return scaled_bessel_i0(cos_in * cos_out / v) * std::exp(-(apart * apart + sum * sum) / (2 * v)) / whole;
-}
-
 }  // namespace
 
 double longitudinal_variance(double beta_m) {
@@ -82,16 +70,6 @@ double longitudinal_variance(double beta_m) {
 double azimuthal_scale(double beta_n) {
   const double scale = 0.265 * beta_n + 1.194 * beta_n * beta_n + 5.372 * std::pow(beta_n, 22);
   return std::max(1e-4, std::sqrt(pi / 8) * scale);
-}
-
-double scaled_bessel_i0(double x) {
-  double sum = 1, term = 1;
-  if (x < 30) {  // all terms are positive: no digits are lost
-    for (int k = 1; term > 1e-17 * sum; ++k) sum += term *= square(x / 2 / k);
-    return sum * std::exp(-x);
-  }
-  for (int k = 1; k < 25; ++k) sum += term *= square(2 * k - 1) / (8 * x * k);
-  return sum / std::sqrt(2 * pi * x);
 }
 
 float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-7
@@ -109,14 +87,6 @@ float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-
   return (head + u * u * u * u * tail) / std::sqrt(x);
 }
 
-double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v) {
-  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v, longitudinal_whole(v));
-}
-
-float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v) {
-  return longitudinal_of(cos_in, cos_out, sin_in, sin_out, v, longitudinal_whole(v));
-}
-
 double wrapped_angle(double angle) { return angle - 2 * pi * std::nearbyint(angle / (2 * pi)); }
 
 double logistic(double x, double s) {
@@ -125,8 +95,6 @@ double logistic(double x, double s) {
 }
 
 double logistic_share(double s) { return std::tanh(pi / (2 * s)); }
-
-double trimmed_logistic(double x, double s) { return logistic(x, s) / logistic_share(s); }
 
 double sample_trimmed_logistic(double u, double s) {
   const double beyond = 1 / (1 + std::exp(pi / s)), below = beyond + u * logistic_share(s);
@@ -176,39 +144,9 @@ FibreLobes energy_conserving_lobes(const FibreOptics& fibre) {
   lobes.azimuthal_whole = std::tanh(pi / (2 * lobes.azimuthal_scale));
   for (std::size_t p = 0; p < lobe_count; ++p) {
     lobes.tilt_sine[p] = std::sin(lobes.tilt[p]), lobes.tilt_cosine[p] = std::cos(lobes.tilt[p]);
-    lobes.whole[p] = longitudinal_whole(lobes.variance[p]);
+    lobes.whole[p] = -lobes.variance[p] * std::expm1(-2 / lobes.variance[p]);
   }
   return lobes;
-}
-
-LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& view) {
-  LobeValues values{};
-  for (std::size_t p = 0; p < lobe_count; ++p) {
-    const double sine = lobes.tilt_sine[p], cosine = lobes.tilt_cosine[p];
-    const double tilted_cosine = std::abs(view.cosine * cosine - view.sine * sine);
-    values[p] = longitudinal_of(light.cosine, tilted_cosine, light.sine, view.sine * cosine + view.cosine * sine,
-                                lobes.variance[p], lobes.whole[p]);
-  }
-  return values;
-}
-
-LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth) {
-  LobeValues values{};
-  for (int p = 0; p < lobe_count - 1; ++p) {
-    const double apart = wrapped_angle(azimuth - exit_azimuth(p, h, cos_theta_view, lobes.eta));
-    values[static_cast<std::size_t>(p)] = trimmed_logistic(apart, lobes.azimuthal_scale);
-  }
-  values[lobe_count - 1] = 1 / (2 * pi);
-  return values;
-}
-
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& view, double azimuth,
-                         double h, double sigma_a) {
-  const LobeValues m = longitudinal_lobes(lobes, light, view), n = azimuthal_lobes(lobes, view.cosine, h, azimuth);
-  const LobeValues a = attenuation(view.cosine, h, sigma_a, lobes.eta);
-  double sum = 0;
-  for (std::size_t p = 0; p < lobe_count; ++p) sum += m[p] * a[p] * n[p];
-  return sum;
 }
 
 namespace {

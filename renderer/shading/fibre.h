@@ -29,25 +29,14 @@ std::vector<QuadratureNode> gauss_legendre(int count, double from, double to);
 constexpr int lobe_count = 4;
 using LobeValues = std::array<double, lobe_count>;
 
-/// A direction by its inclination. cosine >= 0.
-struct Inclination {
-  double sine = 0;
-  double cosine = 1;
-};
-
 /// Variance v of the longitudinal term of R for beta_m in [0, 1] (Chiang 2016), at least 4e-7: TT has a quarter of it.
 double longitudinal_variance(double beta_m);
 
 /// Scale s of the logistic distribution for beta_n in [0, 1] (Chiang 2016), at least 1e-4.
 double azimuthal_scale(double beta_n);
 
-/// exp(-x) I0(x) for x >= 0: the modified Bessel function without its growth.
-double scaled_bessel_i0(double x);
+/// exp(-x) I0(x) for x >= 0: the modified Bessel function without its growth, to 2e-7.
 float scaled_bessel_i0(float x);
-
-/// Mp of d'Eon 2011, normalised: its integral over theta_i with cos theta_i is 1. Finite for v in [1e-7, inf).
-double longitudinal(double cos_in, double cos_out, double sin_in, double sin_out, double v);
-float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, float v);
 
 /// `angle` in [-pi, pi], whole turns taken off; by a rounding, which is many times as fast as std::remainder. |angle| <
 /// 1e9.
@@ -57,10 +46,7 @@ double wrapped_angle(double angle);
 double logistic(double x, double s);
 double logistic_share(double s);
 
-/// The logistic distribution of scale s > 0, cut to [-pi, pi] and normalised there; x in [-pi, pi].
-double trimmed_logistic(double x, double s);
-
-/// The x in [-pi, pi] below which a share u in (0, 1) of it lies.
+/// The x below which a share u in (0, 1) lies of the logistic distribution of scale s > 0, cut to [-pi, pi].
 double sample_trimmed_logistic(double u, double s);
 
 /// sigma_a per fibre radius for each channel, >= 0. Colour: Chiang 2016, a colour in [0, 1]; values under 1e-6 count
@@ -93,16 +79,6 @@ struct FibreLobes {
   double azimuthal_whole = 1;  // tanh(pi / (2 s)), the share of the logistic distribution within [-pi, pi]
 };
 FibreLobes energy_conserving_lobes(const FibreOptics& fibre);
-
-/// Mp for each lobe, with the eye's inclination tilted by the cuticle.
-LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& view);
-
-/// Np for each lobe at an offset h: near field. `azimuth` is phi of the light less phi of the eye, radians.
-LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth);
-
-/// Sum of Mp Ap Np at an offset h in [-1, 1] across the fibre: 1 / steradian, with the cosine of theta_i in it.
-double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, const Inclination& view, double azimuth,
-                         double h, double sigma_a);
 
 // energy_conserving for paths: evaluated fast in float, and sampled by its lobes (Chiang 2016; science.md 4). A
 // direction is (sin theta, cos theta cos phi, cos theta sin phi) about the axis of fibre.h, from tip to root.

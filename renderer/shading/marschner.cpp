@@ -81,10 +81,6 @@ LobeValues AzimuthalAverage::sum(const NodeValues& spread, const NodeValues& pas
   return {marschner_reflection(cos_theta, azimuth, eta_), total[1], total[2], 0};
 }
 
-LobeValues AzimuthalAverage::at(double cos_theta, double azimuth, double sigma_a) const {
-  return sum(spread(exits(cos_theta), azimuth), passed(cos_theta, sigma_a), cos_theta, azimuth);
-}
-
 MarschnerLobes marschner_lobes(const FibreOptics& fibre) {
   const double alpha = fibre.cuticle_tilt * pi / 180, beta = fibre.highlight_width * pi / 180;
   const auto width = [](double wanted) { return std::max(wanted, 1e-3); };

@@ -15,11 +15,9 @@ class AzimuthalAverage {
   /// `shading` is energy_conserving or marschner.
   AzimuthalAverage(ShadingModel shading, const FibreOptics& fibre);
 
-  /// 1/2 the integral over h of Ap Np for each lobe. `cos_theta` in [0, 1], `azimuth` in [-pi, pi], `sigma_a` >= 0.
+  /// 1/2 the integral over h of Ap Np for each lobe, in parts that tables share: values for each node and lobe.
+  /// `spread` holds Np and the weight, `passed` Ap. `cos_theta` in [0, 1], `azimuth` in [-pi, pi], `sigma_a` >= 0.
   /// Scales of N under .02 count as that: narrower ones fall between the nodes.
-  LobeValues at(double cos_theta, double azimuth, double sigma_a) const;
-
-  /// The same in parts, for tables: values for each node and lobe. `spread` holds Np and the weight, `passed` Ap.
   using NodeValues = std::vector<LobeValues>;
   NodeValues exits(double cos_theta) const;
   NodeValues spread(const NodeValues& exits, double azimuth) const;

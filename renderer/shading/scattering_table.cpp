@@ -36,17 +36,6 @@ double azimuth_at(double coordinate) {
   return std::atan2(1 - std::abs(along), along);
 }
 
-struct Between {
-  int first = 0;
-  double share = 0;  // of the node after it
-};
-
-Between between(double position, int count) {
-  const double scaled = std::clamp(position, 0.0, 1.0) * (count - 1);
-  const int first = std::min(static_cast<int>(scaled), count - 2);
-  return {first, scaled - first};
-}
-
 /// Fills all azimuths and absorptions of one inclination.
 void fill_inclination(const AzimuthalAverage& average, int j, ScatteringTable& table) {
   const double cos_theta = fraction(j, table.inclinations);
@@ -74,21 +63,6 @@ double azimuth_coordinate(double azimuth) {
 }
 
 double absorption_coordinate(double sigma_a) { return std::exp(-3 * std::sqrt(sigma_a)); }
-
-LobeValues ScatteringTable::at(double cos_theta, double azimuth, double absorption) const {
-  assert(!empty());
-  const Between i = between(azimuth_coordinate(azimuth), azimuths);
-  const Between j = between(cos_theta, inclinations), k = between(absorption, absorptions);
-  LobeValues sum{};
-  for (int corner = 0; corner < 8; ++corner) {
-    const int di = corner & 1, dj = corner >> 1 & 1, dk = corner >> 2;
-    const double weight = (di ? i.share : 1 - i.share) * (dj ? j.share : 1 - j.share) * (dk ? k.share : 1 - k.share);
-    const int texel = ((k.first + dk) * inclinations + j.first + dj) * azimuths + i.first + di;
-    for (std::size_t p = 0; p < lobe_count; ++p)
-      sum[p] += weight * double(values[4 * static_cast<std::size_t>(texel) + p]);
-  }
-  return sum;
-}
 
 ScatteringTable make_scattering_table(const Look& look) {
   if (look.shading != ShadingModel::energy_conserving && look.shading != ShadingModel::marschner) return {};

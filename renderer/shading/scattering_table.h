@@ -21,8 +21,6 @@ struct ScatteringTable {
   std::vector<float> values;
 
   bool empty() const { return values.empty(); }
-  /// Trilinear, as a texture unit does it. Not for an empty table.
-  LobeValues at(double cos_theta, double azimuth, double absorption_coordinate) const;
 };
 
 /// Empty for models that need none. It depends on shading, eta, azimuthal roughness and caustic width alone:

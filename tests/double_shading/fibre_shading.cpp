@@ -76,7 +76,7 @@ glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::d
 glm::dvec3 FibreShading::scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) const {
   if (!is_fibre()) return empirical(geometry, colour, strand);
   return fibre_sum(geometry, absorption(colour), [&](double cos_theta, double azimuth, double sigma_a) {
-    return average_->at(cos_theta, azimuth, sigma_a);
+    return average_at(*average_, cos_theta, azimuth, sigma_a);
   });
 }
 
@@ -90,7 +90,7 @@ glm::dvec3 FibreShading::scatter_absorbed(const ScatterGeometry& geometry, const
                                           const ScatteringTable& table) const {
   assert(is_fibre());
   return fibre_sum(geometry, absorbed, [&](double cos_theta, double azimuth, double sigma_a) {
-    return table.at(cos_theta, azimuth, absorption_coordinate(sigma_a));
+    return table_at(table, cos_theta, azimuth, absorption_coordinate(sigma_a));
   });
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/shading/marschner.h"
 #include "renderer/shading/scattering_table.h"
 #include "tests/double_shading/empirical.h"
+#include "tests/double_shading/fibre_lobes.h"
 #include "tests/double_shading/marschner_lobes.h"
 
 namespace pelage {

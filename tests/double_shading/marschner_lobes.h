@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/shading/marschner.h"
+#include "tests/double_shading/fibre_lobes.h"
 
 namespace pelage {
 

@@ -168,7 +168,8 @@ LobeValues lobes_of(const FibreShading& shading, const Look& look, const Case& c
   const double azimuth =
       std::acos(std::clamp(glm::dot(glm::normalize(across_light), glm::normalize(across_view)), -1.0, 1.0));
   const double sigma_a = shading.absorption(glm::dvec3(c.colour)).r;
-  LobeValues n = table.at(marschner ? cos_difference(light, eye) : eye.cosine, azimuth, absorption_coordinate(sigma_a));
+  LobeValues n =
+      table_at(table, marschner ? cos_difference(light, eye) : eye.cosine, azimuth, absorption_coordinate(sigma_a));
   for (std::size_t p = 0; p < lobe_count; ++p) n[p] *= m[p];
   return n;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/shading/fibre.h"
+#include "tests/double_shading/fibre_lobes.h"
 
 namespace pelage {
 namespace {

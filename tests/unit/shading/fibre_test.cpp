@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "renderer/shading/marschner.h"
+#include "tests/double_shading/fibre_lobes.h"
 
 namespace pelage {
 namespace {
@@ -151,7 +152,7 @@ double furnace(const FibreLobes& lobes, const AzimuthalAverage& average, double 
   const Inclination eye = inclination(theta_view);
   LobeValues around{};
   for (const QuadratureNode& node : gauss_legendre(160, 0, pi)) {
-    const LobeValues n = average.at(eye.cosine, node.x, 0);
+    const LobeValues n = average_at(average, eye.cosine, node.x, 0);
     for (std::size_t p = 0; p < lobe_count; ++p) around[p] += 2 * node.weight * n[p];
   }
   double sum = 0;
@@ -195,7 +196,7 @@ TEST(Fibre, TheMiddleIsNotTheAverage) {
   const Inclination level = inclination(0);
   EXPECT_NEAR(scatter_at_offset(lobes, level, level, pi, 0, 1), 0.702, 5e-4);
   const LobeValues m = longitudinal_lobes(lobes, level, level);
-  const LobeValues n = AzimuthalAverage(ShadingModel::energy_conserving, fibre).at(1, pi, 1);
+  const LobeValues n = average_at(AzimuthalAverage(ShadingModel::energy_conserving, fibre), 1, pi, 1);
   EXPECT_NEAR(m[0] * n[0] + m[1] * n[1] + m[2] * n[2] + m[3] * n[3], 0.234, 5e-4);
 }
 
@@ -213,7 +214,7 @@ TEST(Fibre, AverageIsTheMeanOfOffsets) {
                          n = azimuthal_lobes(lobes, cos_theta, h, azimuth);
         for (std::size_t p = 0; p < lobe_count; ++p) mean[p] += a[p] * n[p] / samples;
       }
-      const LobeValues value = average.at(cos_theta, azimuth, 0.4);
+      const LobeValues value = average_at(average, cos_theta, azimuth, 0.4);
       for (std::size_t p = 0; p < lobe_count; ++p)
         EXPECT_NEAR(value[p], mean[p], 2e-5) << "p " << p << " phi " << azimuth;
     }

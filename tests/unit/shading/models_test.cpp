@@ -213,7 +213,7 @@ TEST(Marschner, AroundTheStrandEnergyIsKept) {
   for (const double cos_theta : {0.3, 0.8, 1.0}) {
     double sum = 0, longer = 0;
     for (const QuadratureNode& node : gauss_legendre(400, 0, pi)) {
-      const LobeValues n = average.at(cos_theta, node.x, 0);
+      const LobeValues n = average_at(average, cos_theta, node.x, 0);
       sum += 2 * node.weight * (n[0] + n[1] + n[2]);
     }
     for (const QuadratureNode& node : gauss_legendre(400, 0, 1)) {
@@ -229,7 +229,7 @@ TEST(Marschner, ReflectionAgreesWithTheAverage) {
   fibre.azimuthal_roughness = 0.09;
   const AzimuthalAverage average(ShadingModel::energy_conserving, fibre);
   for (const double azimuth : {0.0, 1.0, 2.0}) {
-    EXPECT_NEAR(average.at(0.9, azimuth, 0)[0] / marschner_reflection(0.9, azimuth, 1.55), 1, 5e-3) << azimuth;
+    EXPECT_NEAR(average_at(average, 0.9, azimuth, 0)[0] / marschner_reflection(0.9, azimuth, 1.55), 1, 5e-3) << azimuth;
   }
 }
 
@@ -293,8 +293,8 @@ TEST(ScatteringTable, IsCloseToTheIntegral) {
       for (double azimuth = 0.013; azimuth < pi; azimuth += 0.173) {
         for (const double colour : {0.02, 0.2, 0.6, 0.95}) {
           const double sigma_a = absorption_from_colour(glm::dvec3(colour), 0.3).r;
-          const LobeValues truth = average.at(cos_theta, azimuth, sigma_a);
-          const LobeValues value = table.at(cos_theta, azimuth, absorption_coordinate(sigma_a));
+          const LobeValues truth = average_at(average, cos_theta, azimuth, sigma_a);
+          const LobeValues value = table_at(table, cos_theta, azimuth, absorption_coordinate(sigma_a));
           for (std::size_t p = 0; p < lobe_count; ++p) {
             error[p] = std::max(error[p], std::abs(value[p] - truth[p]));
             peak[p] = std::max(peak[p], truth[p]);
