@@ -118,7 +118,6 @@ class Evaluator {
 
   glm::vec2 marks(glm::vec3 place, glm::vec3 normal) const;
   glm::vec3 weights(glm::vec3 place, glm::vec3 normal) const;
-  glm::vec3 varied(glm::vec3 place, glm::vec3 colour) const;
 
   float swell(glm::vec3 place, std::uint32_t stream) const {
     return glm::clamp(1.8f * noise(block_.derived.x * place, stream), -1.0f, 1.0f);
@@ -225,15 +224,6 @@ float Evaluator::under(glm::vec3 place, glm::vec3 normal, float reach, float hal
   return glm::smoothstep(threshold - half_width, threshold + half_width, down);
 }
 
-glm::vec3 Evaluator::varied(glm::vec3 place, glm::vec3 colour) const {
-  if (block_.variation.x > 0) colour *= std::exp2(block_.variation.x * swell(place, 11));
-  if (block_.variation.y > 0) {
-    const float turn = block_.variation.y * swell(place, 12) / 3;
-    colour *= glm::vec3(1 + turn, 1, 1 - turn);
-  }
-  return colour;
-}
-
 glm::vec3 Evaluator::countershading(glm::vec3 place, glm::vec3 normal) const {
   const float half_width = 0.1f + softness(), reach = coverage();
   const float back = 1 - under(place, normal, glm::min(reach + 0.3f, 1.0f), half_width);
@@ -261,18 +251,10 @@ glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 b
   return glm::mix(colour, glm::vec3(block.colour) * shade, weights.z);
 }
 
-glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
-  return Evaluator(block).varied(place, with_weights(block, pattern_weights(block, place, normal), base));
-}
-
 glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place) {
   const float hue = block.variation.y > 0 ? block.variation.y * Evaluator(block).swell(place, 12) / 3 : 0;
   const float lightness = block.variation.x > 0 ? std::exp2(block.variation.x * Evaluator(block).swell(place, 11)) : 1;
   return {pattern_length(block, place), pattern_lean(block, place), lightness, hue};
-}
-
-glm::vec2 pattern_marks(const PatternBlock& block, glm::vec3 place, glm::vec3 normal) {
-  return Evaluator(block).marks(place, normal);
 }
 
 float pattern_length(const PatternBlock& block, glm::vec3 place) {

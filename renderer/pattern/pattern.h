@@ -41,10 +41,6 @@ bool has_pattern(const Coat& coat);
 // UVs. Shells read them from a volume (surface_volume.h) and from vertices: evaluated in each fragment they would cost
 // more than all else together.
 
-/// The colour of a strand whose root is at `place` with this normal (unit) and which would be `base` (linear) without a
-/// pattern. Markings get lighter and darker along the strand as the base does. The base itself where there is none.
-glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base);
-
 /// Shares of the belly's colour, of the inner colour and of the marking's, mixed in that order, each in [0, 1].
 glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 normal);
 
@@ -54,9 +50,6 @@ glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 b
 /// Slow changes at a place: factor on the length, addition to the inclination, factor on the lightness, turn of the
 /// hue.
 glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place);
-
-/// How far the marking covers the place and how far the inner colour does, each in [0, 1].
-glm::vec2 pattern_marks(const PatternBlock& block, glm::vec3 place, glm::vec3 normal);
 
 /// Factor on the length of fur, [0, 2].
 float pattern_length(const PatternBlock& block, glm::vec3 place);

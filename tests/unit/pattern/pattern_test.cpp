@@ -33,6 +33,20 @@ void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& 
   }
 }
 
+/// How far the marking covers the place and how far the inner colour does.
+glm::vec2 pattern_marks(PatternBlock block, glm::vec3 place, glm::vec3 normal) {
+  block.amounts.x = block.amounts.y = 1, block.amounts.w = 0;
+  const glm::vec3 weights = pattern_weights(block, place, normal);
+  return {weights.z, weights.y};
+}
+
+/// The colour of a strand whose root stands there and which would be `base` without a pattern.
+glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
+  const glm::vec4 varied = pattern_variation(block, place);
+  return with_weights(block, pattern_weights(block, place, normal), base) *
+         (varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w));
+}
+
 /// Mean of the markings over a sphere.
 glm::dvec2 mean_marks(const Pattern& pattern) {
   const PatternBlock block = make_pattern_block(with(pattern));

@@ -69,6 +69,13 @@ TEST(GrowColour, PicturesHaveVUp) {
   expect_colour(colour_of(patch.grow({plain_coat(50), true}), 0, 0), glm::vec3(1.2f));
 }
 
+/// The colour of a strand whose root stands there and that would be `base` without a pattern.
+glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
+  const glm::vec4 varied = pattern_variation(block, place);
+  return with_weights(block, pattern_weights(block, place, normal), base) *
+         (varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w));
+}
+
 TEST(GrowColour, PatternIsThatOfTheRoot) {
   Coat coat = plain_coat(400);
   coat.pattern.kind = PatternKind::spots, coat.pattern.belly = 0.5;
