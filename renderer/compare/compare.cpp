@@ -285,9 +285,4 @@ Result<PictureError> compare(const FloatImage& reference, const FloatImage& test
   return error;
 }
 
-Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask,
-                             const CompareOptions& options) {
-  return compare(linear_image(reference), linear_image(test), mask, options);
-}
-
 }  // namespace pelage

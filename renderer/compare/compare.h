@@ -98,7 +98,4 @@ FloatImage as_displayed(const FloatImage& image, const CompareOptions& options);
 Result<PictureError> compare(const FloatImage& reference, const FloatImage& test, const Mask& mask,
                              const CompareOptions& options = {});
 
-Result<PictureError> compare(const Image& reference, const Image& test, const Mask& mask,
-                             const CompareOptions& options = {});
-
 }  // namespace pelage

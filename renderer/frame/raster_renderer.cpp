@@ -257,14 +257,13 @@ bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wa
                                const Pause& pause, FloatImage& picture) {
   FurFrame part = frame;
   part.crop = Crop{area.left, area.top, area.width, area.height};
-  RasterTimes spent;
   RasterCounts counts;
   const std::vector<PixelBox> boxes = Raster::boxes_of(part);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return false;
     const DrawClock clock(times);
     Model& model = grown(frame);  // in the pause others may have drawn it in another coat
-    model.raster->draw_box(scene_of(model, frame, wanted), boxes[i], picture, spent, counts);
+    model.raster->draw_box(scene_of(model, frame, wanted), boxes[i], picture, counts);
   }
   return true;
 }
@@ -322,9 +321,8 @@ FloatImage RasterRenderer::draw_bare(Model& model, const FurFrame& frame, std::s
                                      RasterOutput shown) const {
   FloatImage picture = empty_picture({frame.width, frame.height});
   const RasterScene scene = model.raster->bare_scene_of(model.copy.model(), skin, frame, shown);
-  RasterTimes spent;
   RasterCounts counts;
-  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->draw_box(scene, box, picture, spent, counts);
+  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->draw_box(scene, box, picture, counts);
   return picture;
 }
 

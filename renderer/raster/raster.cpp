@@ -4,9 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cassert>
-#include <ctime>
-#include <mutex>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,35 +23,10 @@ namespace {
 constexpr int box_pixels = 1 << 20;      // of a part of a picture that is drawn at once
 constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same for any number of threads
 
-double thread_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-/// Adds the CPU time of the scope.
-class Lap {
- public:
-  explicit Lap(double& sum) : sum_(sum), begun_(thread_ms()) {}
-  ~Lap() { sum_ += thread_ms() - begun_; }
-  Lap(const Lap&) = delete;
-  Lap& operator=(const Lap&) = delete;
-
- private:
-  double& sum_;
-  double begun_;
-};
-
-void add(RasterTimes& sum, const RasterTimes& times) {
-  sum.grid += times.grid, sum.skin += times.skin, sum.cull += times.cull, sum.place += times.place;
-  sum.light += times.light, sum.bin += times.bin, sum.sort += times.sort, sum.blend += times.blend;
-}
-
 /// Some parts of the fur, as they lie on the picture.
 struct Batch {
   std::size_t first = 0, end = 0;  // parts
   PlacedStrands placed;
-  RasterTimes times;
   std::size_t lit = 0;
 };
 
@@ -63,7 +35,7 @@ void divide(std::span<const GrownPart> parts, std::vector<Batch>& batches) {
   batches.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     batches[i].first = i * parts.size() / count, batches[i].end = (i + 1) * parts.size() / count;
-    batches[i].placed.clear(), batches[i].times = {}, batches[i].lit = 0;
+    batches[i].placed.clear(), batches[i].lit = 0;
   }
 }
 
@@ -73,19 +45,12 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
   for (std::size_t i = batch.first; i < batch.end; ++i) {
     const GrownPart& part = scene.parts[i];
     if (!shows_in(scene, part, box)) continue;
-    {
-      const Lap lap(batch.times.cull);
-      keep_strands(scene, part, kept);
-    }
+    keep_strands(scene, part, kept);
     if (kept.ids.empty()) continue;
     const std::uint32_t last = kept.ids.back();
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
-    {
-      const Lap lap(batch.times.place);
-      place_strands(scene, part, box, hidden, kept, batch.placed);
-    }
+    place_strands(scene, part, box, hidden, kept, batch.placed);
     if (!sends(scene.shown)) continue;
-    const Lap lap(batch.times.light);
     batch.lit += light.light(scene, part, kept.ids, last, before, batch.placed);
   }
 }
@@ -108,12 +73,12 @@ struct TileDrawer {
     const int across = tiles_of(box).across;
     return !scene.drawn || scene.drawn->has(box.left + tile % across * tile_side, box.top + tile / across * tile_side);
   }
-  void draw(int tile, Room& room, RasterTimes& times) const;
+  void draw(int tile, Room& room) const;
   void add_skin(int tile, int left, int top, TileSums& sums) const;
   void write(int left, int top, const TileSums& sums) const;
 };
 
-void TileDrawer::draw(int tile, Room& room, RasterTimes& times) const {
+void TileDrawer::draw(int tile, Room& room) const {
   const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
             top = box.top + tile / across * tile_side;
   TileSums sums;
@@ -121,16 +86,12 @@ void TileDrawer::draw(int tile, Room& room, RasterTimes& times) const {
   for (float* channel : {sums.red, sums.green, sums.blue}) std::fill_n(channel, tile_pixels, 0.0f);
   const std::size_t first_pixel = static_cast<std::size_t>(tile) * tile_pixels;
   std::copy_n(&skin.ends()[first_pixel], tile_pixels, sums.behind);
-  {
-    const Lap lap(times.sort);
-    sort_by_distance(bins.tile(tile), room.sorted, room.sorting);
-    room.segments.clear();
-    for (const BinEntry& entry : room.sorted) {
-      const PlacedKnot* knot = &batches[entry.batch].placed.knots[entry.knot];
-      room.segments.push_back({knot, knot + 1});
-    }
+  sort_by_distance(bins.tile(tile), room.sorted, room.sorting);
+  room.segments.clear();
+  for (const BinEntry& entry : room.sorted) {
+    const PlacedKnot* knot = &batches[entry.batch].placed.knots[entry.knot];
+    room.segments.push_back({knot, knot + 1});
   }
-  const Lap lap(times.blend);
   blend_segments(scene, room.segments, left, top, sums);
   if (!skin.eyes.empty())
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
@@ -192,30 +153,20 @@ void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixe
       count,
       [&](std::uint32_t i) {
         place_batch(scene, box, skin.hidden, batches[i]);
-        const Lap lap(batches[i].times.bin);
         bins.find(i, batches[i].placed, skin.furthest, scene.keys);
       },
       threads);
   bins.make_room();
   for_each_in_parallel(
-      count,
-      [&](std::uint32_t i) {
-        const Lap lap(batches[i].times.bin);
-        bins.put(i);
-      },
-      threads);
+      count, [&](std::uint32_t i) { bins.put(i); }, threads);
 }
 
-void draw_tiles(const TileDrawer& drawer, int count, int threads, RasterTimes& times) {
+void draw_tiles(const TileDrawer& drawer, int count, int threads) {
   std::atomic<int> next{0};
-  std::mutex mutex;
   run_on_threads(threads, [&] {
     TileDrawer::Room room;
-    RasterTimes own;
     for (int tile = next++; tile < count; tile = next++)
-      if (drawer.is_drawn(tile)) drawer.draw(tile, room, own);
-    const std::lock_guard lock(mutex);
-    add(times, own);
+      if (drawer.is_drawn(tile)) drawer.draw(tile, room);
   });
 }
 
@@ -309,23 +260,16 @@ std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame) {
   return boxes;
 }
 
-void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
-                      RasterCounts& counts) const {
-  std::optional<SkinPixels> skin;
-  {
-    const Lap lap(times.skin);
-    skin.emplace(scene, box, threads_);
-  }
+void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) const {
+  const SkinPixels skin(scene, box, threads_);
   std::vector<Batch>& batches = room_->held_->batches;
   Bins& bins = room_->held_->bins;
   divide(scene.parts, batches), bins.begin(box, batches.size());
-  place_and_bin(scene, box, *skin, threads_, batches, bins);
+  place_and_bin(scene, box, skin, threads_, batches, bins);
   const int tiles = tiles_of(box).count();
-  draw_tiles({scene, box, bins, *skin, batches, picture}, tiles, threads_, times);
-  for (const Batch& batch : batches) {
-    add(times, batch.times);
+  draw_tiles({scene, box, bins, skin, batches, picture}, tiles, threads_);
+  for (const Batch& batch : batches)
     counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
-  }
   for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
   const std::size_t bytes = room_->held_->bytes();
   counts.bytes = std::max(counts.bytes, bytes);
@@ -366,23 +310,17 @@ RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const F
 }
 
 FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                        RasterTimes* times, RasterCounts* counts, RasterOutput shown) {
-  RasterTimes spent;
+                        RasterCounts* counts, RasterOutput shown) {
   RasterCounts counted;
-  RasterScene scene;
-  {
-    const Lap lap(spent.grid);
-    scene = scene_of(model, fur, frame, quality, shown);
-  }
+  const RasterScene scene = scene_of(model, fur, frame, quality, shown);
   FloatImage picture;
   picture.width = frame.width, picture.height = frame.height;
   picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
   for (const PixelBox& box : boxes_of(frame)) {
-    draw_box(scene, box, picture, spent, counted);
+    draw_box(scene, box, picture, counted);
     darken_box(scene, box, picture);
   }
   counted.strands = fur.count();
-  if (times) *times = spent;
   if (counts) *counts = counted;
   return picture;
 }

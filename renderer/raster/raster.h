@@ -13,12 +13,6 @@
 
 namespace pelage {
 
-/// CPU milliseconds of a picture's stages, over all threads; of grid and skin those of the calling one.
-struct RasterTimes {
-  double grid = 0, skin = 0, cull = 0, place = 0, light = 0, bin = 0, sort = 0, blend = 0;
-  double sum() const { return grid + skin + cull + place + light + bin + sort + blend; }
-};
-
 /// What a picture was drawn from.
 struct RasterCounts {
   std::size_t strands = 0;  // that stand in the coat
@@ -51,8 +45,7 @@ class Raster {
   /// light also what the ground darkens. Of a frame with a crop the picture has the frame's size, and the bits that the
   /// whole frame has where the crop is.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                  RasterTimes* times = nullptr, RasterCounts* counts = nullptr,
-                  RasterOutput shown = RasterOutput::light);
+                  RasterCounts* counts = nullptr, RasterOutput shown = RasterOutput::light);
 
   /// That it keeps from picture to picture.
   std::size_t bytes() const;
@@ -70,8 +63,7 @@ class Raster {
   RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,
                             RasterOutput shown);
   /// Into a picture of the frame's size, without the ground.
-  void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterTimes& times,
-                RasterCounts& counts) const;
+  void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) const;
   /// Darkens what shows the ground in such a box.
   void darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
 

@@ -53,8 +53,9 @@ T value_or_end(Result<T> result) {
 /// Over the fur of both, against traced strands.
 double error_of(const Image& truth, const Image& test) {
   constexpr double min_error = 1e-5;
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(test)));
-  return std::max(min_error, value_or_end(compare(truth, test, mask)).figures->flip.mean);
+  const FloatImage expected = linear_image(truth), drawn = linear_image(test);
+  const Mask mask = union_of(alpha_mask(expected), alpha_mask(drawn));
+  return std::max(min_error, value_or_end(compare(expected, drawn, mask)).figures->flip.mean);
 }
 
 Image truth_of(Renderer& renderer, const SceneView& scene, FurFrame frame, int passes) {

@@ -30,7 +30,6 @@ struct Way {
   std::string name;
   std::function<void()> work;
   FloatImage image;
-  RasterTimes times;
   RasterCounts counts;
 };
 
@@ -161,8 +160,7 @@ void add_tiers(const Bench& bench, std::vector<Way>& ways) {
     frame.knobs = knobs_of(tier);
     Renderer& renderer = bench.renderer;
     FloatImage light = std::move(renderer.draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
-    ways.push_back(
-        {std::string("tier-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}, {}});
+    ways.push_back({std::string("tier-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}});
   }
 }
 
@@ -172,10 +170,10 @@ struct Kind {
   bool twice;
 };
 
-FloatImage rasterized(const Bench& bench, const Kind& kind, RasterTimes* times, RasterCounts* counts) {
+FloatImage rasterized(const Bench& bench, const Kind& kind, RasterCounts* counts) {
   FurFrame frame = bench.frame;
   if (kind.twice) frame.width *= 2, frame.height *= 2;
-  FloatImage light = bench.raster.draw(bench.fur_model, bench.fur, frame, kind.quality, times, counts);
+  FloatImage light = bench.raster.draw(bench.fur_model, bench.fur, frame, kind.quality, counts);
   return kind.twice ? resized_light(light, bench.frame.width, bench.frame.height, 1) : light;
 }
 
@@ -194,14 +192,9 @@ void add_raster(const Bench& bench, std::vector<Way>& ways) {
     std::array<char, 64> name{};
     std::snprintf(name.data(), name.size(), "strands-%g-%d-%g-%g%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
                   double{kind.quality.seen_depth}, double{kind.quality.min_width}, kind.twice ? "-twice" : "");
-    Way way{name.data(), {}, {}, {}, {}};
-    way.image = rasterized(bench, kind, &way.times, &way.counts);
-    const std::size_t at = ways.size();
-    way.work = [&bench, &ways, kind, at] {
-      RasterTimes times;
-      rasterized(bench, kind, &times, nullptr);
-      if (times.sum() < ways[at].times.sum()) ways[at].times = times;
-    };
+    Way way{name.data(), {}, {}, {}};
+    way.image = rasterized(bench, kind, &way.counts);
+    way.work = [&bench, kind] { rasterized(bench, kind, nullptr); };
     ways.push_back(std::move(way));
   }
 }
@@ -209,14 +202,10 @@ void add_raster(const Bench& bench, std::vector<Way>& ways) {
 void print(const Way& way, const Cost& cost, const FloatImage& truth) {
   std::printf("  %-24s cpu %7.1f wall %7.1f | %s", way.name.c_str(), cost.cpu, cost.wall,
               errors_of(truth, way.image).c_str());
-  const RasterTimes& t = way.times;
   const RasterCounts& c = way.counts;
   if (c.strands > 0)
-    std::printf(
-        " | grid %.1f skin %.1f cull %.1f place %.1f light %.1f bin %.1f sort %.1f blend %.1f | placed %zu lit %zu "
-        "entries %zu MB %.1f",
-        t.grid, t.skin, t.cull, t.place, t.light, t.bin, t.sort, t.blend, c.placed, c.lit, c.entries,
-        static_cast<double>(c.bytes) / 1e6);
+    std::printf(" | placed %zu lit %zu entries %zu MB %.1f", c.placed, c.lit, c.entries,
+                static_cast<double>(c.bytes) / 1e6);
   std::printf("\n");
 }
 

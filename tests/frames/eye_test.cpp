@@ -42,9 +42,8 @@ class Eyes : public ::testing::Test {
     FloatImage light;
     light.width = light.height = size;
     light.rgba.resize(4 * size * size);
-    RasterTimes times;
     RasterCounts counts;
-    for (const PixelBox& box : Raster::boxes_of(frame)) raster.draw_box(scene, box, light, times, counts);
+    for (const PixelBox& box : Raster::boxes_of(frame)) raster.draw_box(scene, box, light, counts);
     std::vector<glm::vec4> pixels;
     for (std::size_t i = 0; i < light.rgba.size(); i += 4)
       pixels.emplace_back(light.rgba[i], light.rgba[i + 1], light.rgba[i + 2], light.rgba[i + 3]);

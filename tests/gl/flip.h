@@ -7,8 +7,8 @@ namespace pelage::testing {
 
 /// Mean FLIP; 1 where it cannot be measured.
 inline double flip_between(const Image& truth, const Image& image) {
-  const Mask mask = union_of(alpha_mask(linear_image(truth)), alpha_mask(linear_image(image)));
-  const Result<PictureError> error = compare(truth, image, mask);
+  const FloatImage expected = linear_image(truth), drawn = linear_image(image);
+  const Result<PictureError> error = compare(expected, drawn, union_of(alpha_mask(expected), alpha_mask(drawn)));
   return error && error->figures ? error->figures->flip.mean : 1;
 }
 

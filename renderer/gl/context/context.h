@@ -23,7 +23,6 @@ class Context {
   const Gl& gl() const { return gl_; }
   /// "EGL device 0, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
   const std::string& description() const { return description_; }
-  bool is_software() const { return software_; }
 
  protected:
   Context() = default;
@@ -33,7 +32,6 @@ class Context {
  private:
   Gl gl_;
   std::string description_;
-  bool software_ = false;
 };
 
 enum class EglPlatform { hardware_device, software_device, surfaceless };

@@ -38,7 +38,7 @@ struct Stage {
   }
   FloatImage draw(const RasterQuality& quality = {}, int threads = 2, RasterCounts* counts = nullptr) const {
     Raster raster(threads);
-    return raster.draw(patch.model(), fur, frame, quality, nullptr, counts);
+    return raster.draw(patch.model(), fur, frame, quality, counts);
   }
 };
 
