@@ -3,19 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/clamped_index.h"
-
 namespace pelage {
 
 namespace {
-
-/// One pixel more on each side for what was rounded.
-glm::ivec2 pixels_of(float low, float high, int pixels) {
-  const auto pixel = [&](float clip) {
-    return clamped_index((clip * 0.5f + 0.5f) * static_cast<float>(pixels), 0, pixels);
-  };
-  return {std::max(0, pixel(low) - 1), std::min(pixels, pixel(high) + 2)};
-}
 
 /// Where a range of pixels lies among `to` in place of `from`, with what resizing reads beside it: the cubic of Catmull
 /// and Rom two pixels of the light to each side.
@@ -32,12 +22,6 @@ Area resized_area(const Area& area, glm::ivec2 from, glm::ivec2 to) {
 }
 
 }  // namespace
-
-Area area_of(const std::optional<ClipBox>& box, int width, int height) {
-  if (!box) return {};
-  const glm::ivec2 across = pixels_of(box->low.x, box->high.x, width), up = pixels_of(box->low.y, box->high.y, height);
-  return {across.x, height - up.y, across.y - across.x, up.y - up.x};
-}
 
 Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture) {
   return resized_area(area, light, picture);

@@ -2,16 +2,11 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 
-#include "renderer/frame/clip_box.h"
 #include "renderer/image/area.h"
 #include "renderer/input/fur_scene.h"
 
 namespace pelage {
-
-/// The pixels that the box touches; no pixels for no box.
-Area area_of(const std::optional<ClipBox>& box, int width, int height);
 
 /// The pixels of a finished picture that an area of its light touches.
 Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture);

@@ -360,14 +360,7 @@ Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTime
 }
 
 TileMask RasterRenderer::changed_tiles(const FurFrame& frame, const ShownFrame& shown) {
-  constexpr int beside = 8;  // pixels that curves are drawn over beside their places
-  Model& model = grown(frame);
-  TileMask changed = changed_since(scene_of(model, frame, {RasterOutput::light}), shown.changes, threads_);
-  const Area curves = area_of(changed_curves(shown.frame, frame, world_to_clip(frame)), frame.width, frame.height);
-  if (curves.pixels() > 0)
-    changed.add(PixelBox{curves.left - beside, curves.top - beside, curves.left + curves.width + beside,
-                         curves.top + curves.height + beside});
-  return changed;
+  return changed_since(scene_of(grown(frame), frame, {RasterOutput::light}), shown.changes, threads_);
 }
 
 template <class Picture, class Finish>

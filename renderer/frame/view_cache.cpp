@@ -7,24 +7,21 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/curves/curve_strips.h"
-
 namespace pelage {
 
 namespace {
 
-/// Without what is done to the light once it is drawn, and without curves.
+/// Without what is done to the light once it is drawn.
 FurFrame light_of(const FurFrame& frame) {
   FurFrame light = frame;
   const FurFrame rest;
   light.background = rest.background, light.background_colour = rest.background_colour;
   light.exposure = rest.exposure, light.tone_map = rest.tone_map;
   light.overlay = rest.overlay, light.difference.clear();
-  light.curves.clear();
   return light;
 }
 
-/// Whether both have the same light but for curves and the fields.
+/// Whether both have the same light but for the fields.
 bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
 
 /// Whether light is made a picture the same way.
@@ -33,35 +30,7 @@ bool same_finish(const FurFrame& a, const FurFrame& b) {
          a.tone_map == b.tone_map;
 }
 
-/// Adds the places of one group's curves that are not as in the other's, with what lies next to them.
-void add_changes(const CurveStrips& strips, const CurveStrips& other, const BallBoxes& boxes,
-                 std::optional<ClipBox>& all) {
-  constexpr std::size_t each = curve_segments + 1;
-  for (std::size_t i = 0; i < strips.points.size(); ++i) {
-    const std::size_t curve = i / each;
-    const bool same =
-        i < other.points.size() && strips.points[i] == other.points[i] && strips.styles[curve] == other.styles[curve];
-    if (same) continue;
-    const glm::vec3 place = strips.points[i];
-    float reach = 0;
-    if (i % each > 0) reach = glm::distance(place, strips.points[i - 1]);
-    if (i % each < curve_segments) reach = std::max(reach, glm::distance(place, strips.points[i + 1]));
-    const float width = std::max(strips.styles[curve].root.w, strips.styles[curve].tip.w);
-    all = union_of(all, boxes.of(place, reach + width));
-  }
-}
-
 }  // namespace
-
-std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip) {
-  if (before.curves == now.curves) return {};
-  const CurveStrips old = make_strips(before.curves), other = make_strips(now.curves);
-  const BallBoxes boxes(to_clip);
-  std::optional<ClipBox> all;
-  add_changes(old, other, boxes, all);
-  add_changes(other, old, boxes, all);
-  return all;
-}
 
 int kept_format(const FurFrame& frame) { return frame.overlay == Overlay::none ? 8 : 0; }
 

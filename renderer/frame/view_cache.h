@@ -10,7 +10,6 @@
 
 #include "renderer/finish/finish.h"
 #include "renderer/frame/areas.h"
-#include "renderer/frame/clip_box.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
@@ -36,8 +35,8 @@ struct CachedView {
 /// So that several who groom, or look from several sides, do not cost each other whole frames.
 class ViewCache {
  public:
-  /// The view that shows the frame's light: this frame but for curves and changes of the model's fields. Its picture is
-  /// lost where it is of another format, or finished otherwise. If there is none, one that may be drawn over.
+  /// The view that shows the frame's light: this frame but for changes of the model's fields. Its picture is lost where
+  /// it is of another format, or finished otherwise. If there is none, one that may be drawn over.
   CachedView take(const FurFrame& frame, int format);
   /// What is too many or too large is given back: first what shows nothing, then what was asked for once, as an orbit
   /// asks for each of its frames, then what is oldest.
@@ -63,8 +62,5 @@ class ViewCache {
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
 /// ShownFrame::format of such a picture.
 int kept_format(const FurFrame& frame);
-
-/// The part of the picture where curves are not, or do not look, the same in both frames.
-std::optional<ClipBox> changed_curves(const FurFrame& before, const FurFrame& now, const glm::mat4& to_clip);
 
 }  // namespace pelage

@@ -9,7 +9,7 @@
 namespace pelage {
 
 /// `since` is DensityGrid::version() when the same frame was drawn last: all of the frame where that cannot be told.
-/// Curves are left to who knows what they were.
+/// Its curves have to be the same.
 TileMask changed_since(const RasterScene& scene, std::uint64_t since, int threads);
 
 }  // namespace pelage
