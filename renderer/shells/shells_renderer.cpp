@@ -42,8 +42,9 @@ std::string shape_of(const Coat& coat, const ModelBuffers& model) {
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const Layering& shells = frame.knobs.shells;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + light_of(frame, model.has_colours()) +
-         shape_of(frame.coat, model) + (max_lod(shells.count, shells.policy) > 0 ? "#define SHELL_LOD\n" : "") +
-         "#define SHADING_MODEL " + std::to_string(static_cast<int>(frame.look.shading)) + "\n";
+         shape_of(frame.coat, model) + (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
+         (max_lod(shells.count, shells.policy) > 0 ? "#define SHELL_LOD\n" : "") + "#define SHADING_MODEL " +
+         std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
 
 ShellView view_of(const FurFrame& frame, const FrameBlock& block) {

@@ -27,10 +27,4 @@ double fur_share(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::
   return kept;
 }
 
-bool may_be_bare(const FurSkinRegion& region, glm::dvec3 middle, double radius) {
-  double square = 0;  // of the Frobenius norm: no direction is stretched by more
-  for (int column = 0; column < 3; ++column) square += glm::dot(region.to_unit[column], region.to_unit[column]);
-  return glm::length(region.to_unit * (middle - region.centre)) <= 1 + region.softness + radius * std::sqrt(square);
-}
-
 }  // namespace pelage

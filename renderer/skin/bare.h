@@ -15,7 +15,4 @@ double bare_share(const FurSkinRegion& region, glm::dvec3 place, glm::dvec3 norm
 /// Factor on the length of fur that all regions leave, in whatever order: [0, 1], 1 without regions.
 double fur_share(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::dvec3 normal);
 
-/// Whether some of a ball may lie where a region makes the skin bare; never false where it does.
-bool may_be_bare(const FurSkinRegion& region, glm::dvec3 middle, double radius);
-
 }  // namespace pelage

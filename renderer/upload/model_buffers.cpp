@@ -142,7 +142,7 @@ std::size_t ModelBuffers::bytes(const Gl& gl) const {
     bytes += gl.bytes_of_buffer(buffer->id());
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
   add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, rest_positions_, rest_normals_,
-      lengths_, groom_values_, skin_, skin_order_, fur_share_, curvatures_, lods_);
+      lengths_, groom_values_, skin_, fur_share_, curvatures_, lods_);
   return bytes;
 }
 
@@ -150,21 +150,9 @@ float ModelBuffers::longest_fur() const {
   return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
 }
 
-bool ModelBuffers::touched_by_skin(const glm::uvec3& triangle) const {
-  const glm::dvec3 a = positions_[triangle.x], b = positions_[triangle.y], c = positions_[triangle.z];
-  const glm::dvec3 middle = (a + b + c) / 3.0;
-  const double radius = std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
-  return std::any_of(skin_.begin(), skin_.end(),
-                     [&](const FurSkinRegion& region) { return may_be_bare(region, middle, radius); });
-}
-
 bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
   if (std::equal(skin.begin(), skin.end(), skin_.begin(), skin_.end())) return false;
   skin_.assign(skin.begin(), skin.end());
-  skin_order_ = triangles_;
-  const auto furred = std::stable_partition(skin_order_.begin(), skin_order_.end(),
-                                            [&](const glm::uvec3& t) { return touched_by_skin(t); });
-  bare_count_ = static_cast<std::size_t>(furred - skin_order_.begin());
   fur_share_.resize(skin.empty() ? 0 : positions_.size());
   for (std::size_t i = 0; i < fur_share_.size(); ++i)
     fur_share_[i] = static_cast<float>(fur_share(skin_, positions_[i], normals_[i]));
@@ -207,17 +195,6 @@ void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> value
   gl.NamedBufferData(variation_.id(), static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
 }
 
-ModelBuffers::DrawLists ModelBuffers::lists_of_skin() const {
-  const auto count = static_cast<GLsizei>(3 * triangles_.size());
-  const auto bare = static_cast<GLsizei>(3 * bare_count_);
-  return {.all = {0, count},
-          .bare = {0, bare},
-          .furred = {bare, count - bare},
-          .shown = {},
-          .back_facing = {},
-          .facing = {}};
-}
-
 namespace {
 
 ModelBuffers::DrawList append(const std::vector<glm::uvec3>& triangles, std::vector<glm::uvec3>& elements) {
@@ -235,8 +212,9 @@ ModelBuffers::DrawLists ModelBuffers::lists_for(const Gl& gl, const ShellView& v
   gl.NamedBufferData(lod_.id(), static_cast<GLsizeiptr>(lods_.size() * sizeof(float)), lods_.data(), GL_STREAM_DRAW);
   const ShellLists sorted = sort_triangles({triangles_, centroids_, face_normals_, positions_, lods_}, view);
   const int highest = max_lod(view.shells, view.policy);
-  std::vector<glm::uvec3> elements = skin_elements();
-  DrawLists lists = lists_of_skin();
+  std::vector<glm::uvec3> elements;
+  DrawLists lists;
+  lists.all = append(triangles_, elements);
   const auto shells_of = [&](const ShellLists::OfLods& of_lods) {
     std::array<DrawList, max_shell_lod + 1> sent;
     for (std::size_t lod = 0; lod < sent.size(); ++lod) sent[lod] = append(of_lods[lod], elements);

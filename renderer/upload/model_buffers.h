@@ -73,9 +73,8 @@ class ModelBuffers {
     GLsizei first = 0, count = 0;
   };
   struct DrawLists {
-    DrawList all;           // every triangle
-    DrawList bare, furred;  // those that bare skin may touch, and the others
-    DrawList shown;         // those whose fur is drawn
+    DrawList all;    // every triangle
+    DrawList shown;  // those whose fur is drawn
     // Of each shell, in the order of blending: outside in, then inside out.
     std::vector<std::pair<int, DrawList>> back_facing, facing;
   };
@@ -84,9 +83,6 @@ class ModelBuffers {
 
  private:
   void keep(const FurModel& model, SplitModel split);
-  const std::vector<glm::uvec3>& skin_elements() const { return skin_.empty() ? triangles_ : skin_order_; }
-  DrawLists lists_of_skin() const;
-  bool touched_by_skin(const glm::uvec3& triangle) const;
   bool set_skin(std::span<const FurSkinRegion> skin);                                  // whether it changed
   void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
   float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
@@ -109,8 +105,6 @@ class ModelBuffers {
   std::vector<float> lengths_;                            // of render vertices
   std::vector<glm::vec3> groom_values_;                   // as in groom_: direction, length
   std::vector<FurSkinRegion> skin_;                       // bare regions
-  std::vector<glm::uvec3> skin_order_;                    // the triangles, those that bare skin may touch first
-  std::size_t bare_count_ = 0;
   std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
   std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
   std::vector<float> lods_;        // of the last view

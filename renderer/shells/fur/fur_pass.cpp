@@ -35,12 +35,6 @@ FurPass::Shading::Shading(const Gl& gl, const std::string& defines, bool at_vert
 
 FurPass::FurPass(const Gl& gl) { shading_of(gl, "", false); }
 
-const Program& FurPass::skin_of(const Gl& gl, const std::string& defines) {
-  const auto [place, made] = skins_.try_emplace(defines, gl, shaders::skin_vert, shaders::skin_frag, defines);
-  if (made) failure_ += place->second.log();
-  return place->second;
-}
-
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const FurDrawing& drawing) {
   return shading_of(gl, drawing.variant, drawing.frame.look.shading == ShadingModel::lengyel);
 }
@@ -60,15 +54,10 @@ void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {
 
 void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
   bind(gl, drawing);
-  const Shading& shading = shading_of(gl, drawing);
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
-  shading.skin.use();
-  draw_list(gl, drawing.lists.furred);
-  if (drawing.lists.bare.count > 0) {
-    skin_of(gl, drawing.variant + "#define BARE_SKIN\n").use();
-    draw_list(gl, drawing.lists.bare);
-  }
+  shading_of(gl, drawing).skin.use();
+  draw_list(gl, drawing.lists.all);
 }
 
 namespace {

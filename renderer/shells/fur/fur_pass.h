@@ -51,13 +51,11 @@ class FurPass {
     Program skin, solid, fur;
   };
 
-  const Program& skin_of(const Gl& gl, const std::string& defines);
   const Shading& shading_of(const Gl& gl, const FurDrawing& drawing);
   /// A variant has one shading model: at_vertices that of the baseline.
   const Shading& shading_of(const Gl& gl, const std::string& variant, bool at_vertices);
 
   std::map<std::string, Shading> shadings_;  // by variant, made when first used
-  std::map<std::string, Program> skins_;     // beside those of the shadings, by all of their defines
   std::string failure_;
 };
 
