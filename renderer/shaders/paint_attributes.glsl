@@ -1,4 +1,4 @@
-// The painted fields of a vertex that comes as attributes (renderer/upload/paint_buffers.h).
+// The painted fields of a vertex that comes as attributes (FurVertex of renderer/skin/fur_vertex.h).
 
 #ifdef PAINT
 layout(location = 11) in vec4 vertex_amounts;

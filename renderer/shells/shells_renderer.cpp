@@ -35,7 +35,7 @@ std::string light_of(const FurFrame& frame, bool model_has_colours) {
 /// The #define lines of what shapes and colours the fur beside its fields.
 std::string shape_of(const Coat& coat, const ModelBuffers& model) {
   return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
-         model.paint().defines();
+         model.paint_defines();
 }
 
 /// Those of all that a frame uses: what it does not use is not even compiled.
@@ -141,7 +141,7 @@ FurDrawing ShellsRenderer::prepare(const FurFrame& frame, ModelBuffers& model, c
   lists = model.lists_for(gl_, view_of(frame, block));
   if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
   if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  if (model.paint().changes_fur()) paint_.prepare(gl_, frame.coat);
+  if (model.painted().fur) paint_.prepare(gl_, frame.coat);
   if (ShadowMaps::wanted(frame))
     shadows_.prepare(gl_, frame, block, {frame, shape_of(frame.coat, model), model, lists, coat});
   bind_blocks(frame, block);

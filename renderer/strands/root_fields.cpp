@@ -5,7 +5,6 @@
 
 #include "protocol/base/lean_curve.h"
 #include "renderer/pattern/pattern.h"
-#include "renderer/skin/bare.h"
 
 namespace pelage {
 
@@ -37,14 +36,6 @@ LeanRow LeanTable::row(float inclination) const {
 
 namespace {
 
-float value_of(std::span<const float> field, std::size_t vertex, float default_value) {
-  return field.empty() ? default_value : field[vertex];
-}
-
-glm::vec4 covered(std::span<const glm::vec4> field, std::size_t vertex) {
-  return field.empty() ? glm::vec4(0) : glm::vec4(glm::vec3(field[vertex]) * field[vertex].a, field[vertex].a);
-}
-
 /// Of the length 1, or any unit vector across `normal` for one that has no length.
 glm::vec3 unit_across(glm::vec3 v, glm::vec3 normal) {
   const glm::vec3 across = v - normal * glm::dot(v, normal);
@@ -62,16 +53,9 @@ glm::vec3 unit_or_up(glm::vec3 v) {
 }  // namespace
 
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields) {
-  const FurPaint& paint = fields.paint;
   std::vector<FurVertex> vertices(model.positions.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const double skin = fields.skin.empty() ? 1 : fur_share(fields.skin, model.positions[v], model.normals[v]);
-    const float length = fields.length[v] * static_cast<float>(skin) * (1 - value_of(paint.bare, v, 0));
-    vertices[v] = {fields.direction[v],         std::max(length, 0.0f),        value_of(paint.density, v, 1),
-                   value_of(paint.width, v, 1), value_of(paint.wetness, v, 0), value_of(paint.curl, v, 0),
-                   value_of(paint.clump, v, 0), value_of(paint.bare, v, 0),    covered(paint.root_colour, v),
-                   covered(paint.tip_colour, v)};
-  }
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    vertices[v] = fur_vertex(fields, v, model.positions[v], model.normals[v]);
   return vertices;
 }
 

@@ -14,6 +14,7 @@
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/rest_pose.h"
+#include "renderer/skin/fur_vertex.h"
 
 namespace pelage {
 
@@ -41,17 +42,7 @@ class LeanTable {
 // The fields of the surface where a strand is rooted, as renderer/shells/fur/fur_vertex.glsl hands them to fragments:
 // worked out at the corners of a piece and mixed.
 
-/// What fields say at a vertex. No padding.
-struct FurVertex {
-  glm::vec2 direction{0};  // in (tangent, bitangent)
-  float length = 0;        // as bare skin and paint leave it, sizes
-  float density = 1, width = 1, wetness = 0, curl = 0, clump = 0;
-  float bare = 0;                         // painted
-  glm::vec4 root_paint{0}, tip_paint{0};  // times its cover, cover
-};
-static_assert(sizeof(FurVertex) == 17 * sizeof(float));
-
-/// Of all vertices. What is not painted is at rest.
+/// Of all vertices.
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
 
 /// At a root.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "renderer/shaders/constants.h"
-#include "renderer/skin/bare.h"
+#include "renderer/skin/fur_vertex.h"
 #include "renderer/upload/split_corners.h"
 
 namespace pelage {
@@ -52,17 +52,16 @@ std::vector<DirtyRange> sent_as_one(std::span<const DirtyRange> dirty) {
 ModelBuffers::ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count)
     : vertex_array_(gl),
       fixed_(gl),
-      groom_(gl),
+      fur_(gl),
       lod_(gl),
       variation_(gl),
       elements_(gl),
-      paint_(gl),
       original_(model.original ? model.original : model.id),
       has_colours_(model.has_colours) {
   SplitModel split = split_corners(model);
   const auto bytes = split.vertices.size() * sizeof(RenderVertex);
   gl.NamedBufferData(fixed_.id(), static_cast<GLsizeiptr>(bytes), split.vertices.data(), GL_STATIC_DRAW);
-  gl.NamedBufferData(groom_.id(), static_cast<GLsizeiptr>(split.vertices.size() * sizeof(glm::vec3)), nullptr,
+  gl.NamedBufferData(fur_.id(), static_cast<GLsizeiptr>(split.vertices.size() * sizeof(FurVertex)), nullptr,
                      GL_DYNAMIC_DRAW);
   keep(model, std::move(split));
   count.bytes += bytes;
@@ -80,7 +79,7 @@ void ModelBuffers::keep(const FurModel& model, SplitModel split) {
     positions_.push_back(vertex.position), normals_.push_back(vertex.normal);
   }
   rest_positions_ = by_vertex(model.rest_positions, welded_), rest_normals_ = by_vertex(model.rest_normals, welded_);
-  lengths_.resize(vertices.size()), groom_values_.resize(vertices.size()), lods_.resize(vertices.size());
+  lengths_.resize(vertices.size()), lods_.resize(vertices.size());
   curvatures_ = curvatures(positions_, normals_, triangles_);
   centroids_.reserve(model.triangles.size()), face_normals_.reserve(model.triangles.size());
   for (const glm::uvec3& t : triangles_) {
@@ -93,7 +92,7 @@ void ModelBuffers::keep(const FurModel& model, SplitModel split) {
 void ModelBuffers::make_vertex_array(const Gl& gl) {
   const GLuint id = vertex_array_.id();
   gl.VertexArrayVertexBuffer(id, 0, fixed_.id(), 0, sizeof(RenderVertex));
-  gl.VertexArrayVertexBuffer(id, 1, groom_.id(), 0, sizeof(glm::vec3));
+  gl.VertexArrayVertexBuffer(id, 1, fur_.id(), 0, sizeof(FurVertex));
   gl.VertexArrayVertexBuffer(id, 2, lod_.id(), 0, sizeof(float));
   gl.VertexArrayVertexBuffer(id, 3, variation_.id(), 0, sizeof(glm::vec4));
   gl.VertexArrayElementBuffer(id, elements_.id());
@@ -111,7 +110,11 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   add(Attribute::colour, 3, offsetof(RenderVertex, colour), 0);
   add(Attribute::weight, 1, offsetof(RenderVertex, weight), 0);
   add(Attribute::shading_normal, 3, offsetof(RenderVertex, shading_normal), 0);
-  add(Attribute::groom, 3, 0, 1);
+  add(Attribute::groom, 3, offsetof(FurVertex, direction), 1);  // and the length after it
+  add(Attribute::amounts, 4, offsetof(FurVertex, density), 1);  // density, width, wetness, bare
+  add(Attribute::forms, 2, offsetof(FurVertex, curl), 1);       // curl, clump
+  add(Attribute::root_paint, 4, offsetof(FurVertex, root_paint), 1);
+  add(Attribute::tip_paint, 4, offsetof(FurVertex, tip_paint), 1);
   add(Attribute::shell_lod, 1, 0, 2);
   add(Attribute::variation, 4, 0, 3);
 }
@@ -137,12 +140,12 @@ void ModelBuffers::send_images(const Gl& gl, const FurModel& model, UploadCount&
 }
 
 std::size_t ModelBuffers::bytes(const Gl& gl) const {
-  std::size_t bytes = sizeof(ModelBuffers) + paint_.bytes(gl) + gl.bytes_of_texture(images_.id());
-  for (const Buffer* buffer : {&fixed_, &groom_, &lod_, &variation_, &elements_})
+  std::size_t bytes = sizeof(ModelBuffers) + gl.bytes_of_texture(images_.id());
+  for (const Buffer* buffer : {&fixed_, &fur_, &lod_, &variation_, &elements_})
     bytes += gl.bytes_of_buffer(buffer->id());
   const auto add = [&](const auto&... arrays) { ((bytes += arrays.capacity() * sizeof(arrays[0])), ...); };
   add(welded_, first_, triangles_, centroids_, face_normals_, positions_, normals_, rest_positions_, rest_normals_,
-      lengths_, groom_values_, skin_, fur_share_, curvatures_, lods_);
+      lengths_, skin_, curvatures_, lods_);
   return bytes;
 }
 
@@ -150,44 +153,43 @@ float ModelBuffers::longest_fur() const {
   return lengths_.empty() ? 0 : *std::max_element(lengths_.begin(), lengths_.end());
 }
 
-bool ModelBuffers::set_skin(std::span<const FurSkinRegion> skin) {
-  if (std::equal(skin.begin(), skin.end(), skin_.begin(), skin_.end())) return false;
-  skin_.assign(skin.begin(), skin.end());
-  fur_share_.resize(skin.empty() ? 0 : positions_.size());
-  for (std::size_t i = 0; i < fur_share_.size(); ++i)
-    fur_share_[i] = static_cast<float>(fur_share(skin_, positions_[i], normals_[i]));
-  return true;
+namespace {
+
+ModelBuffers::Painted painted_in(const FurPaint& paint) {
+  const bool fur = !(paint.density.empty() && paint.width.empty() && paint.wetness.empty() && paint.bare.empty() &&
+                     paint.curl.empty() && paint.clump.empty());
+  return {fur, !(paint.root_colour.empty() && paint.tip_colour.empty())};
 }
 
-float ModelBuffers::length_at(const FurFields& fields, std::uint32_t i) const {
-  const float skin = fur_share_.empty() ? 1 : fur_share_[i];
-  const float bare = fields.paint.bare.empty() ? 0 : fields.paint.bare[welded_[i]];
-  return fields.length[welded_[i]] * skin * (1 - bare);
+}  // namespace
+
+std::string ModelBuffers::paint_defines() const {
+  return std::string(painted_.fur ? "#define PAINT\n" : "") + (painted_.colours ? "#define PAINT_COLOUR\n" : "");
 }
 
 void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& count) {
   const DirtyRange all{0, static_cast<std::uint32_t>(first_.size() - 1)};
-  const bool other_skin = set_skin(fields.skin);
-  const bool other_paint = paint_.prepare(gl, fields.paint, vertex_array_.id(), positions_.size());
-  const std::span<const DirtyRange> dirty = other_skin || other_paint ? std::span(&all, 1) : fields.dirty;
+  const Painted painted = painted_in(fields.paint);
+  const bool same_skin = std::equal(fields.skin.begin(), fields.skin.end(), skin_.begin(), skin_.end());
+  const std::span<const DirtyRange> dirty = painted == painted_ && same_skin ? fields.dirty : std::span(&all, 1);
+  painted_ = painted, skin_.assign(fields.skin.begin(), fields.skin.end());
   if (!dirty.empty()) ++version_;
-  for (const DirtyRange& range : dirty) change_groom(fields, first_[range.begin], first_[range.end]);
-  for (const DirtyRange& range : sent_as_one(dirty)) {
-    const std::uint32_t begin = first_[range.begin], end = first_[range.end];
-    if (begin == end) continue;
-    const auto bytes = static_cast<GLsizeiptr>((end - begin) * sizeof(glm::vec3));
-    gl.NamedBufferSubData(groom_.id(), static_cast<GLintptr>(begin * sizeof(glm::vec3)), bytes, &groom_values_[begin]);
-    count.bytes += static_cast<std::size_t>(bytes);
-    paint_.send(gl, fields.paint, begin, std::span(welded_).subspan(begin, end - begin), count);
-  }
+  for (const DirtyRange& range : sent_as_one(dirty)) send_fur(gl, fields, range, count);
 }
 
-void ModelBuffers::change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end) {
-  assert(begin <= end && end <= lengths_.size());
+void ModelBuffers::send_fur(const Gl& gl, const FurFields& fields, const DirtyRange& range, UploadCount& count) {
+  const std::uint32_t begin = first_[range.begin], end = first_[range.end];
+  if (begin == end) return;
+  std::vector<FurVertex> fur;
+  fur.reserve(end - begin);
   for (std::uint32_t i = begin; i < end; ++i) {
-    lengths_[i] = length_at(fields, i);
-    groom_values_[i] = {fields.direction[welded_[i]], lengths_[i]};
+    fur.push_back(fur_vertex(fields, welded_[i], positions_[i], normals_[i]));
+    lengths_[i] = fur.back().length;
   }
+  const std::size_t bytes = fur.size() * sizeof(FurVertex);
+  gl.NamedBufferSubData(fur_.id(), static_cast<GLintptr>(begin * sizeof(FurVertex)), static_cast<GLsizeiptr>(bytes),
+                        fur.data());
+  count.bytes += bytes;
 }
 
 void ModelBuffers::send_variation(const Gl& gl, std::span<const glm::vec4> values) {

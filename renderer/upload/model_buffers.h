@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "renderer/gl/handles.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/surface_volume.h"
-#include "renderer/upload/paint_buffers.h"
 #include "renderer/upload/shell_lod.h"
 
 namespace pelage {
@@ -27,9 +27,11 @@ enum class Attribute : GLuint {
   weight,
   shell_lod,
   variation,
-  painted_numbers,  // and the one after it
-  painted_colours = painted_numbers + 2,
-  shading_normal = painted_colours + 2
+  amounts,
+  forms,
+  root_paint,
+  tip_paint,
+  shading_normal
 };
 
 /// What was sent, for tests and metrics.
@@ -54,7 +56,14 @@ class ModelBuffers {
   std::size_t bytes(const Gl& gl) const;
   std::uint64_t original() const { return original_; }  // FurModel::original, or its id
   bool has_colours() const { return has_colours_; }
-  const PaintBuffers& paint() const { return paint_; }
+  /// What is painted beside lengths and directions: numbers that change the fur, and colours.
+  struct Painted {
+    bool fur = false, colours = false;
+    bool operator==(const Painted&) const = default;
+  };
+  const Painted& painted() const { return painted_; }
+  /// The #define lines of it: PAINT for numbers, PAINT_COLOUR for colours.
+  std::string paint_defines() const;
   /// Counts the changes of the fields.
   std::uint64_t version() const { return version_; }
   float longest_fur() const;  // sizes, beside bare skin
@@ -83,18 +92,16 @@ class ModelBuffers {
 
  private:
   void keep(const FurModel& model, SplitModel split);
-  bool set_skin(std::span<const FurSkinRegion> skin);                                  // whether it changed
-  void change_groom(const FurFields& fields, std::uint32_t begin, std::uint32_t end);  // of render vertices
-  float length_at(const FurFields& fields, std::uint32_t render_vertex) const;
+  void send_fur(const Gl& gl, const FurFields& fields, const DirtyRange& range, UploadCount& count);
   void make_vertex_array(const Gl& gl);
   void send_images(const Gl& gl, const FurModel& model, UploadCount& count);
 
   VertexArray vertex_array_;
-  Buffer fixed_, groom_, lod_, variation_, elements_;
-  PaintBuffers paint_;
+  Buffer fixed_, fur_, lod_, variation_, elements_;
   Texture images_;
   std::uint64_t original_ = 0;
   bool has_colours_ = false;
+  Painted painted_;
   std::uint64_t version_ = 0;
   std::vector<std::uint32_t> welded_;  // the model's vertex of each render vertex, rising
   std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end
@@ -103,11 +110,9 @@ class ModelBuffers {
   std::vector<glm::vec3> positions_, normals_;            // of render vertices
   std::vector<glm::vec3> rest_positions_, rest_normals_;  // empty where the model stands in its rest pose
   std::vector<float> lengths_;                            // of render vertices
-  std::vector<glm::vec3> groom_values_;                   // as in groom_: direction, length
   std::vector<FurSkinRegion> skin_;                       // bare regions
-  std::vector<float> fur_share_;   // factor on the length at render vertices; empty without bare skin
-  std::vector<float> curvatures_;  // of the skin at render vertices, 1 / sizes
-  std::vector<float> lods_;        // of the last view
+  std::vector<float> curvatures_;                         // of the skin at render vertices, 1 / sizes
+  std::vector<float> lods_;                               // of the last view
 };
 
 }  // namespace pelage
