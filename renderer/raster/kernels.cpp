@@ -21,21 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-void PlaceStrands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
-                  KeptStrands& kept, PlacedStrands& placed) {
-  place_all(scene, part, box, hidden, kept, placed);
-}
-
-void FindChanged(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
-                 std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes) {
-  find_all_changed(scene, part, kept, blocks, boxes);
-}
-
-void LightStrands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
-                  LitPoints& light) {
-  light_all(scene, part, ids, whole, light);
-}
-
 void HandOnLight(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
   if (sources.whole.by_colour)
     hand_on_all<true>(set, sources, first, placed);
@@ -52,24 +37,9 @@ void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segmen
   }
 }
 
-void MeetEyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
-  meet_all(scene, left, top, ends.data(), numbers.data());
-}
-
-void LightEyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
-               std::span<const float> ends, TileSums& sums) {
-  light_eyes_of(scene, left, top, numbers.data(), ends.data(), sums);
-}
-
 void LightSkin(const RasterScene& scene, SkinSeen& seen) {
   for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
 }
-
-void DarkenGround(const RasterScene& scene, int left, int top, std::span<float> through) {
-  darken_all(scene, left, top, through);
-}
-
-void AddCells(std::span<const Crossed> cells, float share, float* sums) { add_row(cells, share, sums); }
 
 CellRange RoundCells(const float* sums, bool as_seen, std::span<Crossed> cells) {
   return as_seen ? round_row<true>(sums, cells) : round_row<false>(sums, cells);
@@ -83,32 +53,32 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace pelage {
 
-HWY_EXPORT(PlaceStrands);
-HWY_EXPORT(FindChanged);
-HWY_EXPORT(LightStrands);
+HWY_EXPORT(place_all);
+HWY_EXPORT(find_all_changed);
+HWY_EXPORT(light_all);
 HWY_EXPORT(HandOnLight);
 HWY_EXPORT(BlendSegments);
-HWY_EXPORT(MeetEyes);
-HWY_EXPORT(LightEyes);
+HWY_EXPORT(meet_all);
+HWY_EXPORT(light_eyes_of);
 HWY_EXPORT(LightSkin);
-HWY_EXPORT(DarkenGround);
-HWY_EXPORT(AddCells);
+HWY_EXPORT(darken_all);
+HWY_EXPORT(add_row);
 HWY_EXPORT(RoundCells);
 HWY_EXPORT(Name);
 
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed) {
-  HWY_DYNAMIC_DISPATCH(PlaceStrands)(scene, part, box, hidden, kept, placed);
+  HWY_DYNAMIC_DISPATCH(place_all)(scene, part, box, hidden, kept, placed);
 }
 
 void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
                   std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes) {
-  HWY_DYNAMIC_DISPATCH(FindChanged)(scene, part, kept, blocks, boxes);
+  HWY_DYNAMIC_DISPATCH(find_all_changed)(scene, part, kept, blocks, boxes);
 }
 
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
                    LitPoints& light) {
-  HWY_DYNAMIC_DISPATCH(LightStrands)(scene, part, ids, whole, light);
+  HWY_DYNAMIC_DISPATCH(light_all)(scene, part, ids, whole, light);
 }
 
 void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
@@ -121,22 +91,22 @@ void blend_segments(const RasterScene& scene, std::span<const TileSegment> segme
 }
 
 void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
-  HWY_DYNAMIC_DISPATCH(MeetEyes)(scene, left, top, ends, numbers);
+  HWY_DYNAMIC_DISPATCH(meet_all)(scene, left, top, ends.data(), numbers.data());
 }
 
 void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
                 std::span<const float> ends, TileSums& sums) {
-  HWY_DYNAMIC_DISPATCH(LightEyes)(scene, left, top, numbers, ends, sums);
+  HWY_DYNAMIC_DISPATCH(light_eyes_of)(scene, left, top, numbers.data(), ends.data(), sums);
 }
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }
 
 void darken_ground(const RasterScene& scene, int left, int top, std::span<float> through) {
-  HWY_DYNAMIC_DISPATCH(DarkenGround)(scene, left, top, through);
+  HWY_DYNAMIC_DISPATCH(darken_all)(scene, left, top, through);
 }
 
 void add_cells(std::span<const Crossed> cells, float share, float* sums) {
-  HWY_DYNAMIC_DISPATCH(AddCells)(cells, share, sums);
+  HWY_DYNAMIC_DISPATCH(add_row)(cells, share, sums);
 }
 
 CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells) {

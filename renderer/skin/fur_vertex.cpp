@@ -23,16 +23,11 @@ FurVertex fur_vertex(const FurFields& fields, std::size_t v, glm::vec3 place, gl
   const FurPaint& paint = fields.paint;
   const double skin = fields.skin.empty() ? 1 : fur_share(fields.skin, place, normal);
   const float bare = value_of(paint.bare, v, 0);
-  return {fields.direction[v],
-          std::max(fields.length[v] * static_cast<float>(skin) * (1 - bare), 0.0f),
-          value_of(paint.density, v, 1),
-          value_of(paint.width, v, 1),
-          value_of(paint.wetness, v, 0),
-          bare,
-          value_of(paint.curl, v, 0),
-          value_of(paint.clump, v, 0),
-          covered(paint.root_colour, v),
-          covered(paint.tip_colour, v)};
+  return {fields.direction[v],           std::max(fields.length[v] * static_cast<float>(skin) * (1 - bare), 0.0f),
+          value_of(paint.density, v, 1), value_of(paint.width, v, 1),
+          value_of(paint.wetness, v, 0), bare,
+          value_of(paint.curl, v, 0),    value_of(paint.clump, v, 0),
+          covered(paint.root_colour, v), covered(paint.tip_colour, v)};
 }
 
 }  // namespace pelage
