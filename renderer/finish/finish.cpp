@@ -52,9 +52,7 @@ void finish_into(const FurFrame& frame, const FinishInput& input, int top, int b
 
 template <class Picture>
 Picture finished(const FurFrame& frame, const FinishInput& input) {
-  Picture picture;
-  picture.width = frame.width, picture.height = frame.height;
-  picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  auto picture = empty_picture<Picture>(frame.width, frame.height);
   const int top = frame.crop ? frame.crop->top : 0, rows = frame.crop ? frame.crop->height : frame.height;
   finish_into(frame, input, top, top + rows, picture);
   return picture;

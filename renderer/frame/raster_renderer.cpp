@@ -56,13 +56,6 @@ FurFrame scaled(const FurFrame& frame) {
   return drawn;
 }
 
-FloatImage empty_picture(glm::ivec2 size) {
-  FloatImage picture;
-  picture.width = size.x, picture.height = size.y;
-  picture.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  return picture;
-}
-
 /// What of a frame is drawn.
 Area whole_area(const FurFrame& frame) {
   if (!frame.crop) return {0, 0, frame.width, frame.height};
@@ -107,9 +100,7 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
 
 /// One over the distance in the middle of each pixel: between surfaces there is nothing.
 FloatImage picked(const FloatImage& drawn, int width, int height) {
-  FloatImage picture;
-  picture.width = width, picture.height = height;
-  picture.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  auto picture = empty_picture<FloatImage>(width, height);
   const auto nearest = [](int at, int to, int from) { return std::min((2 * at + 1) * from / (2 * to), from - 1); };
   for (int y = 0; y < height; ++y) {
     const auto row = static_cast<std::size_t>(nearest(y, height, drawn.height)) * static_cast<std::size_t>(drawn.width);
@@ -270,7 +261,7 @@ bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wa
 
 Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times,
                                               const Pause& pause) {
-  FloatImage picture = empty_picture({frame.width, frame.height});
+  auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   if (!draw_area(frame, whole_area(frame), wanted, times, pause, picture)) return drawing_given_up();
   const DrawClock clock(times);
   darken(frame, grown(frame), wanted, picture);
@@ -319,7 +310,7 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
 
 FloatImage RasterRenderer::draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                                      RasterOutput shown) const {
-  FloatImage picture = empty_picture({frame.width, frame.height});
+  auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   const RasterScene scene = model.raster->bare_scene_of(model.copy.model(), skin, frame, shown);
   RasterCounts counts;
   for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->draw_box(scene, box, picture, counts);
@@ -369,7 +360,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   const FurFrame drawn = scaled(frame);
   CachedView view = views_.take(frame, format);
   const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
-  if (!shown) view.light = empty_picture({drawn.width, drawn.height});
+  if (!shown) view.light = empty_picture<FloatImage>(drawn.width, drawn.height);
   Area area = whole_area(drawn);
   std::optional<TileMask> tiles;
   if (shown) {

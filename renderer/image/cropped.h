@@ -11,10 +11,8 @@ namespace pelage {
 template <class Picture>
 Picture cropped(const Picture& whole, int left, int top, int width, int height) {
   assert(left >= 0 && top >= 0 && left + width <= whole.width && top + height <= whole.height);
-  Picture part;
-  part.width = width, part.height = height;
+  auto part = empty_picture<Picture>(width, height);
   const std::size_t row = 4 * static_cast<std::size_t>(width);
-  part.rgba.resize(row * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) {
     const std::size_t from = static_cast<std::size_t>(top + y) * static_cast<std::size_t>(whole.width);
     std::copy_n(&whole.rgba[4 * (from + static_cast<std::size_t>(left))], row,
@@ -27,9 +25,7 @@ Picture cropped(const Picture& whole, int left, int top, int width, int height) 
 template <class Picture>
 Picture placed(const Picture& part, int left, int top, int width, int height) {
   assert(left >= 0 && top >= 0 && left + part.width <= width && top + part.height <= height);
-  Picture whole;
-  whole.width = width, whole.height = height;
-  whole.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  auto whole = empty_picture<Picture>(width, height);
   const std::size_t row = 4 * static_cast<std::size_t>(part.width);
   for (int y = 0; y < part.height; ++y) {
     const std::size_t to = static_cast<std::size_t>(top + y) * static_cast<std::size_t>(width);

@@ -41,4 +41,13 @@ std::string encode_png(const Image16& image, bool keep_alpha, std::span<const Im
 inline constexpr std::string_view unreadable_picture = "The picture cannot be read: ";
 Status unreadable(const std::string& reason);
 
+/// A picture of zeros: Image, Image16 or FloatImage.
+template <class Picture>
+Picture empty_picture(int width, int height) {
+  Picture picture;
+  picture.width = width, picture.height = height;
+  picture.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return picture;
+}
+
 }  // namespace pelage

@@ -11,9 +11,8 @@ namespace pelage {
 /// Calls pixel(x, y), which gives sRGB with straight alpha.
 template <class Pixel>
 FloatImage plain_overlay(int width, int height, int threads, const Pixel& pixel) {
-  FloatImage image;
-  image.width = width, image.height = height, image.display_referred = true;
-  image.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  auto image = empty_picture<FloatImage>(width, height);
+  image.display_referred = true;
   const auto draw_row = [&](std::uint32_t y) {
     float* row = &image.rgba[4 * std::size_t{y} * static_cast<std::size_t>(width)];
     for (int x = 0; x < width; ++x) {

@@ -313,9 +313,7 @@ FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFra
                         RasterCounts* counts, RasterOutput shown) {
   RasterCounts counted;
   const RasterScene scene = scene_of(model, fur, frame, quality, shown);
-  FloatImage picture;
-  picture.width = frame.width, picture.height = frame.height;
-  picture.rgba.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   for (const PixelBox& box : boxes_of(frame)) {
     draw_box(scene, box, picture, counted);
     darken_box(scene, box, picture);

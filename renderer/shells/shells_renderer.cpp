@@ -178,9 +178,7 @@ Status ShellsRenderer::draw_sorted(const FurDrawing& drawing) {
 }
 
 Result<FloatImage> ShellsRenderer::read_back() const {
-  FloatImage image;
-  image.width = target_.width(), image.height = target_.height();
-  image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  auto image = empty_picture<FloatImage>(target_.width(), target_.height());
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer());
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, image.rgba.data());
