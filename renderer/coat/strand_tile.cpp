@@ -223,4 +223,10 @@ bool same_strands(const Coat& a, const Coat& b) {
   return a == other;
 }
 
+float largest_luminance(const Coat& coat) {
+  float largest = 1e-4f;
+  for (const RampStop& stop : coat.ramp) largest = std::max(largest, luminance(stop.colour));
+  return largest;
+}
+
 }  // namespace pelage

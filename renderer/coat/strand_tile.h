@@ -130,4 +130,7 @@ inline glm::vec3 wet_colour(const Coat& coat, glm::vec3 colour) {
   return coat.wetness > 0 ? glm::pow(colour, glm::vec3(static_cast<float>(wet_absorption(coat)))) : colour;
 }
 
+/// Of the ramp's colours; at least 1e-4.
+float largest_luminance(const Coat& coat);
+
 }  // namespace pelage

@@ -64,11 +64,9 @@ float cell_distance(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std
 
 namespace {
 
-float largest_luminance(const Coat& coat) {
+float largest_wet_luminance(const Coat& coat) {
   float largest = 1e-4f;
-  for (const RampStop& stop : coat.ramp) {
-    largest = std::max(largest, luminance(wet_colour(coat, stop.colour)));
-  }
+  for (const RampStop& stop : coat.ramp) largest = std::max(largest, luminance(wet_colour(coat, stop.colour)));
   return largest;
 }
 
@@ -94,7 +92,7 @@ PatternBlock make_pattern_block(const Coat& coat) {
   block.head = {static_cast<unsigned>(pattern.kind), pattern.seed, 0, 0};
   block.shape = glm::vec4(1 / pattern.scale, pattern.coverage, pattern.softness, pattern.warp);
   block.amounts = glm::vec4(pattern.contrast, pattern.inner, pattern.legs, pattern.belly);
-  block.axis = {glm::vec3(glm::normalize(pattern.axis)), 1 / largest_luminance(coat)};
+  block.axis = {glm::vec3(glm::normalize(pattern.axis)), 1 / largest_wet_luminance(coat)};
   block.colour = {wet_colour(coat, pattern.colour), 1};
   block.inner_colour = {wet_colour(coat, pattern.inner_colour), 1};
   block.belly_colour = {wet_colour(coat, pattern.belly_colour), 1};

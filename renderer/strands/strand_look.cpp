@@ -94,12 +94,6 @@ void StrandForm::sideways(std::uint32_t index, const RootFields& root, std::span
 
 namespace {
 
-float largest_luminance(const Coat& coat) {
-  float largest = 1e-4f;
-  for (const RampStop& stop : coat.ramp) largest = std::max(largest, luminance(stop.colour));
-  return largest;
-}
-
 int wrapped(int i, int size) { return (i % size + size) % size; }
 
 /// What the pattern does to all of one strand.

@@ -44,12 +44,6 @@ LightBlock light_block(const FurLight& light) {
           {light.radiance, spot ? light.soft_cone : -1.0f}};
 }
 
-float largest_lightness(const Coat& coat) {
-  float largest = 1e-4f;
-  for (const RampStop& stop : coat.ramp) largest = std::max(largest, luminance(stop.colour));
-  return largest;
-}
-
 /// Strands that a ray across upright ones meets on average on the way of a strand's width.
 double crowding_of(const Coat& coat) {
   const double width = (coat.width_root + coat.width_tip) / 2;
@@ -80,7 +74,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
   block.skin = {look.skin, takes_model_colours(look, model_has_colours) ? 1.0f : 0.0f};
   block.counts = glm::vec4(frame.knobs.shells.count, crowding_of(coat), frame.lights.size(), coat.root_share);
   block.tile = glm::vec4(1 / coat.tile, finest_texel(frame, pixels), coat.lean_curve == LeanCurve::root ? 1 : 0,
-                         largest_lightness(coat));
+                         largest_luminance(coat));
   for (std::size_t i = 0; i < slices.levels.size(); ++i) {
     const std::array<double, 4>& scale = slices.levels[i].depth_scale;
     block.depth_scale[i] = glm::vec4(scale[0], scale[1], scale[2], scale[3]);
