@@ -1,6 +1,7 @@
 // Light at the cornea, and the pupil that answers it.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -57,5 +58,22 @@ inline constexpr int caustic_texels = 48;  // across the iris, from -iris_radius
 /// The light comes from +X. What comes through the cornea and reaches the iris is all there: the sum over texels times
 /// a texel's area is the flux (science.md 5).
 std::vector<float> gather_caustics(const EyeShape& shape);
+
+// The eyes of a frame, as renderer/optics reads them.
+
+struct EyeEntry {
+  glm::vec4 right{0}, up{0}, forward{0}, position{0}, cornea{0}, iris{0}, inner{0}, pupil{0}, sclera{0};
+  glm::vec4 lid_right{0}, lid_up{0}, lid_facing{0}, lid{0};
+};
+
+struct EyeBlock {
+  glm::vec4 surroundings{0};
+  std::array<EyeEntry, max_eyes> eyes{};
+};
+static_assert(sizeof(EyeBlock) == 16 * (1 + 8 * 13));
+
+/// `first_caustic` is the array index at which the caustics of the eye's shape begin. A pupil without a size answers
+/// the frame's lights.
+EyeEntry make_eye_entry(const FurEye& eye, const FurFrame& frame, int first_caustic);
 
 }  // namespace pelage

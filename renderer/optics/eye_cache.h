@@ -2,13 +2,31 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "renderer/eye/iris_map.h"
 #include "renderer/eye/optics.h"
 #include "renderer/input/picture.h"
-#include "renderer/optics/eye_optics.h"
 
 namespace pelage {
+
+/// The tissue of an iris and a sclera (make_iris_map) with its mip levels, four bytes a word.
+struct TissueLevels {
+  static constexpr int count = 9;  // down to one row
+  std::vector<std::int32_t> words;
+  std::array<std::int32_t, count> first{};  // word of each level
+};
+static_assert(iris_map_height >> (TissueLevels::count - 1) == 1);
+
+/// Views that outlive the frame's drawing.
+struct EyeOptics {
+  EyeBlock block;
+  int steps = 0;                          // into the iris: Knobs::eye_steps
+  const TissueLevels* tissues = nullptr;  // not null where there are eyes
+  std::span<const float> caustics;        // gather_caustics of each shape, one after the other
+};
 
 /// The camera in the frame of an eye.
 struct EyeCamera {

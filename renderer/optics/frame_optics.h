@@ -3,7 +3,7 @@
 
 #include "renderer/optics/azimuthal_fit.h"
 #include "renderer/optics/base_images.h"
-#include "renderer/optics/eye_optics.h"
+#include "renderer/optics/eye_cache.h"
 #include "renderer/shading/scattering_table.h"
 #include "renderer/upload/blocks.h"
 
