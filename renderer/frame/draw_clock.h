@@ -4,9 +4,16 @@
 #include <time.h>
 
 #include "protocol/base/stopwatch.h"
-#include "renderer/frame/draw_times.h"
+#include "protocol/commands/answers.h"
 
 namespace pelage {
+
+/// Milliseconds of a frame's stages, and what it asked of the GL.
+struct DrawTimes {
+  double draw = 0;
+  double cpu = 0;  // of all threads of the process while that passed
+  FrameCounters counters;
+};
 
 /// CPU time of all threads of the process: what a software GL draws with.
 class CpuStopwatch {

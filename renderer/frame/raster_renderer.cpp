@@ -11,7 +11,6 @@
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/overlay/field_picture.h"
-#include "renderer/overlay/shape_picture.h"
 #include "renderer/raster/changed.h"
 #include "renderer/raster/model_copy.h"
 #include "renderer/raster/raster.h"

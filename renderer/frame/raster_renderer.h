@@ -10,14 +10,22 @@
 #include <vector>
 
 #include "protocol/base/status.h"
-#include "renderer/frame/draw_times.h"
-#include "renderer/frame/pause.h"
+#include "renderer/frame/draw_clock.h"
 #include "renderer/frame/view_cache.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/tracer.h"
 
 namespace pelage {
+
+// Long drawings let others in.
+
+/// Asked between two boxes of a drawing. It may draw other frames with the same renderer meanwhile; false gives the
+/// drawing up. The drawing's model has to be as it was when it answers true.
+using Pause = std::function<bool()>;
+
+inline Status drawing_given_up() { return failure(Code::conflict, "the drawing was given up"); }
+inline Status no_memory_for_frame() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
 
 class RasterRoom;
 enum class RasterOutput;

@@ -10,10 +10,8 @@
 
 #include "renderer/raster/blend-inl.h"
 #include "renderer/raster/cell_rows-inl.h"
-#include "renderer/raster/changed-inl.h"
 #include "renderer/raster/eyes-inl.h"
 #include "renderer/raster/ground-inl.h"
-#include "renderer/raster/hand_on-inl.h"
 #include "renderer/raster/place-inl.h"
 #include "renderer/raster/skin_light-inl.h"
 #include "renderer/raster/strand_light-inl.h"

@@ -1,8 +1,6 @@
 // What pelage-pictures.so gives to programs.
-#include "renderer/picture_files/library/merge.h"
+#include "renderer/picture_files/library/members.h"
 #include "renderer/picture_files/library/open_picture.h"
-#include "renderer/picture_files/library/read_picture.h"
-#include "renderer/picture_files/library/write_picture.h"
 
 namespace pelage {
 

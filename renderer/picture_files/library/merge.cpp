@@ -1,12 +1,10 @@
-#include "renderer/picture_files/library/merge.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
 
+#include "renderer/picture_files/library/members.h"
 #include "renderer/picture_files/library/open_picture.h"
-#include "renderer/picture_files/library/write_picture.h"
 
 namespace pelage {
 

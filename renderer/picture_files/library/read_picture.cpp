@@ -1,5 +1,3 @@
-#include "renderer/picture_files/library/read_picture.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "renderer/image/npy.h"
+#include "renderer/picture_files/library/members.h"
 #include "renderer/picture_files/library/open_picture.h"
 
 namespace pelage {

@@ -1,5 +1,3 @@
-#include "renderer/picture_files/library/write_picture.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "renderer/picture_files/library/members.h"
 #include "renderer/picture_files/library/open_picture.h"
 
 namespace pelage {
