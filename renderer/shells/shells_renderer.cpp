@@ -121,8 +121,7 @@ const CoatTextures& ShellsRenderer::textures_of(const Coat& coat) {
     return coats_.front();
   }
   if (coats_.size() == max_cached_coats) coats_.pop_back();
-  UploadCount count;
-  return coats_.emplace_front(gl_, coat, *coat_source_(coat), count);
+  return coats_.emplace_front(gl_, coat, *coat_source_(coat));
 }
 
 bool ShellsRenderer::fit_target(const FurFrame& frame) {

@@ -43,8 +43,7 @@ std::string defines_of(const FurFrame& frame, const testing::FurredModel& model)
 }
 
 CoatTextures trilinear(const Gl& gl, const Coat& coat) {
-  UploadCount count;
-  CoatTextures textures(gl, coat, bake_slices(coat), count);
+  CoatTextures textures(gl, coat, bake_slices(coat));
   for (const GLuint texture : {textures.shapes(), textures.colours()}) {
     gl.TextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   }
