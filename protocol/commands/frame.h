@@ -82,7 +82,9 @@ enum class Aov {
   albedo,    // linear
   direct,    // what lights add, without the ambient part, linear
   shadow,    // share of that light that shadows leave, [0, 1]; 1 where none comes
-  sample_count  // segments of strands that were blended, mean over the pixel; of traced strands the samples
+  sample_count,  // segments of strands that were blended, mean over the pixel; of traced strands the samples
+  strand,  // that covers most of the pixel: its number from 1 on, where on it, and its coat; 0 where skin shows more
+  root     // of that strand, model's coordinates
 };
 
 /// How strands are traced. A pass adds a sample to each pixel that still needs some.

@@ -145,13 +145,15 @@ void members(V& v, Visited<V, FrameRequest>& c) {
          "channels].");
   v.integer("jpeg_quality", c.jpeg_quality, {1, 100}, "Quality of a JPEG; of the format jpeg only.");
   v.name("exr_type", c.exr_type, json_names::exr_types,
-         "Type of the channels of an EXR. Depth and position are always float.");
+         "Type of the channels of an EXR. Depth, position, strand and root are always float.");
   if (v.shows(is_linear(c.format)))
     v.names(
         bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
         "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
         "pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
-        "of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count.");
+        "of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count; "
+        "strand.id, "
+        ".along and .coat.");
   v.name("overlay", c.overlay, json_names::overlays,
          "Shows a field on the fur. Not in linear light. density, wetness and "
          "mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since "

@@ -13,6 +13,9 @@ void check_drawing(const Value& value, const FrameRequest& request) {
   const Method method = request.knobs.method;
   if (method != Method::raster && request.progressive)
     value.refuse_below("progressive", "Traced strands improve what was rasterized.", "method raster");
+  const auto names_strands = [](Aov aov) { return aov == Aov::strand || aov == Aov::root; };
+  if (method == Method::strands && std::any_of(request.aovs.begin(), request.aovs.end(), names_strands))
+    value.refuse_below("aovs", "Strands are named where they are rasterized, which are the same.", "method raster");
   if (method != Method::shells) return;
   if (request.overlay != Overlay::none)
     value.refuse_below("overlay", "Overlays lie on strands.", "none, or method raster or strands");

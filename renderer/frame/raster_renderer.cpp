@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <new>
 #include <optional>
 #include <utility>
@@ -71,6 +72,8 @@ RasterOutput output_of(Aov aov) {
     case Aov::direct: return RasterOutput::direct;
     case Aov::shadow: return RasterOutput::shadow;
     case Aov::sample_count: return RasterOutput::count;
+    case Aov::strand:
+    case Aov::root: return RasterOutput::strand;
     default: return RasterOutput::light;
   }
 }
@@ -89,6 +92,7 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   const glm::vec3 rgb(mean);
   switch (aov) {
     case Aov::depth: return {mean.r, 0, 0, 1};
+    case Aov::strand: return {rgb, 1};
     case Aov::position: return {alpha > 0 ? place_at(frame, x, y, mean.r / mean.a) : glm::vec3(0), alpha};
     case Aov::normal:
     case Aov::tangent: return {glm::dot(rgb, rgb) > 1e-12f ? glm::normalize(rgb) : glm::vec3(0), alpha};
@@ -97,7 +101,7 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   }
 }
 
-/// One over the distance in the middle of each pixel: between surfaces there is nothing.
+/// What cannot be mixed, in the middle of each pixel: between surfaces and between strands there is nothing.
 FloatImage picked(const FloatImage& drawn, int width, int height) {
   auto picture = empty_picture<FloatImage>(width, height);
   const auto nearest = [](int at, int to, int from) { return std::min((2 * at + 1) * from / (2 * to), from - 1); };
@@ -114,8 +118,9 @@ FloatImage picked(const FloatImage& drawn, int width, int height) {
 }
 
 FloatImage aov_picture(const FurFrame& frame, Aov aov, const FloatImage& drawn, int threads) {
-  FloatImage picture = aov == Aov::depth ? picked(drawn, frame.width, frame.height)
-                                         : resized_light(drawn, frame.width, frame.height, threads);
+  const bool single = aov == Aov::depth || aov == Aov::strand || aov == Aov::root;
+  FloatImage picture =
+      single ? picked(drawn, frame.width, frame.height) : resized_light(drawn, frame.width, frame.height, threads);
   std::size_t at = 0;
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x, at += 4) {
@@ -125,6 +130,23 @@ FloatImage aov_picture(const FurFrame& frame, Aov aov, const FloatImage& drawn, 
     }
   }
   return picture;
+}
+
+/// Where the strands stand whose numbers a picture has; its alpha is 0 where it has none.
+void to_roots(std::span<const GrownPart> parts, FloatImage& picture) {
+  std::vector<std::size_t> ends;  // numbers of the last strands
+  for (const GrownPart& part : parts) ends.push_back((ends.empty() ? 0 : ends.back()) + part.strands->count());
+  for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
+    const auto number = static_cast<std::size_t>(picture.rgba[at]);
+    glm::vec4 root(0);
+    if (number > 0) {
+      const auto end = std::lower_bound(ends.begin(), ends.end(), number);
+      const StrandSet& set = *parts[static_cast<std::size_t>(end - ends.begin())].strands;
+      const std::size_t strand = number - 1 - (*end - set.count());
+      root = {set.points[strand * static_cast<std::size_t>(set.segments + 1)].place, 1};
+    }
+    for (int k = 0; k < 4; ++k) picture.rgba[at + static_cast<std::size_t>(k)] = root[k];
+  }
 }
 
 /// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
@@ -272,14 +294,18 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
   const FurFrame drawn = scaled(frame);
   std::vector<FloatImage> pictures;
   try {
-    std::optional<FloatImage> light;
+    std::map<RasterOutput, FloatImage> drawn_before;  // that several AOVs read
     for (const Aov aov : aovs) {
-      const bool known = output_of(aov) == RasterOutput::light && light;
-      Result<FloatImage> image = known ? *light : draw_whole(drawn, {output_of(aov)}, times, pause);
+      const RasterOutput shown = output_of(aov);
+      const auto before = drawn_before.find(shown);
+      Result<FloatImage> image =
+          before != drawn_before.end() ? before->second : draw_whole(drawn, {shown}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
       pictures.push_back(aov_picture(frame, aov, *image, threads_));
-      if (output_of(aov) == RasterOutput::light) light = std::move(*image);
+      if (aov == Aov::root) to_roots(grown(drawn).fur.parts(), pictures.back());
+      if (shown == RasterOutput::light || shown == RasterOutput::strand)
+        drawn_before.insert_or_assign(shown, std::move(*image));
     }
   } catch (const std::bad_alloc&) {
     return no_memory_for_frame();

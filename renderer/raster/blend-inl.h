@@ -72,6 +72,14 @@ HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, 
   return blocks;
 }
 
+/// Notes a segment that covers more of a pixel than those before it: red its number, green where on it, blue how much.
+HWY_INLINE void note_largest(float number, Real share, Real weight, std::size_t at, TileSums& sums) {
+  const Mask larger = weight > load(sums.blue + at);
+  store(select(larger, number, load(sums.red + at)), sums.red + at);
+  store(select(larger, share, load(sums.green + at)), sums.green + at);
+  store(select(larger, weight, load(sums.blue + at)), sums.blue + at);
+}
+
 /// Adds a segment that sends nothing to sums, by its weight of what got through so far.
 template <RasterOutput shown>
 HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
@@ -85,9 +93,9 @@ HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t a
   }
 }
 
-/// Blends over lanes of a block; whether anything gets through them still.
+/// Blends a segment over lanes of a block; whether anything gets through them still.
 template <RasterOutput shown>
-HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at, TileSums& sums) {
+HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
   const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, s.min_half);
@@ -100,6 +108,10 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, Real x, Real y, std::size_t at
   const Mask in_front = inverse > load(sums.behind + at);
   const Real weight = select(in_front, alpha, 0.0f) * through, left_over = through - weight;
   store(left_over, sums.through + at);
+  if constexpr (shown == RasterOutput::strand) {
+    note_largest(number, share, weight, at, sums);
+    return any(left_over > min_through);
+  }
   if constexpr (!sends(shown)) {
     add_place<shown>(inverse, weight, through, at, sums);
     return any(left_over > min_through);
@@ -129,7 +141,8 @@ HWY_INLINE void blend_all(const RasterScene& scene, std::span<const TileSegment>
       const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
       const Real x = first.x + (static_cast<float>(block_width * bx) - flat.x);
       const Real y = first.y + (static_cast<float>(block_height * by) - flat.y);
-      if (!blend_lanes<shown>(flat, x, y, static_cast<std::size_t>(block * lane_count), sums))
+      if (!blend_lanes<shown>(flat, static_cast<float>(i + 1), x, y, static_cast<std::size_t>(block * lane_count),
+                              sums))
         full |= std::uint64_t{1} << block;
     }
   }

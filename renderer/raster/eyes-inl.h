@@ -69,7 +69,8 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const Ey
     case RasterOutput::normal: return eye_surface(optics, eye, hit).normal;
     case RasterOutput::field:
     case RasterOutput::tangent:
-    case RasterOutput::count: return {none, none, none};
+    case RasterOutput::count:
+    case RasterOutput::strand: return {none, none, none};
     case RasterOutput::direct: return direct();
     case RasterOutput::shadow: {
       const Real sent = luminance(direct());

@@ -30,6 +30,7 @@ void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segmen
   switch (scene.shown) {
     case RasterOutput::distance: return blend_all<RasterOutput::distance>(scene, segments, left, top, sums);
     case RasterOutput::depth: return blend_all<RasterOutput::depth>(scene, segments, left, top, sums);
+    case RasterOutput::strand: return blend_all<RasterOutput::strand>(scene, segments, left, top, sums);
     case RasterOutput::count: return blend_all<RasterOutput::count>(scene, segments, left, top, sums);
     default: return blend_all<RasterOutput::albedo>(scene, segments, left, top, sums);
   }

@@ -73,7 +73,8 @@ struct TileSums {
 /// 4 x 1, 4 x 2 and 4 x 4 pixels.
 inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_side) + y * 4 + (x & 3); }
 
-/// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through.
+/// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through. Where
+/// strands are shown red is the segment that covers most, from 1 on, green where on it, and blue how much it covers.
 void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums);
 
 /// What shows less of a pixel than this shows nothing.

@@ -24,19 +24,30 @@ namespace {
 constexpr int box_pixels = 1 << 20;      // of a part of a picture that is drawn at once
 constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same for any number of threads
 
+/// A strand by its number in the whole coat, from 1 on.
+struct NamedStrand {
+  std::size_t number;
+  StrandRole role;
+};
+
 /// Some parts of the fur, as they lie on the picture.
 struct Batch {
   std::size_t first = 0, end = 0;  // parts
+  std::size_t before = 0;          // strands of the parts before the first
   PlacedStrands placed;
+  std::vector<NamedStrand> named;  // those that are placed, where strands are shown
   std::size_t lit = 0;
 };
 
 void divide(std::span<const GrownPart> parts, std::vector<Batch>& batches) {
   const std::size_t count = std::min(parts.size(), max_batches);
   batches.resize(count);
+  std::size_t strands = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    batches[i].first = i * parts.size() / count, batches[i].end = (i + 1) * parts.size() / count;
-    batches[i].placed.clear(), batches[i].lit = 0;
+    Batch& batch = batches[i];
+    batch.first = i * parts.size() / count, batch.end = (i + 1) * parts.size() / count;
+    batch.before = strands, batch.placed.clear(), batch.named.clear(), batch.lit = 0;
+    for (std::size_t k = batch.first; k < batch.end; ++k) strands += parts[k].strands->count();
   }
 }
 
@@ -84,14 +95,18 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
 void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const float> hidden, Batch& batch) {
   KeptStrands kept;
   SharedLight light;
+  std::size_t number = batch.before;
   for (std::size_t i = batch.first; i < batch.end; ++i) {
     const GrownPart& part = scene.parts[i];
+    const std::size_t first_number = std::exchange(number, number + part.strands->count());
     if (!shows_in(scene, part, box)) continue;
     keep_strands(scene, part, kept);
     if (kept.ids.empty()) continue;
     const std::uint32_t last = kept.ids.back();
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
     place_strands(scene, part, box, hidden, kept, batch.placed);
+    if (scene.shown == RasterOutput::strand)
+      for (const std::uint32_t id : kept.ids) batch.named.push_back({first_number + id + 1, part.role});
     if (!sends(scene.shown)) continue;
     batch.lit += light.light(scene, part, kept.ids, last, before, batch.placed);
   }
@@ -116,6 +131,7 @@ struct TileDrawer {
     return !scene.drawn || scene.drawn->has(box.left + tile % across * tile_side, box.top + tile / across * tile_side);
   }
   void draw(int tile, Room& room) const;
+  void name_strands(std::span<const BinEntry> segments, TileSums& sums) const;
   void add_skin(int tile, int left, int top, TileSums& sums) const;
   void write(int left, int top, const TileSums& sums) const;
 };
@@ -135,11 +151,29 @@ void TileDrawer::draw(int tile, Room& room) const {
     room.segments.push_back({knot, knot + 1});
   }
   blend_segments(scene, room.segments, left, top, sums);
+  if (scene.shown == RasterOutput::strand) name_strands(room.sorted, sums);
   if (!skin.eyes.empty())
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
                std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
   write(left, top, sums);
+}
+
+/// From the segment that covers most of a pixel to its strand; none where skin or an eye shows more.
+void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums) const {
+  for (int pixel = 0; pixel < tile_pixels; ++pixel) {
+    const auto segment = static_cast<std::size_t>(sums.red[pixel]);
+    const float covered = std::exchange(sums.blue[pixel], 0.0f), share = std::exchange(sums.green[pixel], 0.0f);
+    sums.red[pixel] = 0;
+    if (segment == 0 || (sums.behind[pixel] > 0 && sums.through[pixel] > covered)) continue;
+    const BinEntry& entry = segments[segment - 1];
+    const PlacedStrands& placed = batches[entry.batch].placed;
+    const auto next = std::upper_bound(placed.first.begin(), placed.first.end(), std::uint32_t{entry.knot});
+    const NamedStrand& strand = batches[entry.batch].named[static_cast<std::size_t>(next - placed.first.begin()) - 1];
+    sums.red[pixel] = static_cast<float>(strand.number);
+    sums.green[pixel] = glm::mix(placed.along[entry.knot], placed.along[entry.knot + 1], share);
+    sums.blue[pixel] = static_cast<float>(strand.role) + 1;
+  }
 }
 
 /// Lights skin that shows in some pixels of a tile, and adds what of it gets through the strands.
@@ -265,7 +299,7 @@ struct RasterRoom::Held {
 
   std::size_t bytes() const {
     std::size_t bytes = bins.bytes();
-    for (const Batch& batch : batches) bytes += batch.placed.bytes();
+    for (const Batch& batch : batches) bytes += batch.placed.bytes() + batch.named.capacity() * sizeof(NamedStrand);
     return bytes;
   }
 };

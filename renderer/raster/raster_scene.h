@@ -47,7 +47,8 @@ enum class RasterOutput {
   shadow,    // red: the luminance of that, green: what it would be without shadows
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
-  count      // red: segments of strands that were blended; not premultiplied
+  count,     // red: segments of strands that were blended; not premultiplied
+  strand     // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its role from 1 on
 };
 /// Whether it goes as the colour of strands does.
 constexpr bool is_coloured(RasterOutput shown) {
@@ -56,7 +57,7 @@ constexpr bool is_coloured(RasterOutput shown) {
 /// Whether strands send something of their own, from knot to knot.
 constexpr bool sends(RasterOutput shown) {
   return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
-         shown != RasterOutput::count;
+         shown != RasterOutput::count && shown != RasterOutput::strand;
 }
 
 /// How wide a light is from a place: a far one the same from all.

@@ -326,7 +326,8 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
     case RasterOutput::piece: return {to_real(skin.corners.piece), none, none};
     case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
     case RasterOutput::tangent:
-    case RasterOutput::count: return Vec3(none);
+    case RasterOutput::count:
+    case RasterOutput::strand: return Vec3(none);
     default: break;
   }
   const SkinLooks looks = skin_looks(scene.optics, skin);

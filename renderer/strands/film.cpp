@@ -42,6 +42,8 @@ std::array<bool, Film::part_count> Film::parts_of(std::span<const Aov> aovs, boo
       case Aov::direct: need({body, direct}); break;
       case Aov::shadow: need({body, light}); break;
       case Aov::sample_count: need({body}); break;
+      case Aov::strand:
+      case Aov::root: assert(false);  // samples of a pixel hit many strands
     }
   }
   if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
@@ -192,6 +194,8 @@ glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
       return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};
     }
     case Aov::sample_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
+    case Aov::strand:
+    case Aov::root: break;
   }
   assert(false);
   return {};

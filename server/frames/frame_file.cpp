@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "renderer/image/cropped.h"
 #include "renderer/image/float_image.h"
@@ -39,30 +41,33 @@ void measure_in_model(FloatImage& depth, const ModelPlacement& placement) {
 }
 
 struct Channels {
-  std::string prefix, names;  // "normal.", "XYZ"
+  std::string prefix;
+  std::vector<std::string> names;
 };
 
 Channels channels_of(Aov aov) {
   switch (aov) {
-    case Aov::beauty: return {"", "RGBA"};
-    case Aov::alpha: return {"", "A"};
-    case Aov::depth: return {"", "Z"};
-    case Aov::position: return {"position.", "XYZ"};
-    case Aov::normal: return {"normal.", "XYZ"};
-    case Aov::tangent: return {"tangent.", "XYZ"};
-    case Aov::albedo: return {"albedo.", "RGB"};
-    case Aov::direct: return {"direct.", "RGB"};
-    case Aov::shadow: return {"shadow.", "Y"};
-    case Aov::sample_count: return {"sample_count.", "Y"};
+    case Aov::beauty: return {"", {"R", "G", "B", "A"}};
+    case Aov::alpha: return {"", {"A"}};
+    case Aov::depth: return {"", {"Z"}};
+    case Aov::position: return {"position.", {"X", "Y", "Z"}};
+    case Aov::normal: return {"normal.", {"X", "Y", "Z"}};
+    case Aov::tangent: return {"tangent.", {"X", "Y", "Z"}};
+    case Aov::albedo: return {"albedo.", {"R", "G", "B"}};
+    case Aov::direct: return {"direct.", {"R", "G", "B"}};
+    case Aov::shadow: return {"shadow.", {"Y"}};
+    case Aov::sample_count: return {"sample_count.", {"Y"}};
+    case Aov::strand: return {"strand.", {"id", "along", "coat"}};
+    case Aov::root: return {"root.", {"X", "Y", "Z"}};
   }
   assert(false);
   return {};
 }
 
-/// Half would lose what lies behind: depth and position are always single.
+/// Half would lose what lies behind, and numbers of strands.
 ExrSample sample_of(Aov aov, ExrType type) {
-  const bool place = aov == Aov::depth || aov == Aov::position;
-  return place || type == ExrType::single ? ExrSample::single : ExrSample::half;
+  const bool single = aov == Aov::depth || aov == Aov::position || aov == Aov::strand || aov == Aov::root;
+  return single || type == ExrType::single ? ExrSample::single : ExrSample::half;
 }
 
 void add_planes(const FloatImage& image, Aov aov, ExrType type, std::vector<ExrPlane>& planes) {
@@ -100,7 +105,7 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
   std::vector<ExrPlane> planes;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Aov aov = request.aovs[i];
-    if (aov == Aov::position) place_in_model(images[i], placement);
+    if (aov == Aov::position || aov == Aov::root) place_in_model(images[i], placement);
     if (aov == Aov::depth) measure_in_model(images[i], placement);
     const bool in_beauty = aov == Aov::alpha && asked(Aov::beauty);
     if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);

@@ -10,7 +10,8 @@ from PIL import Image
 from support.server import BIN, ServedTest
 
 CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
-NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count")
+NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count",
+         "strand", "root")
 
 
 class Frames(ServedTest):
@@ -40,7 +41,7 @@ class Frames(ServedTest):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
         path = self.exr(scene, aovs=list(NAMES))
         said = self.described(path)
-        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "sample_count.Y", "Z"):
+        for name in ("position.X", "normal.Z", "tangent.Y", "albedo.B", "direct.R", "shadow.Y", "sample_count.Y", "strand.id", "strand.along", "root.Z", "Z"):
             self.assertIn(name, said)
         depth, alpha = self.channels(path, "", "Z")[..., 0], self.channels(path, "", "A")[..., 0]
         position, normal = self.channels(path, "position.", "XYZ"), self.channels(path, "normal.", "XYZ")

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "server/frames/fur_view.h"
 #include "server/frames/moved_fur.h"
@@ -12,11 +13,13 @@ namespace pelage::testing {
 
 namespace {
 
-constexpr std::array all_aovs{Aov::beauty,  Aov::alpha,  Aov::depth,  Aov::position, Aov::normal,
-                              Aov::tangent, Aov::albedo, Aov::direct, Aov::shadow,   Aov::sample_count};
-constexpr std::array<const char*, 10> aov_names{"beauty",  "alpha",  "depth",  "position", "normal",
-                                                "tangent", "albedo", "direct", "shadow",   "sample_count"};
-constexpr float above_one = 1.001f;  // sums of half floats
+constexpr std::array all_aovs{Aov::beauty, Aov::alpha,  Aov::depth,  Aov::position,     Aov::normal, Aov::tangent,
+                              Aov::albedo, Aov::direct, Aov::shadow, Aov::sample_count, Aov::strand, Aov::root};
+constexpr std::array<const char*, all_aovs.size()> aov_names{"beauty", "alpha",        "depth",  "position",
+                                                             "normal", "tangent",      "albedo", "direct",
+                                                             "shadow", "sample_count", "strand", "root"};
+constexpr std::span<const Aov> traced_aovs = std::span(all_aovs).first(all_aovs.size() - 2);  // which name no strands
+constexpr float above_one = 1.001f;                                                           // sums of half floats
 
 bool is_light(Aov aov) { return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo; }
 
@@ -24,6 +27,7 @@ bool fine(Aov aov, std::size_t channel, float value) {
   if (!std::isfinite(value)) return false;
   if (is_light(aov) && value < 0) return false;
   if (aov == Aov::depth) return channel != 0 || value >= 0;
+  if (aov == Aov::strand) return value >= 0;
   if (channel == 3) return value >= 0 && value <= above_one;
   return true;
 }
@@ -94,7 +98,7 @@ Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest&
 }
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
-  if (Status refused = tracer_.admit(request.width, request.height, all_aovs, true); !refused.ok()) return refused;
+  if (Status refused = tracer_.admit(request.width, request.height, traced_aovs, true); !refused.ok()) return refused;
   Status status;
   scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
     sync_scene(renderer_, view, dirty);
@@ -110,12 +114,12 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
     const ModelArrays arrays = make_arrays(view);
     const MovedDirection moved = moved_of(view, request);
     status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()), frame,
-                           std::move(base).value(), all_aovs, always);
+                           std::move(base).value(), traced_aovs, always);
   });
   while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);
   if (!status.ok()) return status;
   std::vector<FloatImage> images;
-  for (const Aov aov : all_aovs) images.push_back(tracer_.aov(aov));
+  for (const Aov aov : traced_aovs) images.push_back(tracer_.aov(aov));
   return images;
 }
 

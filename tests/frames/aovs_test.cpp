@@ -1,6 +1,7 @@
 // What an EXR holds beside colour, 16 bits, the studio and the overlays.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "protocol/base/colour_space.h"
@@ -103,6 +104,59 @@ TEST_F(Layers, ShadowIsTheShareOfLightThatIsLeft) {
   }
   EXPECT_GT(count, 500);
   EXPECT_LT(shares / count, 0.95);
+}
+
+TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
+  const float length = 0.06f;
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = length, .inclination = 0.4});
+  FrameRequest request = small_frame();
+  request.knobs.raster.strands = 4;
+  const auto images = aovs_of(model, request, {Aov::strand, Aov::root, Aov::position, Aov::alpha});
+  const double radius = 0.5 / std::sqrt(3.0);  // the box's diagonal is 1
+  std::map<float, glm::vec3> roots;
+  int named = 0, near = 0;
+  for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
+    const glm::vec3 strand = pixel(images[0], i), root = pixel(images[1], i);
+    ASSERT_EQ(images[1].rgba[4 * i + 3], strand.x > 0 ? 1 : 0);
+    ASSERT_TRUE(strand.x == 0 || images[3].rgba[4 * i + 3] > 0);
+    if (strand.x == 0) continue;
+    ++named;
+    ASSERT_EQ(strand.x, std::floor(strand.x));
+    ASSERT_TRUE(strand.y >= 0 && strand.y <= 1);
+    ASSERT_EQ(strand.z, 1);
+    ASSERT_NEAR(glm::length(root), radius, 0.01);
+    ASSERT_EQ(roots.try_emplace(strand.x, root).first->second, root) << "one strand has one root";
+    near += glm::distance(root, pixel(images[2], i)) < 1.2f * length;
+  }
+  EXPECT_GT(named, 3000);
+  EXPECT_GT(near, 0.95 * named);  // the mean over the edge has what lies behind in it
+  EXPECT_GT(roots.size(), 500u);
+}
+
+TEST_F(Layers, StrandsAreNamedAlikeInAllFramesOfACoat) {
+  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
+  const auto roots_of = [&](AutoView view) {
+    const auto images = aovs_of(model, small_frame(view), {Aov::strand, Aov::root});
+    std::map<float, glm::vec3> roots;
+    for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i)
+      if (images[0].rgba[4 * i] > 0) roots[images[0].rgba[4 * i]] = pixel(images[1], i);
+    return roots;
+  };
+  const auto front = roots_of(AutoView::front), side = roots_of(AutoView::three_quarter);
+  int both = 0;
+  for (const auto& [number, root] : side) {
+    const auto found = front.find(number);
+    if (found == front.end()) continue;
+    ++both;
+    EXPECT_EQ(found->second, root);
+  }
+  EXPECT_GT(both, 100);
+}
+
+TEST_F(Layers, BareSkinNamesNoStrand) {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
+  const auto images = aovs_of(model, small_frame(), {Aov::strand});
+  for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) ASSERT_EQ(images[0].rgba[i], 0);
 }
 
 TEST_F(Layers, CountTheSegments) {

@@ -73,7 +73,7 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
   hand_on(command, frame, "--aovs", "aovs",
           "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
-          "shadow, sample_count [beauty]");
+          "shadow, sample_count, strand, root [beauty]");
   hand_on(command, frame, "--overlay", "overlay",
           "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
   hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
