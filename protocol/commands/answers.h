@@ -133,9 +133,21 @@ struct SceneList {
 /// Of each painted field, from first_painted on; a colour is that of what covers.
 using PaintedValues = std::array<glm::dvec4, field_count - first_painted>;
 
+enum class StrandKind { coat, curve };
+
+/// The strand that covers most of a pixel.
+struct PickedStrand {
+  int id = 1;  // as Aov::strand has it
+  StrandKind kind = StrandKind::coat;
+  double along = 0;    // where on it, [0, 1]: 0 at its root
+  glm::dvec3 root{0};  // where it stands, model coordinates
+  bool operator==(const PickedStrand&) const = default;
+};
+
 /// What lies under a pixel.
 struct PickAnswer {
   bool hit = false;
+  std::optional<PickedStrand> strand = {};  // that is seen there, beside the model too
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{0};
   glm::dvec3 position{0};  // model coordinates

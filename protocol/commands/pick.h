@@ -24,7 +24,8 @@ struct PickFarthest {
 /// to a point in model coordinates. At most one of the last three.
 struct PickRequest {
   View view = {};
-  glm::dvec2 pixel{0};  // origin top left
+  glm::dvec2 pixel{0};       // origin top left
+  Reach reach = Reach::fur;  // of a pixel: whether the strand that is seen there is told, too
   std::optional<PickRay> ray = {};
   std::optional<PickFarthest> farthest = {};
   std::optional<glm::dvec3> nearest = {};

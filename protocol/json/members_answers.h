@@ -323,9 +323,20 @@ void members(V& v, Visited<V, PaintedValues>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, PickedStrand>& c) {
+  v.answer("PickedStrand", "The strand that covers most of a pixel.");
+  v.integer("id", c.id, {1, 16777216}, "Its number, as the AOV strand has it.");
+  v.name("kind", c.kind, json_names::strand_kinds, "Whether it is of the coat or a curve, such as a whisker.");
+  v.number("along", c.along, share, "Where on it the pixel lies: 0 at its root, 1 at its tip.");
+  v.position("root", c.root, "Where it stands.");
+}
+
+template <class V>
 void members(V& v, Visited<V, PickAnswer>& c) {
   v.answer("Pick", "What lies under a pixel.");
   v.boolean(tag("hit"), c.hit, "Whether the model lies under the pixel.");
+  v.object(sparse("strand"), c.strand,
+           "The strand that is seen there, beside the model too; absent where skin or nothing shows more.");
   if (!v.takes(c.hit)) return;
   v.seed("triangle", c.triangle, "Number of the triangle.");
   v.vector("barycentric", c.barycentric, share, "Weights of the triangle's corners.");

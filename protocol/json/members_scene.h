@@ -143,6 +143,9 @@ void members(V& v, Visited<V, PickRequest>& c) {
     return v.position(required("nearest"), c.nearest, "Point that the place is nearest to.");
   v.object("view", c.view, "The frame that the pixel belongs to.");
   v.pixel(required("pixel"), c.pixel, c.view, "Pixel from the top left, y down, within the view.");
+  v.name("reach", c.reach, json_names::reaches,
+         "fur: the answer also has the strand that an interactive frame of the view shows at the pixel, which is drawn "
+         "for it. skin: it has the skin alone, at once.");
 }
 
 template <class V>

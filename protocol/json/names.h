@@ -30,6 +30,8 @@ inline constexpr std::array<Name<RadiusUnits>, 3> radius_units{
 inline constexpr std::array<Name<FalloffShape>, 3> falloff_shapes{
     {{"volume", FalloffShape::volume}, {"surface", FalloffShape::surface}, {"screen", FalloffShape::screen}}};
 inline constexpr std::array<Name<Reach>, 2> reaches{{{"skin", Reach::skin}, {"fur", Reach::fur}}};
+inline constexpr std::array<Name<StrandKind>, 2> strand_kinds{
+    {{"coat", StrandKind::coat}, {"curve", StrandKind::curve}}};
 inline constexpr std::array<Name<DistanceKind>, 3> distance_kinds{
     {{"straight", DistanceKind::straight}, {"dijkstra", DistanceKind::dijkstra}, {"heat", DistanceKind::heat}}};
 inline constexpr std::array<Name<Alignment>, 2> alignments{{{"box", Alignment::box}, {"none", Alignment::none}}};

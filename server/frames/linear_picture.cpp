@@ -26,8 +26,8 @@ Knobs knobs_of(const LinearPicture& picture) {
 namespace {
 
 bool has_a_mean(Aov aov) {
-  return aov != Aov::depth && aov != Aov::position && aov != Aov::normal && aov != Aov::tangent &&
-         aov != Aov::strand && aov != Aov::root;
+  return aov != Aov::depth && aov != Aov::position && aov != Aov::normal && aov != Aov::tangent && aov != Aov::strand &&
+         aov != Aov::root;
 }
 
 void add_report(const TraceReport& report, TraceReport& sum) {

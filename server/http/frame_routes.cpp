@@ -6,6 +6,7 @@
 #include "protocol/base/limits.h"
 #include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
+#include "server/frames/seen_strand.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
@@ -211,11 +212,16 @@ Result<FrameRequest> png_request_of(const Request& request) {
   return failure(Code::invalid, "The address of a PNG; POST frames gives other formats.", "/format", "png | png16");
 }
 
-void pick(const Scene& scene, const Request& request, Response& response) {
+void pick(Service& service, const std::shared_ptr<Scene>& scene, const Request& request, Response& response) {
   const auto wanted = decode_pick(request.body);
   if (!wanted) return reply_problem(response, wanted.status());
-  const auto answer = scene.pick(*wanted);
+  auto answer = scene->pick(*wanted);
   if (!answer) return reply_problem(response, answer.status());
+  if (reaches_fur(*wanted)) {
+    auto strand = seen_strand(service.frames, scene, wanted->view, wanted->pixel);
+    if (!strand) return reply_problem(response, strand.status());
+    answer->strand = *strand;
+  }
   reply_json(response, 200, encode(*answer));
 }
 
@@ -236,7 +242,7 @@ void add_frame_routes(httplib::Server& server, Service& service) {
                [&](const auto& scene) { answer_frame(service, scene, png_request_of(request), request, response); });
   });
   add_post(server, "/v1/scenes/([^/]+)/pick", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { pick(*scene, request, response); });
+    with_scene(service, request, response, [&](const auto& scene) { pick(service, scene, request, response); });
   });
 }
 

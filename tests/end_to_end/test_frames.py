@@ -37,6 +37,27 @@ class Frames(ServedTest):
     def described(self, path):
         return subprocess.run(["oiiotool", "--info", "-v", path], check=True, capture_output=True, text=True).stdout
 
+    def test_a_pick_names_the_strand_that_the_aov_names(self):
+        scene = self.server.new_scene("sphere", 3000, fur={"length": 0.1, "inclination": 0.1})
+        path = self.exr(scene, aovs=["strand", "root"], exr_type="float")
+        strand, root = self.channels(path, "strand.", ("id", "along", "coat")), self.channels(path, "root.", "XYZ")
+        self.assertGreater((strand[..., 0] > 0).mean(), 0.05)
+        named, beside = 0, 0
+        for x, y in [(x, y) for x in range(2, 128, 9) for y in range(2, 128, 9)]:
+            at = {"view": {"camera": CAMERA, "width": 128, "height": 128}, "pixel": [x + 0.5, y + 0.5]}
+            pick = scene.post("pick", at).json
+            seen = pick.get("strand")
+            self.assertEqual(seen["id"] if seen else 0, strand[y, x, 0])
+            if not seen:
+                continue
+            named, beside = named + 1, beside + (not pick["hit"])
+            self.assertEqual(seen["kind"], "coat")
+            self.assertAlmostEqual(seen["along"], strand[y, x, 1], places=6)
+            numpy.testing.assert_allclose(seen["root"], root[y, x], atol=1e-5)
+            self.assertNotIn("strand", scene.post("pick", {**at, "reach": "skin"}).json)
+        self.assertGreater(named, 20)
+        self.assertGreater(beside, 3, "tips beside the skin are seen, too")
+
     def test_aovs_agree_with_a_pick(self):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
         path = self.exr(scene, aovs=list(NAMES))
@@ -51,7 +72,7 @@ class Frames(ServedTest):
         hits, close = 0, 0
         for x in range(4, 128, 6):
             for y in range(4, 128, 6):
-                at = {"view": {"camera": CAMERA, "width": 128, "height": 128}, "pixel": [x + 0.5, y + 0.5]}
+                at = {"view": {"camera": CAMERA, "width": 128, "height": 128}, "pixel": [x + 0.5, y + 0.5], "reach": "skin"}
                 pick = scene.post("pick", at).json
                 if not pick["hit"]:
                     continue

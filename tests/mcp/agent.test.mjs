@@ -69,7 +69,7 @@ test("a pixel is picked and combed from in every form that pick gives", async ()
   const touched = [];
   for (const sample of data.samples) {
     const end = {position: data.position.map((value, k) => value + (k === 2 ? 0.1 : 0))};
-    const answer = await agent.call("comb", {scene, stroke: {view: {...view}, samples: [sample, end]}, dry_run: true});
+    const answer = await agent.call("comb", {scene, brush: {reach: "skin"}, stroke: {view: {...view}, samples: [sample, end]}, dry_run: true});
     touched.push(answer.data.results[0].touched);
   }
   assert.ok(touched[0] > 10 && touched.every((count) => Math.abs(count - touched[0]) <= 2), `places differ: ${touched}`);

@@ -163,8 +163,9 @@ ExitCode pick_place(Session& session) {
   const auto pick = decode_answer<PickAnswer>(answer->body);
   if (!pick) return report(pick.status());
   if (options.json) fmt::print("{}\n", answer->body);
+  if (!options.json && pick->strand) print(*pick->strand);
   if (!pick->hit) {
-    if (!options.json) fmt::print("nothing there\n");
+    if (!options.json) fmt::print("{}\n", pick->strand ? "no skin there" : "nothing there");
     return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to keep."));
   }
   if (!options.json) print(*pick), print_forms(options, *pick, places, *question);

@@ -84,6 +84,11 @@ void print(const CommandAnswer& answer) {
   fmt::print("revision {}\n", answer.revision);
 }
 
+void print(const PickedStrand& strand) {
+  fmt::print("strand      {} of the {}, at {:.2g} of its length, root {}\n", strand.id,
+             strand.kind == StrandKind::coat ? "coat" : "curves", strand.along, text_of(strand.root));
+}
+
 void print(const PickAnswer& answer) {
   fmt::print("triangle    {}\nbarycentric {}\nposition    {}\nnormal      {}\n", answer.triangle,
              text_of(answer.barycentric), text_of(answer.position), text_of(answer.normal));

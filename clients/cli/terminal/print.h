@@ -13,6 +13,7 @@ void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
 /// What lies there; not how recipes name it.
 void print(const PickAnswer& answer);
+void print(const PickedStrand& strand);
 void print(const std::vector<LogEntry>& log);
 
 }  // namespace pelage

@@ -89,9 +89,10 @@ REQUESTS = (
     Request("export_about", "ExportRequest", "ExportAbout", "What such a file would hold; nothing is written."),
     Request("pick", "View", "Pick",
             "What lies under a pixel of a view: triangle, position, normal and what is painted there; `{\"hit\": False}` "
-            "where nothing is.",
+            "where no skin is. `strand` is the one that is seen there, if any.",
             parameters=(("x", "float", None, "Pixels from the left; centres at .5."),
-                        ("y", "float", None, "Pixels from the top; centres at .5."))),
+                        ("y", "float", None, "Pixels from the top; centres at .5."),
+                        ("reach", 'Literal["skin", "fur"]', '"fur"', "skin: leaves the strand out, and answers at once."))),
     Request("mesh", "MeshRequest", "bytes", "A light mesh of the model, as binary glTF."),
     Request("subdivide", "Subdivide", "SceneInfo",
             "Splits the triangles of the field mesh; its undo log starts empty.", parameters=(IF_MATCH,)),

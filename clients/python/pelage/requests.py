@@ -101,11 +101,11 @@ class Requests:
             bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
             width, channels]. Default "png".
         jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -191,11 +191,11 @@ class Requests:
             bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
             width, channels]. Default "png".
         jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -278,11 +278,11 @@ class Requests:
             bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
             width, channels]. Default "png".
         jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -359,8 +359,8 @@ class Requests:
             At most 200 bytes. Default "".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -443,11 +443,11 @@ class Requests:
             bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
             width, channels]. Default "png".
         jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -526,11 +526,11 @@ class Requests:
             bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
             width, channels]. Default "png".
         jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-        exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+        exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
-            AOV.X, .Y, .Z of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and
-            sample_count. 1 to 10 items.
+            AOV.X, .Y, .Z of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow
+            and sample_count; strand.id, .along and .coat. 1 to 12 items.
         overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
             yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of
             the field that changed most, the change over what counts as much (direction and colours: 1; length: the
@@ -844,9 +844,10 @@ class Requests:
         camera: Optional[Union[AutoView, Camera]] = None,
         width: Optional[int] = None,
         height: Optional[int] = None,
+        reach: Literal["skin", "fur"] = "fur",
     ) -> Pick:
         """What lies under a pixel of a view: triangle, position, normal and what is painted there; `{"hit":
-        False}` where nothing is.
+        False}` where no skin is. `strand` is the one that is seen there, if any.
 
         x: Pixels from the left; centres at .5.
         y: Pixels from the top; centres at .5.
@@ -854,11 +855,13 @@ class Requests:
             up is not along the view. Default {"auto": "three_quarter"}.
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
         height: Height of the picture. 1 to 8192 (pixels). Default 512.
+        reach: skin: leaves the strand out, and answers at once.
         """
         return self._pick(
             {"camera": camera, "width": width, "height": height},
             x,
             y,
+            reach,
         )
 
     def mesh(
@@ -1008,6 +1011,7 @@ class Requests:
         members: Dict[str, Any],
         x: float,
         y: float,
+        reach: Literal["skin", "fur"],
     ) -> Pick:
         raise NotImplementedError
 

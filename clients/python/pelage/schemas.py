@@ -49,7 +49,8 @@ Tier = Literal["draft", "interactive", "detailed", "reference"]
 traces.
 """
 Aov = Literal[
-    "beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count"
+    "beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count",
+    "strand", "root"
 ]
 """An AOV (arbitrary output variable) of a frame. All but beauty and alpha leave out the ground. Beauty, albedo and
 direct are multiplied by alpha; position, normal, tangent and shadow are means over what covers the pixel. depth:
@@ -58,7 +59,10 @@ model's unit; infinity where there is none. position: the model's own coordinate
 eye's ball and cornea. tangent: of fur, hairs and curves, from root to tip; 0 on bare skin and eyes. direct: what
 lights add, without the ambient part. shadow: share of that light that shadows leave, 1 where none comes and on
 eyes, which take no shadow. sample_count: segments of strands that were blended in the pixel; of traced strands the
-samples that were taken.
+samples that were taken. strand: the one that covers most of the pixel: its number from 1 on, the same in all
+frames of a revision with one coat; where on it, from 0 at its root to 1 at its tip; and 1 for the coat, 2 for
+curves such as whiskers. 0 where skin, eyes or nothing shows more. root: where that strand stands, in the model's
+own coordinates. Both of rasterized strands only.
 """
 PickRequest = Union[Dict[str, Any]]
 """The place that is meant: what lies under a pixel of a view; or the first that a ray hits, the farthest along a
@@ -606,11 +610,11 @@ class FrameRequest(TypedDict, total=False):
         [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height, width,
         channels]. Default "png".
     jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
-    exr_type: Type of the channels of an EXR. Depth and position are always float. Default "half".
+    exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
     aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn
         pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z
-        of position, normal and tangent; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count. 1 to 10
-        items.
+        of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count;
+        strand.id, .along and .coat. 1 to 12 items.
     overlay: Shows a field on the fur. Not in linear light. density, wetness and mask go from dark violet for 0 to
         yellow for 1. difference: how much the fields have changed since `overlay_from`, with the same colours: of the
         field that changed most, the change over what counts as much (direction and colours: 1; length: the longest
@@ -2582,19 +2586,53 @@ class ChangeEvent(TypedDict):
     redo_steps: int
 
 
-class PickMiss(TypedDict):
-    """The contract's PickMiss.
+class PickedStrand(TypedDict):
+    """The strand that covers most of a pixel.
 
-    hit: Whether the model lies under the pixel.
+    id: Its number, as the AOV strand has it. 1 to 16777216.
+    kind: Whether it is of the coat or a curve, such as a whisker.
+    along: Where on it the pixel lies: 0 at its root, 1 at its tip. 0 to 1 (share).
+    root: Where it stands. 3 items (model units).
     """
 
+    id: int
+    kind: Literal["coat", "curve"]
+    along: float
+    root: Position
+
+
+class _PickMissRequired(TypedDict):
     hit: Literal[False]
 
 
-class PickHit(TypedDict):
+class PickMiss(_PickMissRequired, total=False):
+    """The contract's PickMiss.
+
+    hit: Whether the model lies under the pixel.
+    strand: The strand that is seen there, beside the model too; absent where skin or nothing shows more.
+    """
+
+    strand: PickedStrand
+
+
+class _PickHitRequired(TypedDict):
+    hit: Literal[True]
+    triangle: int
+    barycentric: Sequence[float]
+    position: Position
+    normal: Sequence[float]
+    direction: Sequence[float]
+    inclination: float
+    length: float
+    stretch: float
+    painted: PaintedValues
+
+
+class PickHit(_PickHitRequired, total=False):
     """The contract's PickHit.
 
     hit: Whether the model lies under the pixel.
+    strand: The strand that is seen there, beside the model too; absent where skin or nothing shows more.
     triangle: Number of the triangle. 0 to 4294967295.
     barycentric: Weights of the triangle's corners. 3 items (share).
     position: Where the model was hit. 3 items (model units).
@@ -2607,16 +2645,7 @@ class PickHit(TypedDict):
         covers.
     """
 
-    hit: Literal[True]
-    triangle: int
-    barycentric: Sequence[float]
-    position: Position
-    normal: Sequence[float]
-    direction: Sequence[float]
-    inclination: float
-    length: float
-    stretch: float
-    painted: PaintedValues
+    strand: PickedStrand
 
 
 class PaintedValues(TypedDict):

@@ -59,6 +59,7 @@ TEST(Encode, PicksComeBack) {
   EXPECT_EQ(encode(PickAnswer{}), R"({"hit":false})");
   const PickAnswer answer{
       .hit = true,
+      .strand = PickedStrand{.id = 12, .kind = StrandKind::curve, .along = 0.5, .root = {1, 2, 2.9}},
       .triangle = 7,
       .barycentric = {0.2, 0.3, 0.5},
       .position = {1, 2, 3},

@@ -109,13 +109,16 @@ function pick({service, schemas}: Context): Tool {
     run: async (input, caller) => {
       const request = without(input, "scene");
       const picked = await service.post<Answers["Pick"]>(`${await scenePath(service, textIn(input, "scene"), caller)}/pick`, request, caller);
-      if (!picked.hit) return result("Nothing: the pixel shows the background. Take one that shows the model.", picked);
+      const {strand} = picked;
+      const seen = strand ? `The pixel shows strand ${strand.id} at ${strand.along.toPrecision(2)} of its length, whose root is at ${JSON.stringify(strand.root)}.` : "";
+      if (!picked.hit) return result(seen || "Nothing: the pixel shows the background. Take one that shows the model.", picked);
       const samples = [{position: picked.position}, {triangle: picked.triangle, barycentric: picked.barycentric}, {screen: request["pixel"]}];
       const words = samples.map((sample) => JSON.stringify(sample));
       const text = [
         `Position ${JSON.stringify(picked.position)}.`,
         `Fur length ${picked.length.toPrecision(3)} sizes, inclination ${picked.inclination.toPrecision(3)}, leaning to ${JSON.stringify(picked.direction)}.`,
         `As a sample of a stroke: ${words[0]}, or ${words[1]}, or ${words[2]} with "view": ${JSON.stringify(request["view"] ?? {})} beside "samples".`,
+        ...(seen ? [seen] : []),
       ].join("\n");
       return result(text, {...picked, samples, view: request["view"] ?? {}});
     },

@@ -1,0 +1,21 @@
+// The strand that a frame shows at a pixel.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "protocol/commands/answers.h"
+#include "protocol/commands/pick.h"
+#include "server/frames/frame_service.h"
+
+namespace pelage {
+
+/// Whether the request asks for a strand: it names a pixel, and not skin alone.
+bool reaches_fur(const PickRequest& wanted);
+
+/// The strand that covers most of the pixel in an interactive frame of the view, of which the pixel alone is drawn;
+/// nothing where skin, an eye or nothing shows more. Fails as FrameService::light does.
+Result<std::optional<PickedStrand>> seen_strand(FrameService& frames, const std::shared_ptr<Scene>& scene,
+                                                const View& view, glm::dvec2 pixel);
+
+}  // namespace pelage
