@@ -121,8 +121,8 @@ class Dial(ServedTest):
                                 ({"max_error": 0.000001}, "max_error"),
                                 ({"quality": {"method": "strands", "trace": trace}}, "seconds")):
             self.assertEqual(self.scene.frame(**request).headers.get("pelage-missed"), missed)
-            line = lines_of(self.server, having=f"missed {missed}")[-1]
-            self.assertIn(f"path=/v1/scenes/{self.scene.id}/frames status=200 ", line)
+            path = f"path=/v1/scenes/{self.scene.id}/frames status=200 "
+            self.assertTrue(lines_of(self.server, having=(path, f"missed {missed}")), missed)
         for request in ({"budget_ms": 600000}, {"max_error": 1}, {}):
             self.assertNotIn("pelage-missed", self.scene.frame(**request).headers)
         said = json.loads(self.pelage("--json", "frame", self.scene.id, "-o", self.server.folder / "missed.png",

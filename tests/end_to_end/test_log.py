@@ -10,11 +10,12 @@ from support.server import Server, ServedTest, flood
 TRACE = "4bf92f3577b34da6a3ce929d0e0e4736"
 
 
-def lines_of(server, count=1, having=""):
-    """The lines of requests that have the text, once there are `count` of them: a line comes after its answer."""
+def lines_of(server, count=1, having=()):
+    """The lines of requests that have the text, or all of several, once there are `count`: a line comes after its answer."""
+    texts = [having] if isinstance(having, str) else having
     deadline = time.monotonic() + 20
     while True:
-        found = [line for line in server.printed().splitlines() if " request " in line and having in line]
+        found = [line for line in server.printed().splitlines() if " request " in line and all(text in line for text in texts)]
         if len(found) >= count or time.monotonic() > deadline:
             return found
         time.sleep(0.02)
