@@ -1,9 +1,6 @@
 // The OpenGL 4.5 functions that Pelage uses, loaded through the context (never linked: see docs/headless-gl.md).
 #pragma once
 
-#ifndef GL_GLEXT_PROTOTYPES
-#define GL_GLEXT_PROTOTYPES  // for their types
-#endif
 #include <GL/glcorearb.h>
 
 #include <cstddef>
@@ -11,28 +8,6 @@
 #include <map>
 #include <string>
 #include <utility>
-
-// Functions of the GL by their names, without "gl": those that are called as they are, and those that Gl counts.
-// clang-format off
-#define PELAGE_GL_CALLS(X) \
-  X(AttachShader) X(BeginQuery) X(BindBufferBase) X(BindFramebuffer) X(BindVertexArray) X(BlendEquation) \
-  X(BlendFunc) X(CheckNamedFramebufferStatus) X(ClearNamedBufferData) X(ClearNamedFramebufferfv) \
-  X(ClientWaitSync) X(ClipControl) X(ColorMask) X(CompileShader) X(CopyTextureSubImage3D) X(CreateBuffers) \
-  X(CreateFramebuffers) X(CreateProgram) X(CreateQueries) X(CreateRenderbuffers) X(CreateShader) \
-  X(CreateTextures) X(CreateVertexArrays) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
-  X(DeleteShader) X(DeleteSync) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(Enable) \
-  X(EnableVertexArrayAttrib) X(EndQuery) X(FenceSync) X(Finish) X(Flush) X(GenerateTextureMipmap) X(GetError) \
-  X(GetIntegerv) X(GetNamedBufferSubData) X(GetProgramInfoLog) X(GetProgramiv) X(GetQueryObjectui64v) \
-  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(MemoryBarrier) \
-  X(NamedFramebufferRenderbuffer) X(NamedFramebufferTexture) X(PixelStorei) X(ReadPixels) X(Scissor) \
-  X(ShaderSource) X(TextureParameteri) X(Uniform1f) X(Uniform1i) X(Uniform3f) X(UniformMatrix4fv) \
-  X(VertexArrayAttribBinding) X(VertexArrayAttribFormat) X(VertexArrayElementBuffer) X(VertexArrayVertexBuffer) \
-  X(Viewport)
-#define PELAGE_GL_COUNTED_CALLS(X) \
-  X(BindTextureUnit) X(DeleteBuffers) X(DeleteRenderbuffers) X(DeleteTextures) X(DrawArrays) X(DrawElements) \
-  X(DrawElementsInstanced) X(NamedBufferData) X(NamedBufferSubData) X(NamedRenderbufferStorage) \
-  X(TextureStorage2D) X(TextureStorage3D) X(TextureSubImage2D) X(TextureSubImage3D) X(UseProgram)
-// clang-format on
 
 namespace pelage {
 
@@ -47,8 +22,73 @@ struct GlCounts {
 
 /// A table of functions, valid for one context on one thread. Calls that frames are measured by are counted.
 struct Gl {
-#define PELAGE_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
-  PELAGE_GL_CALLS(PELAGE_GL_MEMBER)
+  PFNGLATTACHSHADERPROC AttachShader = nullptr;
+  PFNGLBEGINQUERYPROC BeginQuery = nullptr;
+  PFNGLBINDBUFFERBASEPROC BindBufferBase = nullptr;
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = nullptr;
+  PFNGLBINDVERTEXARRAYPROC BindVertexArray = nullptr;
+  PFNGLBLENDEQUATIONPROC BlendEquation = nullptr;
+  PFNGLBLENDFUNCPROC BlendFunc = nullptr;
+  PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus = nullptr;
+  PFNGLCLEARNAMEDBUFFERDATAPROC ClearNamedBufferData = nullptr;
+  PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv = nullptr;
+  PFNGLCLIENTWAITSYNCPROC ClientWaitSync = nullptr;
+  PFNGLCLIPCONTROLPROC ClipControl = nullptr;
+  PFNGLCOLORMASKPROC ColorMask = nullptr;
+  PFNGLCOMPILESHADERPROC CompileShader = nullptr;
+  PFNGLCOPYTEXTURESUBIMAGE3DPROC CopyTextureSubImage3D = nullptr;
+  PFNGLCREATEBUFFERSPROC CreateBuffers = nullptr;
+  PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = nullptr;
+  PFNGLCREATEPROGRAMPROC CreateProgram = nullptr;
+  PFNGLCREATEQUERIESPROC CreateQueries = nullptr;
+  PFNGLCREATERENDERBUFFERSPROC CreateRenderbuffers = nullptr;
+  PFNGLCREATESHADERPROC CreateShader = nullptr;
+  PFNGLCREATETEXTURESPROC CreateTextures = nullptr;
+  PFNGLCREATEVERTEXARRAYSPROC CreateVertexArrays = nullptr;
+  PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers = nullptr;
+  PFNGLDELETEPROGRAMPROC DeleteProgram = nullptr;
+  PFNGLDELETEQUERIESPROC DeleteQueries = nullptr;
+  PFNGLDELETESHADERPROC DeleteShader = nullptr;
+  PFNGLDELETESYNCPROC DeleteSync = nullptr;
+  PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays = nullptr;
+  PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
+  PFNGLDEPTHMASKPROC DepthMask = nullptr;
+  PFNGLDISABLEPROC Disable = nullptr;
+  PFNGLENABLEPROC Enable = nullptr;
+  PFNGLENDQUERYPROC EndQuery = nullptr;
+  PFNGLENABLEVERTEXARRAYATTRIBPROC EnableVertexArrayAttrib = nullptr;
+  PFNGLFENCESYNCPROC FenceSync = nullptr;
+  PFNGLFINISHPROC Finish = nullptr;
+  PFNGLFLUSHPROC Flush = nullptr;
+  PFNGLGETERRORPROC GetError = nullptr;
+  PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
+  PFNGLGETNAMEDBUFFERSUBDATAPROC GetNamedBufferSubData = nullptr;
+  PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
+  PFNGLGETPROGRAMIVPROC GetProgramiv = nullptr;
+  PFNGLGETQUERYOBJECTUI64VPROC GetQueryObjectui64v = nullptr;
+  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = nullptr;
+  PFNGLGETSHADERIVPROC GetShaderiv = nullptr;
+  PFNGLGETSTRINGPROC GetString = nullptr;
+  PFNGLLINKPROGRAMPROC LinkProgram = nullptr;
+  PFNGLMEMORYBARRIERPROC MemoryBarrier = nullptr;
+  PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer = nullptr;
+  PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture = nullptr;
+  PFNGLPIXELSTOREIPROC PixelStorei = nullptr;
+  PFNGLREADPIXELSPROC ReadPixels = nullptr;
+  PFNGLSCISSORPROC Scissor = nullptr;
+  PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
+  PFNGLTEXTUREPARAMETERIPROC TextureParameteri = nullptr;
+  PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
+  PFNGLUNIFORM1FPROC Uniform1f = nullptr;
+  PFNGLUNIFORM1IPROC Uniform1i = nullptr;
+  PFNGLUNIFORM3FPROC Uniform3f = nullptr;
+  PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
+  PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = nullptr;
+  PFNGLVERTEXARRAYATTRIBBINDINGPROC VertexArrayAttribBinding = nullptr;
+  PFNGLVERTEXARRAYATTRIBFORMATPROC VertexArrayAttribFormat = nullptr;
+  PFNGLVERTEXARRAYELEMENTBUFFERPROC VertexArrayElementBuffer = nullptr;
+  PFNGLVERTEXARRAYVERTEXBUFFERPROC VertexArrayVertexBuffer = nullptr;
+  PFNGLVIEWPORTPROC Viewport = nullptr;
 
   void BindTextureUnit(GLuint unit, GLuint texture) const;
   void DeleteBuffers(GLsizei count, const GLuint* buffers) const;
@@ -85,8 +125,21 @@ struct Gl {
 
  private:
   struct Counted {
-    PELAGE_GL_COUNTED_CALLS(PELAGE_GL_MEMBER)
-#undef PELAGE_GL_MEMBER
+    PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
+    PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
+    PFNGLDELETERENDERBUFFERSPROC DeleteRenderbuffers = nullptr;
+    PFNGLDELETETEXTURESPROC DeleteTextures = nullptr;
+    PFNGLDRAWARRAYSPROC DrawArrays = nullptr;
+    PFNGLDRAWELEMENTSPROC DrawElements = nullptr;
+    PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced = nullptr;
+    PFNGLNAMEDBUFFERDATAPROC NamedBufferData = nullptr;
+    PFNGLNAMEDBUFFERSUBDATAPROC NamedBufferSubData = nullptr;
+    PFNGLNAMEDRENDERBUFFERSTORAGEPROC NamedRenderbufferStorage = nullptr;
+    PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = nullptr;
+    PFNGLTEXTURESTORAGE3DPROC TextureStorage3D = nullptr;
+    PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = nullptr;
+    PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
+    PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   };
   enum class Kind { buffer, texture, renderbuffer };  // whose names are told apart
   using Name = std::pair<Kind, GLuint>;

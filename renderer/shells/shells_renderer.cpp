@@ -121,7 +121,8 @@ const CoatTextures& ShellsRenderer::textures_of(const Coat& coat) {
     return coats_.front();
   }
   if (coats_.size() == max_cached_coats) coats_.pop_back();
-  return coats_.emplace_front(gl_, coat, *coat_source_(coat));
+  UploadCount count;
+  return coats_.emplace_front(gl_, coat, *coat_source_(coat), count);
 }
 
 bool ShellsRenderer::fit_target(const FurFrame& frame) {

@@ -25,7 +25,7 @@ Texture volume_texture(const Gl& gl, const SurfaceVolume& volume);
 class CoatTextures {
  public:
   /// `slices` are those that were baked of the coat.
-  CoatTextures(const Gl& gl, const Coat& coat, const Slices& slices);
+  CoatTextures(const Gl& gl, const Coat& coat, const Slices& slices, UploadCount& count);
 
   const Coat& coat() const { return coat_; }
   /// Levels without their texels: scales and depths.

@@ -43,7 +43,8 @@ std::string defines_of(const FurFrame& frame, const testing::FurredModel& model)
 }
 
 CoatTextures trilinear(const Gl& gl, const Coat& coat) {
-  CoatTextures textures(gl, coat, bake_slices(coat));
+  UploadCount count;
+  CoatTextures textures(gl, coat, bake_slices(coat), count);
   for (const GLuint texture : {textures.shapes(), textures.colours()}) {
     gl.TextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   }
