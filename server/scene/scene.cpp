@@ -380,8 +380,8 @@ void Scene::read_for_drawing(const std::function<void(const SceneView&, const st
   }
 }
 
-Result<SceneSummary> Scene::replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
-                                          const ExecuteOptions& options) {
+Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
+                                          StoredModel stored, const ExecuteOptions& options) {
   FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
   const std::lock_guard changing(changing_);
   if (Status refused = admit(options); !refused.ok()) return refused;

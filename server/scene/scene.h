@@ -200,7 +200,7 @@ class Scene {
   void pose(std::optional<ScenePose> pose);
 
   /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
-  Result<SceneSummary> replace_model(std::shared_ptr<const SceneModel> model, FirstGroom fur, StoredModel stored,
+  Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      const ExecuteOptions& options = {});
 
   /// Splits triangles of the model, whose fields, roots and settings stay; checkpoints are dropped. An empty log starts
