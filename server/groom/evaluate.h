@@ -33,13 +33,16 @@ struct ToolExtras {
 struct SeenFur {
   const FieldSet& fields;
   const Coat& coat;
+  double& visits;         // of vertices, by the commands of a request so far: each pixel adds to it
+  const Cancel& cancel;   // asked between pixels
 };
 
 /// Replaces pixel samples of the command's stroke by what they show: places on the fur, where the brush reaches fur and
 /// some is given, else the triangles that they hit (misses are dropped; so the log replays without a camera). Says what
 /// the brush reaches, where the command leaves that open. Checks what can only be checked against the surface: triangle
 /// and vertex numbers (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays, for the
-/// facing test.
+/// facing test. Refused (invalid, "/stroke/samples") where pixels look at more than limits::evaluation_visits vertices;
+/// ends early (unavailable) once nobody waits.
 Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur = nullptr);
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count. Throws

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -86,6 +88,14 @@ class SeenPlaces {
   BrushStroke brush_;
 };
 
+/// With the visits of the stroke so far.
+Status check_visits(const SeenFur& fur, double visits) {
+  if (fur.cancel.asked()) return nobody_waits();
+  if (fur.visits + visits <= limits::evaluation_visits) return {};
+  return failure(Code::invalid, "the pixels of the stroke are too much work over so much fur", "/stroke/samples",
+                 fmt::format("at most {:.0f} visits of vertices in a request", limits::evaluation_visits));
+}
+
 Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, const SeenFur* fur) {
   if (Status bad = check_view(stroke, surface.mesh()); !bad.ok()) return bad;
   const bool pixels = shows_pixels(stroke);
@@ -102,12 +112,14 @@ Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, cons
     if (Status bad = check_place(sample, i, surface); !bad.ok()) return bad;
     if (const auto* pixel = std::get_if<ScreenSample>(&sample.place)) {
       const auto place = seen->at(pixel->screen);
+      if (Status bad = standing ? check_visits(*fur, standing->visits()) : Status{}; !bad.ok()) return bad;
       if (!place) continue;
       sample.place = *place;
     }
     resolved.push_back(sample);
   }
   stroke.samples = std::move(resolved);
+  if (standing) fur->visits += standing->visits();
   return {};
 }
 

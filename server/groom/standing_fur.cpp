@@ -12,7 +12,6 @@ namespace pelage {
 namespace {
 
 constexpr double half_diagonal = 0.5 + 1e-6;  // of any model
-constexpr double finest_step = 0.01;          // sizes, along a ray
 
 /// The share of the way from a to b at which a place is nearest.
 double nearest_share(glm::dvec3 place, glm::dvec3 a, glm::dvec3 b) {
@@ -112,7 +111,9 @@ void StandingFur::intersect(const Ray& ray, std::uint32_t vertex, double beside,
   const glm::dvec3 off = root - ray.origin;
   const double along = glm::dot(off, ray.direction), near = spacing + beside;
   if (glm::length(off - along * ray.direction) > length + near) return;
+  if (best.gap == 0 && along - length > best.along) return;  // all of it lies behind what is hit
   const UnitStrand& unit = strand(vertex);
+  visits_ += UnitStrand::places;
   glm::dvec3 from = root;
   for (const glm::dvec3& offset : unit.offsets) {
     const glm::dvec3 to = root + length * offset;
@@ -125,19 +126,18 @@ void StandingFur::intersect(const Ray& ray, std::uint32_t vertex, double beside,
 
 std::optional<glm::dvec3> StandingFur::hit_by(const Ray& ray, double beside) const {
   if (!(longest_ > 0)) return std::nullopt;
-  // Balls along the part of the ray that comes near the model, each over a step of it.
-  const double reach = std::max(longest_ + beside, finest_step), ball = half_diagonal + reach;
+  const double reach = 2 * longest_ + beside, ball = half_diagonal + reach;  // where roots are that it may hit
   const double middle = -glm::dot(ray.origin, ray.direction);
   const double off = glm::length(ray.origin + middle * ray.direction);
   if (!(off < ball)) return std::nullopt;
-  const double half = std::sqrt(ball * ball - off * off), end = std::min(middle + half, ray.length + reach);
+  const double half = std::sqrt(ball * ball - off * off);
+  const double begin = std::max(middle - half, 0.0), end = std::min(middle + half, ray.length);
+  if (!(begin <= end)) return std::nullopt;
   Hit best;
   std::vector<std::uint32_t> roots;
-  for (double at = std::max(middle - half, 0.0); at < end; at += reach) {
-    if (best.gap == 0 && best.along < at - reach) break;  // nothing that begins here is nearer
-    surface_.vertices_within(ray.origin + (at + 0.5 * reach) * ray.direction, 2.2 * reach, roots);
-    for (const std::uint32_t v : roots) intersect(ray, v, beside, best);
-  }
+  surface_.vertices_along(ray.origin + begin * ray.direction, ray.origin + end * ray.direction, reach, roots);
+  visits_ += static_cast<double>(roots.size());
+  for (const std::uint32_t v : roots) intersect(ray, v, beside, best);
   if (!std::isfinite(best.gap)) return std::nullopt;
   return ray.origin + best.along * ray.direction;
 }

@@ -52,6 +52,8 @@ class StandingFur {
 
   double length(std::uint32_t vertex) const { return lengths_.empty() ? 0 : double{lengths_[vertex]}; }
   double longest() const { return longest_; }
+  /// How many vertices rays have looked at so far (EvaluationCost).
+  double visits() const { return visits_; }
 
  private:
   struct Hit;
@@ -64,6 +66,7 @@ class StandingFur {
   const Coat& coat_;
   const std::vector<float>& lengths_;
   double longest_ = 0;
+  mutable double visits_ = 0;
   mutable std::unordered_map<std::uint32_t, UnitStrand> strands_;
 };
 

@@ -76,7 +76,8 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     return then;
   };
   BatchPictures pictures(journal_);
-  const Past past{*replay.settings, replay.fields, replayed_fields_at, options.sources, pictures};
+  double visits = 0;
+  const Past past{*replay.settings, replay.fields, replayed_fields_at, options, pictures, visits};
   std::vector<Step> steps;
   std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {

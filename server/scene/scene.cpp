@@ -97,7 +97,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (Status refused = admit(options); !refused.ok()) return refused;
 
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
-  const Result<Plan> planned = plan(commands, options.sources);
+  const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
   if (Status dear = check_cost(planned->whole, history_.settings().symmetry, model_->surface, *fields_); !dear.ok())
     return dear;
@@ -171,7 +171,7 @@ Status Scene::admit(const ExecuteOptions& options) const {
   return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
 }
 
-Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const {
+Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const ExecuteOptions& options) const {
   Plan plan;
   BatchPictures pictures(journal_);
   // A later part of a stroke meets fur as the first one did, so that parts give what the whole would have given.
@@ -182,8 +182,9 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std:
     before_stroke.emplace(*fields_).apply(*so_far);
   }
   const FieldSet& seen = before_stroke ? *before_stroke : *fields_;
-  const Past past{history_.settings(), seen, [this](Revision revision) { return fields_at(revision); }, sources,
-                  pictures};
+  double visits = 0;
+  const Past past{history_.settings(), seen,    [this](Revision revision) { return fields_at(revision); }, options,
+                  pictures,            visits};
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
     Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
@@ -205,12 +206,12 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const std:
 
 /// A command as it is evaluated: resolved, with all that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
-  const SeenFur fur{past.fields, past.settings.coat};
+  const SeenFur fur{past.fields, past.settings.coat, past.visits, past.options.cancel};
   Result<Command> resolved = resolve(command, model_->surface, &fur);
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);
-  Result<Step> step = retarget ? with_source(*retarget, past.sources) : with_rest(std::move(*resolved), past);
+  Result<Step> step = retarget ? with_source(*retarget, past.options.sources) : with_rest(std::move(*resolved), past);
   if (!step) return step;
   auto picture = past.pictures.find(step->command, model_->surface.mesh().positions.size());
   if (!picture) return picture.status();

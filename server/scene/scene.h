@@ -236,8 +236,9 @@ class Scene {
     const SceneSettings& settings;
     const FieldSet& fields;
     std::function<Result<FieldSet>(Revision)> fields_at;
-    const std::vector<GroomSource>& sources;
+    const ExecuteOptions& options;
     BatchPictures& pictures;
+    double& visits;  // of vertices, by pixels of the commands so far
   };
   /// Steps that have been evaluated but are not in the journal yet.
   struct Replay {
@@ -284,7 +285,7 @@ class Scene {
                              LaidPicture picture);
 
   // All of these need `changing_`.
-  Result<Plan> plan(const std::vector<Command>& commands, const std::vector<GroomSource>& sources) const;
+  Result<Plan> plan(const std::vector<Command>& commands, const ExecuteOptions& options) const;
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
   Result<Replay> begin_replay(Revision before) const;

@@ -53,25 +53,63 @@ void PointTree::build(std::span<const glm::vec3> points, std::size_t node, std::
   build(points, 2 * node + 2, middle, end);
 }
 
+struct PointTree::Ball {
+  glm::dvec3 centre;
+  double radius;
+
+  bool holds(glm::dvec3 point) const { return distance(centre, point) <= radius; }
+  bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const { return holds(glm::clamp(centre, low, high)); }
+};
+
+struct PointTree::Capsule {
+  glm::dvec3 from, along;  // along is to - from
+  double radius;
+
+  bool holds(glm::dvec3 point) const {
+    const double square = glm::dot(along, along);
+    const double share = square > 0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0;
+    return distance(from + share * along, point) <= radius;
+  }
+  /// Whether the line meets the box made wider by the radius.
+  bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const {
+    double enters = 0, leaves = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double before = low[axis] - radius - from[axis], beyond = high[axis] + radius - from[axis];
+      if (along[axis] == 0) {
+        if (before > 0 || beyond < 0) return false;
+        continue;
+      }
+      const auto [near, far] = std::minmax({before / along[axis], beyond / along[axis]});
+      enters = std::max(enters, near), leaves = std::min(leaves, far);
+    }
+    return enters <= leaves;
+  }
+};
+
 void PointTree::find_within(std::span<const glm::vec3> points, glm::dvec3 centre, double radius,
                             std::vector<std::uint32_t>& found) const {
-  if (radius >= 0 && !points.empty()) search(points, {centre, radius}, 0, 0, points.size(), found);
+  if (radius >= 0 && !points.empty()) search(points, Ball{centre, radius}, 0, 0, points.size(), found);
 }
 
-void PointTree::search(std::span<const glm::vec3> points, const Ball& ball, std::size_t node, std::size_t begin,
+void PointTree::find_along(std::span<const glm::vec3> points, glm::dvec3 from, glm::dvec3 to, double radius,
+                           std::vector<std::uint32_t>& found) const {
+  if (radius >= 0 && !points.empty()) search(points, Capsule{from, to - from, radius}, 0, 0, points.size(), found);
+}
+
+template <class Shape>
+void PointTree::search(std::span<const glm::vec3> points, const Shape& shape, std::size_t node, std::size_t begin,
                        std::size_t end, std::vector<std::uint32_t>& found) const {
   const Box& box = boxes_[node];
-  const glm::dvec3 low(box.low), high(box.high);
-  if (!(distance(ball.centre, glm::clamp(ball.centre, low, high)) <= ball.radius)) return;
+  if (!shape.may_hold_of(glm::dvec3(box.low), glm::dvec3(box.high))) return;
   if (end - begin <= leaf_size) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (distance(ball.centre, glm::dvec3(points[order_[i]])) <= ball.radius) found.push_back(order_[i]);
+      if (shape.holds(glm::dvec3(points[order_[i]]))) found.push_back(order_[i]);
     }
     return;
   }
   const std::size_t middle = begin + (end - begin) / 2;
-  search(points, ball, 2 * node + 1, begin, middle, found);
-  search(points, ball, 2 * node + 2, middle, end, found);
+  search(points, shape, 2 * node + 1, begin, middle, found);
+  search(points, shape, 2 * node + 2, middle, end, found);
 }
 
 namespace {
@@ -281,6 +319,12 @@ SurfacePoint Surface::nearest(glm::dvec3 position) const {
 void Surface::vertices_within(glm::dvec3 centre, double radius, std::vector<std::uint32_t>& found) const {
   found.clear();
   impl_->points.find_within(impl_->mesh.positions, centre, radius, found);
+  std::sort(found.begin(), found.end());
+}
+
+void Surface::vertices_along(glm::dvec3 from, glm::dvec3 to, double radius, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  impl_->points.find_along(impl_->mesh.positions, from, to, radius, found);
   std::sort(found.begin(), found.end());
 }
 

@@ -1,4 +1,4 @@
-// Points in a ball: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex; this does not.
+// Points in a ball or along a line: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex; this does not.
 #pragma once
 
 #include <array>
@@ -22,6 +22,9 @@ class PointTree {
   /// `points` are the ones the tree was made of. Costs O(found + sqrt(points)) on a surface.
   void find_within(std::span<const glm::vec3> points, glm::dvec3 centre, double radius,
                    std::vector<std::uint32_t>& found) const;
+  /// As find_within, of the points at most `radius` from the straight line between two places.
+  void find_along(std::span<const glm::vec3> points, glm::dvec3 from, glm::dvec3 to, double radius,
+                  std::vector<std::uint32_t>& found) const;
 
   /// What the tree takes in memory.
   std::size_t bytes() const { return order_.capacity() * sizeof(std::uint32_t) + boxes_.capacity() * sizeof(Box); }
@@ -30,14 +33,13 @@ class PointTree {
   struct Box {
     glm::vec3 low, high;
   };
-  struct Ball {
-    glm::dvec3 centre;
-    double radius;
-  };
+  struct Ball;
+  struct Capsule;
 
   void build(std::span<const glm::vec3> points, std::size_t node, std::size_t begin, std::size_t end);
-  void search(std::span<const glm::vec3> points, const Ball& ball, std::size_t node, std::size_t begin, std::size_t end,
-              std::vector<std::uint32_t>& found) const;
+  template <class Shape>
+  void search(std::span<const glm::vec3> points, const Shape& shape, std::size_t node, std::size_t begin,
+              std::size_t end, std::vector<std::uint32_t>& found) const;
 
   std::vector<std::uint32_t> order_;  // points; a node owns a range of it, its children the halves
   std::vector<Box> boxes_;            // of each node; the children of node n are 2n+1 and 2n+2
@@ -79,6 +81,8 @@ class Surface {
 
   /// Vertices at most `radius` from `centre`, in rising order; cost follows the number found and not the mesh.
   void vertices_within(glm::dvec3 centre, double radius, std::vector<std::uint32_t>& found) const;
+  /// Vertices at most `radius` from the straight line between two places, in rising order; cost as above.
+  void vertices_along(glm::dvec3 from, glm::dvec3 to, double radius, std::vector<std::uint32_t>& found) const;
 
   /// Vertices that share an edge with `vertex`, in rising order.
   std::span<const std::uint32_t> neighbours(std::uint32_t vertex) const;

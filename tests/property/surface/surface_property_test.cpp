@@ -292,5 +292,24 @@ RC_GTEST_PROP(Surface, VerticesWithinAgreeWithEveryVertexTried, ()) {
   RC_ASSERT(found == expected);
 }
 
+RC_GTEST_PROP(Surface, VerticesAlongALineAgreeWithEveryVertexTried, ()) {
+  Result<Mesh> mesh = prepare(soup(false));
+  RC_PRE(mesh.ok());
+  const Surface surface(std::move(mesh).value());
+  const auto& positions = surface.mesh().positions;
+  const glm::dvec3 from = place(false), to = *rc::gen::arbitrary<bool>() ? from : place(false), along = to - from;
+  const auto distance = [&](glm::dvec3 point) {
+    const double share = along == glm::dvec3(0) ? 0 : glm::dot(point - from, along) / glm::dot(along, along);
+    return glm::length(from + std::clamp(share, 0.0, 1.0) * along - point);
+  };
+  const double radius = between(0, 2);
+  std::vector<std::uint32_t> expected, found;
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    if (distance(glm::dvec3(positions[v])) <= radius) expected.push_back(v);
+  }
+  surface.vertices_along(from, to, radius, found);
+  RC_ASSERT(found == expected);
+}
+
 }  // namespace
 }  // namespace pelage

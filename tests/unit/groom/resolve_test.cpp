@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "protocol/base/limits.h"
 #include "server/groom/evaluate.h"
 #include "tests/unit/groom/shapes.h"
 
@@ -48,10 +49,13 @@ class ResolveToFurTest : public ResolveTest {
     comb_.stroke = Stroke{};
     comb_.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
   }
-  Comb resolved(std::vector<StrokeSample> samples) {
+  Result<Command> try_to_resolve(std::vector<StrokeSample> samples) {
     comb_.stroke->samples = std::move(samples);
-    const SeenFur fur{fields_, coat_};
-    const Result<Command> done = resolve(comb_, sphere_, &fur);
+    const SeenFur fur{fields_, coat_, visits_, cancel_};
+    return resolve(comb_, sphere_, &fur);
+  }
+  Comb resolved(std::vector<StrokeSample> samples) {
+    const Result<Command> done = try_to_resolve(std::move(samples));
     EXPECT_TRUE(done.ok());
     return done.ok() ? std::get<Comb>(*done) : Comb{};
   }
@@ -64,6 +68,8 @@ class ResolveToFurTest : public ResolveTest {
   FieldSet fields_;
   Coat coat_;
   Comb comb_;
+  double visits_ = 0;
+  Cancel cancel_;
   const double radius_ = glm::length(glm::dvec3(sphere_.mesh().positions[0]));
 };
 
@@ -98,6 +104,28 @@ TEST_F(ResolveToFurTest, PlacesInSpaceAndOtherShapesKeepToTheSkin) {
   comb_.stroke->view = View{.camera = {.automatic = AutoView::front}};
   comb_.brush.falloff_shape = FalloffShape::surface;
   EXPECT_FALSE(resolved({pixel(200, 200)}).brush.reach.has_value());
+}
+
+TEST_F(ResolveToFurTest, PixelsOfARequestCostTogetherAndAreRefusedBeyondTheLimit) {
+  resolved({pixel(200, 200)});
+  const double one = visits_;
+  EXPECT_GT(one, 0);
+  resolved({pixel(200, 200), pixel(200, 200)});
+  EXPECT_DOUBLE_EQ(visits_, 3 * one);
+  visits_ = limits::evaluation_visits;
+  const Result<Command> refused = try_to_resolve({pixel(200, 200)});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code, Code::invalid);
+  EXPECT_EQ(refused.status().pointer, "/stroke/samples");
+}
+
+TEST_F(ResolveToFurTest, NoMorePixelsAreLookedAtOnceNobodyWaits) {
+  int asked = 0;
+  cancel_ = Cancel([&] { return ++asked == 2; });
+  const Result<Command> ended = try_to_resolve({pixel(200, 200), pixel(210, 200), pixel(220, 200)});
+  ASSERT_FALSE(ended.ok());
+  EXPECT_EQ(ended.status().code, Code::unavailable);
+  EXPECT_EQ(asked, 2);
 }
 
 TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
