@@ -69,7 +69,7 @@ FurFrame plate_of(const FurFrame& frame) {
   constexpr int max_pixels = 2048;  // along a side, of a picture that is larger than its frame
   const int factor = 2 * std::max(frame.width, frame.height) <= max_pixels ? 2 : 1;
   FurFrame plate = frame;
-  plate.width *= factor, plate.height *= factor, plate.crop.reset();
+  plate.width *= factor, plate.height *= factor, plate.knobs.scale = factor, plate.crop.reset();
   return plate;
 }
 
