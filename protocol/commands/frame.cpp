@@ -8,7 +8,7 @@ Knobs knobs_of(Tier tier) {
   switch (tier) {
     case Tier::draft: return {.eye_steps = 1, .raster = {.strands = 0.4, .light_of = 4}};
     case Tier::interactive: return {};
-    case Tier::detailed: return {.scale = 2, .eye_steps = 16, .raster = {.strands = 1000, .light_of = 2}};
+    case Tier::detailed: return {.scale = 2, .eye_steps = 16, .raster = {.strands = 1000, .light_of = 3}};
     case Tier::reference: return {.method = Method::strands, .eye_steps = 16};
   }
   assert(false);

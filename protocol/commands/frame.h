@@ -105,8 +105,8 @@ struct Tracing {
 
 /// Which strands are rasterized, and how they are lit.
 struct Rasterizing {
-  double strands = 1.5;  // kept of those that stand on a pixel of skin seen from above, the others wider, [0.01, 1000]
-  int light_of = 2;      // strands that share the light of one, [1, 8]
+  double strands = 1.4;  // kept of those that stand on a pixel of skin seen from above, the others wider, [0.01, 1000]
+  int light_of = 4;      // strands that share the light of one, [1, 8]
 
   bool operator==(const Rasterizing&) const = default;
 };

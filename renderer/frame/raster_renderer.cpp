@@ -42,10 +42,7 @@ double whole_coats_of(const FurModel& model) {
   return expected_strands(model, coat);
 }
 
-RasterQuality quality_of(const Knobs& knobs) {
-  constexpr float seen_depth = 6, soft_width = 2;  // docs/notes/2026-11-27-strand-raster.md
-  return {knobs.raster.strands, knobs.raster.light_of, seen_depth, soft_width};
-}
+RasterQuality quality_of(const Knobs& knobs) { return {knobs.raster.strands, knobs.raster.light_of}; }
 
 /// The frame as it is drawn, before its light is resized.
 FurFrame scaled(const FurFrame& frame) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/raster/raster_quality.h"
+
 namespace pelage {
 
 Knobs dial_knobs(double strands, int light_of, double scale) {
@@ -15,7 +17,7 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
   constexpr double million = 1e6, hundred_thousand = 1e5;
   constexpr double aslant = 1.3;  // strands that stand on a pixel of what is seen, over those of one seen from above
   const double pixels = view.pixels * knobs.scale * knobs.scale;
-  constexpr double widest = 1.5;  // pixels that kept strands are widened to (renderer/raster/cull.cpp)
+  const double widest = RasterQuality{knobs.raster.strands}.widest();
   const double wanted = aslant * knobs.raster.strands * view.area * knobs.scale * knobs.scale;
   const double kept = std::min(view.strands, std::max(wanted, view.strands * view.width_pixels * knobs.scale / widest));
   return {1,

@@ -19,6 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 inline constexpr float min_through = 0.01f;  // of a pixel's light: what is less lets nothing through
+inline constexpr float min_half = 1;         // pixels: what is thinner is drawn two wide, and fainter
 /// Bit column * block_rows + row of a set is one of a tile's blocks.
 inline constexpr std::uint64_t all_blocks = ~std::uint64_t{0} >> (64 - block_columns * block_rows);
 
@@ -34,12 +35,11 @@ struct FlatSegment {
   float x, y, way_x, way_y;  // from where, and unit
   float over_length, length;
   float half, more_half, inverse, more_inverse;  // at its start, and how much more at its end
-  float min_half;                                // that is drawn
   float sharpness;                               // of its ends, one over pixels
   float light[4], more_light[4];
 };
 
-HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, float top, float min_width) {
+HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, float top) {
   const PlacedKnot &a = *segment.from, &b = *segment.to;
   FlatSegment flat;
   const float across = b.x - a.x, down = b.y - a.y;
@@ -47,7 +47,6 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
   flat.x = a.x - left, flat.y = a.y - top, flat.way_x = across * flat.over_length, flat.way_y = down * flat.over_length;
   flat.half = a.half_width, flat.more_half = b.half_width - a.half_width;
   flat.inverse = a.inverse, flat.more_inverse = b.inverse - a.inverse;
-  flat.min_half = 0.5f * min_width;
   flat.sharpness = std::clamp(8 * std::max(a.half_width, b.half_width) - 3, 1.0f, 8.0f);
   load_light(a, flat.light), load_light(b, flat.more_light);
   for (int i = 0; i < 4; ++i) flat.more_light[i] -= flat.light[i];
@@ -55,9 +54,9 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
 }
 
 /// Blocks of the tile that the segment may touch.
-HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, float top, float min_width) {
+HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, float top) {
   const PlacedKnot &a = *segment.from, &b = *segment.to;
-  const float wide = std::max({a.half_width, b.half_width, 0.5f * min_width}) + 0.6f;
+  const float wide = std::max({a.half_width, b.half_width, min_half}) + 0.6f;
   const float x0 = std::min(a.x, b.x) - left - wide, x1 = std::max(a.x, b.x) - left + wide;
   const float y0 = std::min(a.y, b.y) - top - wide, y1 = std::max(a.y, b.y) - top + wide;
   constexpr float side = tile_side;
@@ -98,7 +97,7 @@ template <RasterOutput shown>
 HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
-  const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, s.min_half);
+  const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, min_half);
   const Real covered = clamp(drawn - off + 0.5f, 0.0f, 1.0f) - clamp(0.5f - drawn - off, 0.0f, 1.0f);
   const Real within = clamp(mul_add(along, s.sharpness, 0.5f), 0.0f, 1.0f) -
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
@@ -126,17 +125,15 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, 
 
 /// `shown` is albedo for all that strands send beside light.
 template <RasterOutput shown>
-HWY_INLINE void blend_all(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top,
-                          TileSums& sums) {
-  const float min_width = scene.quality.min_width;
+HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
   const Vec2 first = block_pixels(0);
   const auto tile_left = static_cast<float>(left), tile_top = static_cast<float>(top);
   std::uint64_t full = 0;
   for (std::size_t i = 0; i < segments.size() && full != all_blocks; ++i) {
     if (i + 8 < segments.size()) hwy::Prefetch(segments[i + 8].from);
-    std::uint64_t blocks = touched_blocks(segments[i], tile_left, tile_top, min_width) & ~full;
+    std::uint64_t blocks = touched_blocks(segments[i], tile_left, tile_top) & ~full;
     if (blocks == 0) continue;
-    const FlatSegment flat = flat_segment(segments[i], tile_left, tile_top, min_width);
+    const FlatSegment flat = flat_segment(segments[i], tile_left, tile_top);
     for (; blocks != 0; blocks &= blocks - 1) {
       const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
       const Real x = first.x + (static_cast<float>(block_width * bx) - flat.x);

@@ -7,7 +7,6 @@ namespace pelage {
 
 namespace {
 
-constexpr double widest = 1.5;    // pixels that strands are widened to: wider ones look like wires
 constexpr double fading = 0.125;  // of those that are kept
 
 struct Ball {
@@ -28,7 +27,7 @@ double kept_share(const RasterScene& scene, const GrownPart& part) {
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
   const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
   const double width = 2 * double{part.strands->points[0].radius} / pixel;  // of one of them
-  return std::min(std::max(share, width / widest), 1.0);
+  return std::min(std::max(share, width / scene.quality.widest()), 1.0);
 }
 
 /// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it
@@ -40,7 +39,7 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 float drawn_beside(const PictureCamera& camera, float thickest, float nearest) {
   constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // a filter's, and of what is widened
   const double half = double{thickest} * double{camera.scale} / double{std::max(nearest, near_distance)};
-  return static_cast<float>(edge + wider * std::max(0.5 * widest, half));
+  return static_cast<float>(edge + wider * std::max(0.5 * RasterQuality::max_widest, half));
 }
 
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {

@@ -28,11 +28,11 @@ void HandOnLight(const StrandSet& set, const LightSources& sources, std::size_t 
 
 void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
   switch (scene.shown) {
-    case RasterOutput::distance: return blend_all<RasterOutput::distance>(scene, segments, left, top, sums);
-    case RasterOutput::depth: return blend_all<RasterOutput::depth>(scene, segments, left, top, sums);
-    case RasterOutput::strand: return blend_all<RasterOutput::strand>(scene, segments, left, top, sums);
-    case RasterOutput::count: return blend_all<RasterOutput::count>(scene, segments, left, top, sums);
-    default: return blend_all<RasterOutput::albedo>(scene, segments, left, top, sums);
+    case RasterOutput::distance: return blend_all<RasterOutput::distance>(segments, left, top, sums);
+    case RasterOutput::depth: return blend_all<RasterOutput::depth>(segments, left, top, sums);
+    case RasterOutput::strand: return blend_all<RasterOutput::strand>(segments, left, top, sums);
+    case RasterOutput::count: return blend_all<RasterOutput::count>(segments, left, top, sums);
+    default: return blend_all<RasterOutput::albedo>(segments, left, top, sums);
   }
 }
 

@@ -52,8 +52,9 @@ void light_strands(const RasterScene& scene, const GrownPart& part, std::span<co
 
 /// Strands that are placed, and of each the lit one whose light it has.
 struct LightSources {
-  std::span<const std::uint32_t> ids, lit;  // own numbers in the part, and the lit one's place in these:
-  const LitPoints &whole, &rest;            // first those that are drawn from the root on, then the others
+  std::span<const std::uint32_t> ids, from;  // own numbers in the part: of each, and of the lit one
+  std::span<const std::uint32_t> lit;        // the place of that in these:
+  const LitPoints &whole, &rest;             // first those that are drawn from the root on, then the others
 };
 /// Writes the light of their knots, by their colours: they are the strands of `placed` from `first` on.
 void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed);

@@ -15,6 +15,7 @@ namespace pelage::HWY_NAMESPACE {
 
 inline constexpr int max_knots = 64;
 inline constexpr float min_segment = 3;     // pixels: knots nearer than that are left out
+inline constexpr float seen_depth = 4;      // strands in front of what is left out as hidden
 inline constexpr float drawn_edge = 2.75f;  // pixels beside a strand that it is drawn over
 
 /// Knots of as many strands as there are lanes.
@@ -93,7 +94,7 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
     const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
     const Real above = gather(&frame.depth_above[0].x, slice) * strand.length * crowding;
     const Real crossed = strands_crossed(above, way_out(height, facing), along, to_camera);
-    deep = deep & (crossed >= scene.quality.seen_depth);
+    deep = deep & (crossed >= seen_depth);
     if (!any(deep)) break;
     hidden = select(deep, static_cast<float>(k), hidden);
   }

@@ -14,6 +14,7 @@
 #include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
+#include "renderer/raster/raster_quality.h"
 #include "renderer/raster/sky_over_ground.h"
 #include "renderer/raster/tiles.h"
 #include "renderer/strands/grown_fur.h"
@@ -25,14 +26,6 @@ struct PictureCamera {
   glm::vec3 position{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
   float scale = 1;      // pixels of a size at distance 1
   glm::vec2 middle{0};  // of the picture, pixels
-};
-
-/// Which strands are drawn, and how closely.
-struct RasterQuality {
-  double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
-  int lit_of = 1;              // strands share the light of one of so many, [1, 8]
-  float seen_depth = 6;        // strands in front of what is left out as hidden, above 0
-  float min_width = 0;         // pixels: what is thinner is drawn so wide, and fainter; [0, 4]
 };
 
 /// What a picture shows of strands, skin and eyes: means over each pixel, premultiplied.

@@ -31,6 +31,10 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
 /// Added to colours, so that black can be divided by.
 inline constexpr float over_black = 0.002f;
 
+/// Share of the strands on a way to the light that stand in no other's shadow: strands stand in clumps, and the mean
+/// density of a cell spreads them evenly. Found for seven views (docs/notes/2026-11-28-light-of-strands.md).
+inline constexpr float in_the_open = 0.93f;
+
 /// Where a place lies among the cells of a grid.
 struct GridLanes {
   Int first;
@@ -98,7 +102,7 @@ struct LitKnots {
 
   LitKnots(int of_segments, bool whole_strand) : segments(of_segments) {
     if (segments > 8) count = std::min(segments / 4 + 1, LitPoints::max);
-    if (!whole_strand) first = segments / 3, count = std::max(count - count / 2, 2);
+    if (!whole_strand) first = segments / 3, count = std::max(count - count / 4, 2);
   }
   int knot(int point) const { return first + point * (segments - first) / (count - 1); }
 };
@@ -108,11 +112,11 @@ HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
   return {point.real(0), point.real(1), point.real(2)};
 }
 
-/// 1 for a coat no higher than a cell and a half, 0 from four cells on.
+/// 1 for a coat no higher than a cell, 0 from two and a half cells on.
 HWY_INLINE Real thinness(const RasterScene& scene, const DepthLanes& depth) {
   const float cell = scene.grid->place().cell;
   const Real height = dot(depth.tip - depth.root, depth.normal) / max(depth.reach, 0.01f);
-  return 1.0f - smoothstep(1.5f * cell, 4.0f * cell, height);
+  return 1.0f - smoothstep(1.0f * cell, 2.5f * cell, height);
 }
 
 HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& part, const std::uint32_t* ids,
@@ -189,7 +193,7 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
     const CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
     const Real way = way_out(fibre.height, facing);
     const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
-    const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
+    const Real between = in_the_open * mix(crossed.strands, min(crossed.strands, known), thin);
     const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
     const Real body = crossed.body;
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
@@ -283,20 +287,24 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
-/// To the knots of a strand, which lie `along` it, by their own colours.
+/// To the knots of a strand, which lie `along` it, by their own colours. It is so many times `taller` than the one that
+/// is lit: knots have the light of the same height.
 template <bool by_colour>
 HWY_INLINE void hand_on(const LitPoints& points, const glm::vec4* light, std::span<const std::uint32_t> colours,
-                        std::span<const float> along, PlacedKnot* knots) {
+                        std::span<const float> along, float taller, PlacedKnot* knots) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));
   const ColourTag tag;
   const hn::Rebind<hwy::float16_t, ColourTag> halves;
   const float over = static_cast<float>(points.count - 1) / std::max(1 - points.from, 1e-3f);
   const auto segments = static_cast<float>(colours.size() - 1);
+  constexpr float beyond_tip = 1;  // points; what is taller gets more light than the tip
   for (std::size_t k = 0; k < along.size(); ++k) {
-    const float at = std::max((along[k] - points.from) * over, 0.0f);
+    const float at =
+        std::clamp((along[k] * taller - points.from) * over, 0.0f, static_cast<float>(points.count - 1) + beyond_tip);
     const int low = std::min(static_cast<int>(at), points.count - 2);
     const Colour a = hn::LoadU(tag, &light[low].x), b = hn::LoadU(tag, &light[low + 1].x);
     Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, at - static_cast<float>(low)), a);
+    sent = hn::Max(sent, hn::Zero(tag));
     if constexpr (by_colour)
       sent = hn::Mul(sent, colour_over_black(colours[static_cast<std::size_t>(along[k] * segments + 0.5f)]));
     const auto half = hn::DemoteTo(halves, hn::Min(sent, hn::Set(tag, 65504.0f)));
@@ -313,9 +321,10 @@ HWY_INLINE void hand_on_all(const StrandSet& set, const LightSources& sources, s
     const std::size_t lit = sources.lit[i];
     const LitPoints& points = lit < whole ? sources.whole : sources.rest;
     const glm::vec4* light = &points.light[(lit < whole ? lit : lit - whole) * static_cast<std::size_t>(points.count)];
+    const float taller = set.roots[sources.ids[i]].reach / std::max(set.roots[sources.from[i]].reach, 1e-3f);
     const std::uint32_t begin = placed.first[first + i], end = placed.first[first + i + 1];
     hand_on<by_colour>(points, light, std::span(set.colours).subspan(sources.ids[i] * knots, knots),
-                       std::span(placed.along).subspan(begin, end - begin), &placed.knots[begin]);
+                       std::span(placed.along).subspan(begin, end - begin), taller, &placed.knots[begin]);
   }
 }
 

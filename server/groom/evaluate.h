@@ -33,8 +33,8 @@ struct ToolExtras {
 struct SeenFur {
   const FieldSet& fields;
   const Coat& coat;
-  double& visits;         // of vertices, by the commands of a request so far: each pixel adds to it
-  const Cancel& cancel;   // asked between pixels
+  double& visits;        // of vertices, by the commands of a request so far: each pixel adds to it
+  const Cancel& cancel;  // asked between pixels
 };
 
 /// Replaces pixel samples of the command's stroke by what they show: places on the fur, where the brush reaches fur and

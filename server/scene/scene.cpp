@@ -183,8 +183,8 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   }
   const FieldSet& seen = before_stroke ? *before_stroke : *fields_;
   double visits = 0;
-  const Past past{history_.settings(), seen,    [this](Revision revision) { return fields_at(revision); }, options,
-                  pictures,            visits};
+  const Past past{
+      history_.settings(), seen, [this](Revision revision) { return fields_at(revision); }, options, pictures, visits};
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
     Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;

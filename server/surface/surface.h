@@ -1,4 +1,5 @@
-// Points in a ball or along a line: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex; this does not.
+// Points in a ball or along a line: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex;
+// this does not.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
 // PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try
-// A_PIXEL,LIT_OF,SEEN_DEPTH,MIN_WIDTH,TWICE] Views: creature, ground, mohawk, close, far, torus, sphere; one that
+// A_PIXEL,LIT_OF,TWICE] Views: creature, ground, mohawk, close, far, torus, sphere; one that
 // ends with sky has no lights, with sun the first one alone. The truth is kept in the folder of pictures and read from
 // there.
 #include "renderer/raster/raster.h"
@@ -178,20 +178,18 @@ FloatImage rasterized(const Bench& bench, const Kind& kind, RasterCounts* counts
 }
 
 void add_raster(const Bench& bench, std::vector<Way>& ways) {
-  std::vector<Kind> kinds{{{100, 1, 9, 0}, false}, {{100, 2, 6, 0}, false}, {{100, 4, 6, 2}, false},
-                          {{3, 2, 6, 2}, false},   {{1.5, 2, 6, 2}, false}, {{1.5, 4, 6, 2}, false},
-                          {{1, 4, 6, 2}, false},   {{.6, 4, 6, 2}, false},  {{.4, 4, 6, 2}, false}};
+  std::vector<Kind> kinds{{{100, 1}, false}, {{100, 2}, false}, {{100, 4}, false}, {{3, 4}, false},  {{1.5, 4}, false},
+                          {{1.2, 4}, false}, {{1, 4}, false},   {{0.6, 4}, false}, {{0.4, 4}, false}};
   if (const char* tried = bench.setup.tried) {
     Kind kind{};
     int twice = 0;
-    std::sscanf(tried, "%lf,%d,%f,%f,%d", &kind.quality.strands_a_pixel, &kind.quality.lit_of, &kind.quality.seen_depth,
-                &kind.quality.min_width, &twice);
+    std::sscanf(tried, "%lf,%d,%d", &kind.quality.strands_a_pixel, &kind.quality.lit_of, &twice);
     kind.twice = twice != 0, kinds = {kind};
   }
   for (const Kind& kind : kinds) {
     std::array<char, 64> name{};
-    std::snprintf(name.data(), name.size(), "strands-%g-%d-%g-%g%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
-                  double{kind.quality.seen_depth}, double{kind.quality.min_width}, kind.twice ? "-twice" : "");
+    std::snprintf(name.data(), name.size(), "strands-%g-%d%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
+                  kind.twice ? "-twice" : "");
     Way way{name.data(), {}, {}, {}};
     way.image = rasterized(bench, kind, &way.counts);
     way.work = [&bench, kind] { rasterized(bench, kind, nullptr); };

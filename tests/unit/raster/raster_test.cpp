@@ -59,7 +59,7 @@ glm::vec4 pixel(const FloatImage& image, int x, int y) {
 
 TEST(Raster, HasTheSameBitsForAnyThreads) {
   const Stage stage;
-  for (const RasterQuality& quality : {RasterQuality{100, 1, 6, 0}, RasterQuality{1, 4, 3, 2}})
+  for (const RasterQuality& quality : {RasterQuality{100, 1}, RasterQuality{1, 4}})
     EXPECT_EQ(stage.draw(quality, 1).rgba, stage.draw(quality, 7).rgba);
 }
 
@@ -79,7 +79,7 @@ TEST(Raster, ACropHasTheBitsOfTheWhole) {
     stage.patch.positions[i].z = 0.2f * std::exp(-40 * std::pow(stage.patch.positions[i].y - 0.2f, 2.0f));
   stage.frame.ground = FurGround{.height = -0.4f, .shadow = 1, .contact = 1};
   stage.grow();
-  for (const RasterQuality& quality : {RasterQuality{1000, 1, 6, 0}, RasterQuality{1, 4, 3, 2}}) {
+  for (const RasterQuality& quality : {RasterQuality{1000, 1}, RasterQuality{1, 4}}) {
     stage.frame.crop.reset();
     const FloatImage whole = stage.draw(quality);
     for (const Crop& crop : {Crop{37, 50, 90, 61}, Crop{160, 130, 1, 1}, Crop{0, 96, 320, 16}, Crop{5, 5, 310, 270}}) {
@@ -91,11 +91,10 @@ TEST(Raster, ACropHasTheBitsOfTheWhole) {
 
 TEST(Raster, FewStrandsCoverAndShineAsAll) {
   const Stage stage;
-  const FloatImage all = stage.draw({1000, 1, 100, 0});
+  const FloatImage all = stage.draw({1000, 1});
   EXPECT_TRUE(is_sound(all));
   EXPECT_GT(mean(all, 3), 0.3);
-  for (const RasterQuality& quality :
-       {RasterQuality{1000, 1, 3, 0}, RasterQuality{1000, 2, 6, 0}, RasterQuality{3, 1, 6, 1}}) {
+  for (const RasterQuality& quality : {RasterQuality{1000, 1}, RasterQuality{1000, 2}, RasterQuality{3, 1}}) {
     RasterCounts counts;
     const FloatImage few = stage.draw(quality, 2, &counts);
     EXPECT_LT(counts.lit, counts.strands + 1);
@@ -124,7 +123,7 @@ TEST(Raster, IsSoundWithStrandsOfAnySize) {
       std::fill(stage.patch.length.begin(), stage.patch.length.end(), length);
       stage.grow();
       stage.frame.camera.tan_half_fov *= size;  // a million pixels long at the least
-      EXPECT_TRUE(is_sound(stage.draw({1, 1, 6, 0}))) << length;
+      EXPECT_TRUE(is_sound(stage.draw({1, 1}))) << length;
     }
   }
 }
@@ -135,7 +134,7 @@ TEST(Raster, CurlsAreDrawn) {
   stage.frame.coat = stage.recipe.coat;
   stage.grow();
   ASSERT_GT(stage.fur.parts()[0].strands->segments, 30);
-  const FloatImage all = stage.draw({1000, 1, 100, 0}), few = stage.draw({1000, 2, 6, 1});
+  const FloatImage all = stage.draw({1000, 1}), few = stage.draw({1000, 2});
   EXPECT_TRUE(is_sound(all));
   EXPECT_NEAR(mean(few, 3), mean(all, 3), 0.02 * mean(all, 3));
 }
@@ -160,16 +159,16 @@ TEST(Raster, CurvesAreDrawnWholeHoweverFewStrandsAre) {
     return count;
   };
   stage.grow();
-  EXPECT_EQ(seen({1, 1, 6, 0}), 0);
+  EXPECT_EQ(seen({1, 1}), 0);
   stage.fur.update(stage.patch.model(), stage.patch.fields(), stage.recipe, 2, std::array{whiskers});
-  EXPECT_EQ(seen({1000, 1, 6, 0}), 8);
-  EXPECT_EQ(seen({0.001, 8, 1, 0}), 8);
+  EXPECT_EQ(seen({1000, 1}), 8);
+  EXPECT_EQ(seen({0.001, 8}), 8);
 }
 
 TEST(Raster, SkinHidesStrandsBehindIt) {
   Stage stage;
   RasterCounts open, hidden;
-  stage.draw({1000, 1, 6, 0}, 2, &open);
+  stage.draw({1000, 1}, 2, &open);
   EXPECT_GT(open.placed, open.strands / 3);
   FurPatch& patch = stage.patch;  // a bald ceiling between the lawn and the camera
   const auto first = static_cast<unsigned>(patch.positions.size());
@@ -181,7 +180,7 @@ TEST(Raster, SkinHidesStrandsBehindIt) {
   patch.add({first, first + 1, first + 2}), patch.add({first, first + 2, first + 3});
   patch.id = 2;
   stage.grow();
-  const FloatImage ceiling = stage.draw({1000, 1, 6, 0}, 2, &hidden);
+  const FloatImage ceiling = stage.draw({1000, 1}, 2, &hidden);
   EXPECT_EQ(hidden.strands, open.strands);
   EXPECT_EQ(hidden.placed, 0u);
   EXPECT_EQ(mean(ceiling, 3), 1);
@@ -189,21 +188,21 @@ TEST(Raster, SkinHidesStrandsBehindIt) {
 
 TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
   Stage stage;
-  const FloatImage none = stage.draw({1000, 1, 6, 0});
+  const FloatImage none = stage.draw({1000, 1});
   FurEye eye;
   eye.radius = 0.08f, eye.sclera = {0, 1, 0}, eye.frame = glm::mat3(-1, 0, 0, 0, 0, 1, 0, 1, 0);  // looks away
   eye.position = {0.2f, 0.35f, -0.12f};
   stage.frame.eyes = {eye};
-  EXPECT_EQ(stage.draw({1000, 1, 6, 0}).rgba, none.rgba);  // under the skin
+  EXPECT_EQ(stage.draw({1000, 1}).rgba, none.rgba);  // under the skin
   RasterCounts open, hidden;
   stage.frame.eyes[0].position = {0.2f, -0.1f, 0.3f};  // between lawn and camera
-  stage.draw({1000, 1, 6, 0}, 2, &hidden);
+  stage.draw({1000, 1}, 2, &hidden);
   stage.frame.eyes.clear();
-  stage.draw({1000, 1, 6, 0}, 2, &open);
+  stage.draw({1000, 1}, 2, &open);
   EXPECT_LT(hidden.placed, open.placed);
   stage.frame.eyes = {eye};
   stage.frame.eyes[0].position = {0.42f, 0.2f, 0.1f};  // partly before nothing
-  const FloatImage seen = stage.draw({1000, 1, 6, 0}), again = stage.draw({1000, 1, 6, 0}, 7);
+  const FloatImage seen = stage.draw({1000, 1}), again = stage.draw({1000, 1}, 7);
   EXPECT_TRUE(is_sound(seen));
   EXPECT_EQ(seen.rgba, again.rgba);
   std::size_t green = 0;
