@@ -15,7 +15,7 @@ namespace {
 
 PixelBox whole_of(const RasterScene& scene) { return {0, 0, scene.width, scene.height}; }
 
-/// What strands in a block may be drawn over.
+/// What strands in a block may be drawn over, or its skin.
 PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickest) {
   const PictureCamera& camera = scene.camera;
   glm::vec2 first(1e9f), last(-1e9f);
@@ -28,14 +28,14 @@ PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickes
                                                 glm::vec2(glm::dot(corner, camera.right), -glm::dot(corner, camera.up));
     first = glm::min(first, pixel), last = glm::max(last, pixel), nearest = std::min(nearest, distance);
   }
-  const float beside = drawn_beside(camera, thickest, nearest);
+  const float beside = block.fur ? drawn_beside(scene, thickest, nearest) : 1;
   const auto held = [](float at, int size) { return clamped_index(std::floor(at), 0, size); };
   return {held(first.x - beside, scene.width), held(first.y - beside, scene.height),
           held(last.x + beside + 1, scene.width), held(last.y + beside + 1, scene.height)};
 }
 
-/// Strands of a part that are drawn and look another way: what stands or shines at one of their knots has changed, or
-/// at those of the strand whose light they may share.
+/// Strands of a part that are drawn and look another way: they are others, or what shines at the knots of the strand
+/// whose light they have is.
 void add_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::int32_t> blocks,
                  TileMask& mask) {
   KeptStrands kept;
@@ -49,7 +49,9 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
   std::vector<std::uint8_t> changed(kept.ids.back() + std::size_t{1}, 1);  // of strands that face away it is not known
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t id = kept.ids[i];
-    changed[id] = boxes[i].changed || (id >= own && changed[part.strands->neighbour[id]]) ? 1 : 0;
+    std::uint32_t lit = id;
+    while (lit >= own) lit = part.strands->neighbour[lit];
+    changed[id] = boxes[i].fur || (lit == id ? boxes[i].light : changed[lit] != 0) ? 1 : 0;
     if (changed[id] != 0)
       boxes[i].bounded ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)
                        : mask.add(whole_of(scene));

@@ -36,10 +36,10 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 
 }  // namespace
 
-float drawn_beside(const PictureCamera& camera, float thickest, float nearest) {
+float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
   constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // a filter's, and of what is widened
-  const double half = double{thickest} * double{camera.scale} / double{std::max(nearest, near_distance)};
-  return static_cast<float>(edge + wider * std::max(0.5 * RasterQuality::max_widest, half));
+  const double half = double{thickest} * double{scene.camera.scale} / double{std::max(nearest, near_distance)};
+  return static_cast<float>(edge + wider * std::max(0.5 * scene.quality.widest(), half));
 }
 
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {
@@ -51,7 +51,7 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
   if (distance < 2 * ball.radius) return true;
   const float scale = camera.scale / distance;
   const float reach = ball.radius * camera.scale / (distance - ball.radius) +
-                      drawn_beside(camera, part.thickest, distance - ball.radius);
+                      drawn_beside(scene, part.thickest, distance - ball.radius);
   const float x = camera.middle.x + glm::dot(ball.middle, camera.right) * scale;
   const float y = camera.middle.y - glm::dot(ball.middle, camera.up) * scale;
   const float wider = 1 + std::abs(glm::dot(ball.middle, camera.right)) / distance +

@@ -10,7 +10,7 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
 
 /// Pixels beside their places that strands may be drawn over, with so half a thickness from such a distance on, sizes:
 /// thinned ones are wide, and hidden roots wider.
-float drawn_beside(const PictureCamera& camera, float thickest, float nearest);
+float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
 /// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the

@@ -220,23 +220,19 @@ void DensityGrid::mark_skin(const GrownPart& part) {
 }
 
 /// With what reads the cells from beside: between their middles, and a little off the place itself.
-void DensityGrid::mark_light(const CellRows& rows) {
+void DensityGrid::mark_light(std::span<const std::uint32_t> cells) {
   constexpr int beside = 2;
-  for (int z = 0; z < place_.size.z; ++z) {
-    for (int y = 0; y < place_.size.y; ++y) {
-      const CellRange cells = rows[place_.row(y, z)];
-      if (cells.empty()) continue;
-      const glm::ivec3 first = glm::max(glm::ivec3(cells.begin, y, z) - beside, glm::ivec3(0));
-      const glm::ivec3 last = glm::min(glm::ivec3(cells.end - 1, y, z) + beside, place_.size - 1);
-      each_block(first / block_side, last / block_side,
-                 [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
-    }
+  for (const std::uint32_t index : cells) {
+    const glm::ivec3 cell = place_.cell_of(index);
+    each_block(glm::max(cell - beside, glm::ivec3(0)) / block_side,
+               glm::min(cell + beside, place_.size - 1) / block_side,
+               [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
   }
 }
 
 void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed,
                                 int threads) {
-  std::vector<CellRows> rows(lights.size());
+  std::vector<std::vector<std::uint32_t>> cells(lights.size());
   std::vector<std::optional<LightCells>> made(lights.size());
   const auto known = [&](std::size_t i) {
     return i < lights_.size() && model.id == model_ && lights_[i].light() == lights[i];
@@ -247,7 +243,7 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
         if (!known(i))
           made[i].emplace(place_, density_, model, lights[i]);
         else if (!changed.empty())
-          rows[i] = lights_[i].update(density_, changed);
+          cells[i] = lights_[i].update(density_, changed);
       },
       threads);
   lights_.erase(lights_.begin() + static_cast<std::ptrdiff_t>(std::min(lights.size(), lights_.size())), lights_.end());
@@ -258,8 +254,8 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
       else
         lights_[i] = std::move(*made[i]);
       whole_version_ = version_;
-    } else if (!rows[i].empty()) {
-      mark_light(rows[i]);
+    } else {
+      mark_light(cells[i]);
     }
   }
   model_ = model.id;
@@ -291,8 +287,10 @@ bool DensityGrid::changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since)
 
 std::vector<std::int32_t> DensityGrid::changed_flags(std::uint64_t since) const {
   std::vector<std::int32_t> flags(of_block_.size());
-  std::transform(of_block_.begin(), of_block_.end(), flags.begin(),
-                 [since](std::uint64_t version) { return version > since ? 1 : 0; });
+  std::transform(of_block_.begin(), of_block_.end(), fur_of_block_.begin(), flags.begin(),
+                 [since](std::uint64_t any, std::uint64_t fur) {
+                   return (any > since ? light_changed : 0) | (fur > since ? fur_changed : 0);
+                 });
   return flags;
 }
 
@@ -303,7 +301,7 @@ std::vector<GridBlock> DensityGrid::changed_blocks(std::uint64_t since) const {
     const std::size_t at = block_at(block);
     if (fur_of_block_[at] <= since && !(has_skin_[at] && of_block_[at] > since)) return;
     const glm::vec3 low = place_.low + side * glm::vec3(block);
-    changed.push_back({low, low + side});
+    changed.push_back({low, low + side, fur_of_block_[at] > since});
   });
   return changed;
 }

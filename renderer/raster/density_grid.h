@@ -15,7 +15,11 @@ namespace pelage {
 /// A cube of some cells, by which changes are remembered.
 struct GridBlock {
   glm::vec3 low{0}, high{0};
+  bool fur = false;  // that stands or stood there has changed; else the skin there looks another way
 };
+
+/// What may be another in a block, bits of a flag.
+enum BlockChange : std::int32_t { fur_changed = 1, light_changed = 2 };
 
 /// Where blocks lie: block b is the cube from low + b side on.
 struct BlockPlace {
@@ -44,7 +48,7 @@ class DensityGrid {
   /// Whether all may be another since then.
   bool all_changed(std::uint64_t since) const { return since < whole_version_; }
   BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
-  /// Of each block, row by row: 1 where fur or light in it, with what is read around it, may be another, else 0.
+  /// Of each block, row by row: bits of BlockChange for what may be another in it or around it as far as that is read.
   std::vector<std::int32_t> changed_flags(std::uint64_t since) const;
   /// Whether that is so anywhere in a box.
   bool changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since) const;
@@ -52,13 +56,13 @@ class DensityGrid {
   std::vector<GridBlock> changed_blocks(std::uint64_t since) const;
 
  private:
-  static constexpr int block_side = 4;  // cells
+  static constexpr int block_side = 2;  // cells
 
   /// The cells in which anything may have changed.
   CellRows add_fur(std::span<const GrownPart> parts, int threads);
   void mark_fur(std::span<const glm::ivec3> cells, CellRows& rows);
   void mark_skin(const GrownPart& part);
-  void mark_light(const CellRows& rows);
+  void mark_light(std::span<const std::uint32_t> cells);
   void find_skin(const FurModel& model);
   void make_anew(const GridPlace& place, std::size_t parts);
   void follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed, int threads);

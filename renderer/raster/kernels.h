@@ -23,13 +23,13 @@ inline constexpr int hidden_around = 2 * hiding_side;  // pixels about a block t
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 
-/// What strands cover of the picture, pixels, and whether anything that they show has changed.
+/// What a strand covers of the picture, pixels, and what may be another at its knots.
 struct StrandBox {
   float left = 0, top = 0, right = 0, bottom = 0;
-  bool changed = false, bounded = true;  // not so where it reaches behind the camera: it may cover anything
+  bool fur = false, light = false;
+  bool bounded = true;  // not so where it reaches behind the camera: it may cover anything
 };
-/// Of the kept strands of a part, one after the other. `blocks` has 0 for each block of the grid in which nothing has
-/// changed.
+/// Of the kept strands of a part, one after the other. `blocks` has bits of BlockChange for each block of the grid.
 void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
                   std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes);
 

@@ -171,13 +171,14 @@ glm::vec3 LightCells::to_light(glm::vec3 cell) const {
   return apart / std::max(glm::length(apart), 1e-3f);
 }
 
-CellRows LightCells::update(std::span<const CellDensity> density, const CellRows& changed) {
+std::vector<std::uint32_t> LightCells::update(std::span<const CellDensity> density, const CellRows& changed) {
   CellRows local(place_.rows());
   return follow(density, changed, local);
 }
 
 /// `local` has cells that count as changed in any case.
-CellRows LightCells::follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local) {
+std::vector<std::uint32_t> LightCells::follow(std::span<const CellDensity> density, const CellRows& changed,
+                                              CellRows& local) {
   for (int z = 0; z < place_.size.z; ++z)
     for (int y = 0; y < place_.size.y; ++y) {
       const std::size_t row = place_.row(y, z);
@@ -246,8 +247,10 @@ CellRows LightCells::sweep(const Way& way, const CellRows& local) {
 }
 
 /// Near a cell along the ray itself, so that shadows of what is near are sharp; from there on what has come through.
-CellRows LightCells::look_back(const Way& way, const CellRows& local, const CellRows& through) {
-  CellRows changed(place_.rows()), seeing(place_.rows());
+std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows& local, const CellRows& through) {
+  CellRows seeing(place_.rows());
+  std::vector<std::uint32_t> changed;
+  std::vector<Crossed> before;
   for (const CellTap& tap : way.near) add_seeing(local, tap, seeing);
   for (const CellTap& tap : way.beyond) add_seeing(through, tap, seeing);
   RowSums sums(place_);
@@ -258,14 +261,20 @@ CellRows LightCells::look_back(const Way& way, const CellRows& local, const Cell
       sums.begin(y, z, cells);
       for (const CellTap& tap : way.near) sums.add(local_, tap);
       for (const CellTap& tap : way.beyond) sums.add(through_, tap);
-      changed[place_.row(y, z)] = sums.round_into(crossed_, true);
+      const std::size_t first = place_.index({0, y, z});
+      const auto row = crossed_.begin() + static_cast<std::ptrdiff_t>(first);
+      before.assign(row + cells.begin, row + cells.end);
+      sums.round_into(crossed_, true);
+      for (int x = cells.begin; x < cells.end; ++x)
+        if (!(before[static_cast<std::size_t>(x - cells.begin)] == row[x]))
+          changed.push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(x));
     }
   }
   return changed;
 }
 
 /// From each cell a light that stands near lies another way: so all cells are swept again, and looked back from.
-CellRows LightCells::follow_near() {
+std::vector<std::uint32_t> LightCells::follow_near() {
   const auto add = [&](const auto& taps, glm::ivec3 cell, const std::vector<Crossed>& from, Sum& sum) {
     for (const CellTap& tap : taps)
       if (place_.has(cell + tap.off)) sum.add(from[place_.index(cell + tap.off)], tap.share);
@@ -283,7 +292,7 @@ CellRows LightCells::follow_near() {
       }
     }
   }
-  CellRows changed(place_.rows());
+  std::vector<std::uint32_t> changed;
   for (std::size_t at = 0; at < crossed_.size(); ++at) {
     const glm::ivec3 cell = place_.cell_of(at);
     const Way way(to_light(glm::vec3(cell) + 0.5f));
@@ -291,7 +300,7 @@ CellRows LightCells::follow_near() {
     add(way.near, cell, local_, sum), add(way.beyond, cell, through_, sum);
     const std::array<float, 2> sums{sum.strands, sum.body};
     if (!round_cells(sums.data(), true, std::span(crossed_).subspan(at, 1)).empty())
-      changed[place_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
+      changed.push_back(static_cast<std::uint32_t>(at));
   }
   return changed;
 }

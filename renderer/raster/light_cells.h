@@ -88,9 +88,9 @@ class LightCells {
   LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
              const FurLight& light);
 
-  /// Follows the light again, where the density has changed in cells of `changed`. Gives the cells whose numbers are
-  /// others now.
-  CellRows update(std::span<const CellDensity> density, const CellRows& changed);
+  /// Follows the light again, where the density has changed in cells of `changed`. Gives the indices of the cells whose
+  /// numbers are others now.
+  std::vector<std::uint32_t> update(std::span<const CellDensity> density, const CellRows& changed);
 
   const FurLight& light() const { return light_; }
   std::span<const Crossed> crossed() const { return crossed_; }
@@ -99,12 +99,12 @@ class LightCells {
  private:
   struct Way;
   glm::vec3 to_light(glm::vec3 cell) const;
-  CellRows follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local);
+  std::vector<std::uint32_t> follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local);
   CellRange find_local(std::span<const CellDensity> density, int y, int z, CellRange cells);
   void add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const;
   CellRows sweep(const Way& way, const CellRows& local);
-  CellRows look_back(const Way& way, const CellRows& local, const CellRows& through);
-  CellRows follow_near();
+  std::vector<std::uint32_t> look_back(const Way& way, const CellRows& local, const CellRows& through);
+  std::vector<std::uint32_t> follow_near();
 
   GridPlace place_;
   FurLight light_;

@@ -9,10 +9,9 @@ struct RasterQuality {
   double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
   int lit_of = 1;              // strands share the light of one of so many, [1, 8]
 
-  static constexpr double max_widest = 2.5;
   /// Pixels that strands are widened to for those that are left out: beyond it more are kept. Wider ones look like
   /// wires, which passes in a draft alone.
-  double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, max_widest); }
+  double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, 2.5); }
 };
 
 }  // namespace pelage
