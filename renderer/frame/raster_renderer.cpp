@@ -60,6 +60,20 @@ Area whole_area(const FurFrame& frame) {
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
+/// The share of a coat that is enough for drafts which keep no more of it: it grows in a quarter of the time.
+constexpr double thin_share = 0.25;
+
+/// Whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
+bool keeps_thin_share(const FurFrame& frame) {
+  constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
+  const RasterQuality quality = quality_of(frame.knobs);
+  const double distance = -double{glm::dot(frame.camera.position, frame.camera.forward)};
+  const double pixel = 2 * distance * double{frame.camera.tan_half_fov} / frame.height;
+  const double on_a_pixel = frame.coat.count / (frame.coat.tile * frame.coat.tile) * pixel * pixel;
+  const double kept = std::max(quality.strands_a_pixel / on_a_pixel, frame.coat.width_root / pixel / quality.widest());
+  return quality.strands_a_pixel <= of_draft && distance > outside && kept <= thin_share;
+}
+
 /// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
 /// side.
 FurFrame plate_of(const FurFrame& frame) {
@@ -72,14 +86,13 @@ FurFrame plate_of(const FurFrame& frame) {
 
 }  // namespace
 
-/// What is kept of a model: its fur as it stood when it was drawn last.
-struct RasterRenderer::Model {
-  Model(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room)
-      : copy(model, fields), whole_coats(whole_coats_of(model)), raster(std::make_unique<Raster>(threads, room)) {}
+/// A model's fur as it stood when it was drawn last, or a share of its strands.
+struct RasterRenderer::Standing {
+  Standing(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
+      : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, room)) {}
 
-  ModelCopy copy;
-  double whole_coats;
-  std::uint64_t used = 0;
+  const ModelCopy& copy;
+  double share_of_coat;
   GrownFur fur;
   std::unique_ptr<Raster> raster;
   // What the fur was grown of:
@@ -87,13 +100,32 @@ struct RasterRenderer::Model {
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
 
-  GrowRecipe recipe_for(const FurFrame& frame) const { return recipe_of(frame, copy.model().has_colours, whole_coats); }
-  void grow(const FurFrame& frame, int threads) {
-    const GrowRecipe wanted = recipe_for(frame);
-    if (recipe == wanted && changes == copy.changes() && curves == frame.curves) return;
-    fur.update(copy.model(), copy.fields(), wanted, threads, frame.curves);
-    recipe = wanted, changes = copy.changes(), curves = frame.curves;
+  void grow(GrowRecipe wanted, std::span<const FurCurves> with, int threads) {
+    wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
+    if (recipe == wanted && changes == copy.changes() && std::ranges::equal(curves, with)) return;
+    fur.update(copy.model(), copy.fields(), wanted, threads, with);
+    recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end());
   }
+  void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
+    fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
+  }
+  std::size_t bytes() const { return fur.bytes() + raster->bytes(); }
+};
+
+/// What is kept of a model.
+struct RasterRenderer::Model {
+  Model(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room)
+      : copy(model, fields),
+        whole_coats(whole_coats_of(model)),
+        whole(copy, 1, threads, room),
+        thin(copy, thin_share, threads, room) {}
+
+  ModelCopy copy;
+  double whole_coats;
+  std::uint64_t used = 0;
+  Standing whole, thin;
+
+  GrowRecipe recipe_for(const FurFrame& frame) const { return recipe_of(frame, copy.model().has_colours, whole_coats); }
   /// Of each vertex what the frame's overlay shows.
   std::vector<glm::vec3> field_of(const FurFrame& frame) const {
     const FurFields fields = copy.fields();
@@ -109,11 +141,12 @@ struct RasterRenderer::Model {
                            at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
     return field;
   }
+  bool is_grown() const { return whole.recipe || thin.recipe; }
   void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-    fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
+    whole.drop(threads, room), thin.drop(threads, room);
   }
   /// That a drop would free.
-  std::size_t grown_bytes() const { return fur.bytes() + raster->bytes(); }
+  std::size_t grown_bytes() const { return whole.bytes() + thin.bytes(); }
 };
 
 RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
@@ -143,25 +176,29 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
-void RasterRenderer::darken(const FurFrame& frame, Model& model, const Wanted& wanted, FloatImage& picture) const {
+void RasterRenderer::darken(const FurFrame& frame, Standing& standing, const Wanted& wanted,
+                            FloatImage& picture) const {
   if (!frame.ground || wanted.shown != RasterOutput::light) return;
-  const RasterScene scene = scene_of(model, frame, wanted);
-  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->darken_box(scene, box, picture);
+  const RasterScene scene = scene_of(standing, frame, wanted);
+  for (const PixelBox& box : Raster::boxes_of(frame)) standing.raster->darken_box(scene, box, picture);
 }
 
-RasterRenderer::Model& RasterRenderer::grown(const FurFrame& frame) {
+void RasterRenderer::grow(const FurFrame& frame) { grown(scaled(frame), Growth::as_kept); }
+
+RasterRenderer::Standing& RasterRenderer::grown(const FurFrame& frame, Growth growth) {
   Model& own = *models_.at(frame.model);
   own.used = ++uses_;
-  own.grow(frame, threads_);
+  Standing& standing = growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
+  standing.grow(own.recipe_for(frame), frame.curves, threads_);
   keep_within_bounds(own);
-  return own;
+  return standing;
 }
 
 void RasterRenderer::keep_within_bounds(const Model& own) {
   std::vector<Model*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
-    if (model.get() != &own && model->recipe) others.push_back(model.get()), bytes += model->grown_bytes();
+    if (model.get() != &own && model->is_grown()) others.push_back(model.get()), bytes += model->grown_bytes();
   std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
@@ -169,9 +206,9 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
   }
 }
 
-RasterScene RasterRenderer::scene_of(Model& model, const FurFrame& frame, const Wanted& wanted) const {
+RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const {
   RasterScene scene =
-      model.raster->scene_of(model.copy.model(), model.fur, frame, quality_of(frame.knobs), wanted.shown);
+      standing.raster->scene_of(standing.copy.model(), standing.fur, frame, quality_of(frame.knobs), wanted.shown);
   scene.field = wanted.field, scene.drawn = wanted.tiles;
   return scene;
 }
@@ -185,8 +222,8 @@ bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wa
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return false;
     const DrawClock clock(times);
-    Model& model = grown(frame);  // in the pause others may have drawn it in another coat
-    model.raster->draw_box(scene_of(model, frame, wanted), boxes[i], picture, counts);
+    Standing& standing = grown(frame, wanted.growth);  // in the pause others may have drawn it in another coat
+    standing.raster->draw_box(scene_of(standing, frame, wanted), boxes[i], picture, counts);
   }
   return true;
 }
@@ -196,13 +233,15 @@ Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, const Wante
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   if (!draw_area(frame, whole_area(frame), wanted, times, pause, picture)) return drawing_given_up();
   const DrawClock clock(times);
-  darken(frame, grown(frame), wanted, picture);
+  darken(frame, grown(frame, wanted.growth), wanted, picture);
   return picture;
 }
 
 Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                                           DrawTimes& times, const Pause& pause) {
   const FurFrame drawn = scaled(frame);
+  const bool numbered = std::ranges::any_of(aovs, [](Aov aov) { return output_of(aov) == RasterOutput::strand; });
+  const Growth growth = numbered ? Growth::all : Growth::as_kept;
   std::vector<FloatImage> pictures;
   try {
     std::map<RasterOutput, FloatImage> drawn_before;  // that several AOVs read
@@ -210,10 +249,10 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
       const RasterOutput shown = output_of(aov);
       const auto before = drawn_before.find(shown);
       Result<FloatImage> image =
-          before != drawn_before.end() ? before->second : draw_whole(drawn, {shown}, times, pause);
+          before != drawn_before.end() ? before->second : draw_whole(drawn, {shown, {}, nullptr, growth}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
-      pictures.push_back(aov_picture(frame, aov, *image, grown(drawn).fur.parts(), threads_));
+      pictures.push_back(aov_picture(frame, aov, *image, grown(drawn, growth).fur.parts(), threads_));
       if (shown == RasterOutput::light || shown == RasterOutput::strand)
         drawn_before.insert_or_assign(shown, std::move(*image));
     }
@@ -227,7 +266,8 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
 Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause) {
   try {
     const std::vector<glm::vec3> field = models_.at(frame.model)->field_of(frame);
-    const Result<FloatImage> drawn = draw_whole(scaled(frame), {RasterOutput::field, field}, times, pause);
+    const Result<FloatImage> drawn =
+        draw_whole(scaled(frame), {RasterOutput::field, field, nullptr, Growth::as_kept}, times, pause);
     if (!drawn) return drawn.status();
     const DrawClock clock(times);
     const FloatImage values = resized_light(*drawn, frame.width, frame.height, threads_);
@@ -246,9 +286,10 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
 FloatImage RasterRenderer::draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                                      RasterOutput shown) const {
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
-  const RasterScene scene = model.raster->bare_scene_of(model.copy.model(), skin, frame, shown);
+  Raster& raster = *model.whole.raster;
+  const RasterScene scene = raster.bare_scene_of(model.copy.model(), skin, frame, shown);
   RasterCounts counts;
-  for (const PixelBox& box : Raster::boxes_of(frame)) model.raster->draw_box(scene, box, picture, counts);
+  for (const PixelBox& box : Raster::boxes_of(frame)) raster.draw_box(scene, box, picture, counts);
   return picture;
 }
 
@@ -286,7 +327,7 @@ Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTime
 }
 
 TileMask RasterRenderer::changed_tiles(const FurFrame& frame, const ShownFrame& shown) {
-  return changed_since(scene_of(grown(frame), frame, {RasterOutput::light}), shown.changes, threads_);
+  return changed_since(scene_of(grown(frame, Growth::as_kept), frame, {RasterOutput::light}), shown.changes, threads_);
 }
 
 template <class Picture, class Finish>
@@ -305,14 +346,15 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
     area = common_area(area, {box.left, box.top, box.right - box.left, box.bottom - box.top});
   }
   if (area.pixels() > 0 &&
-      !draw_area(drawn, area, {RasterOutput::light, {}, tiles ? &*tiles : nullptr}, times, pause, view.light))
+      !draw_area(drawn, area, {RasterOutput::light, {}, tiles ? &*tiles : nullptr, Growth::as_kept}, times, pause,
+                 view.light))
     return drawing_given_up();
   const DrawClock clock(times);
-  Model& model = grown(drawn);
+  Standing& standing = grown(drawn, Growth::as_kept);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
-  view.shown = {frame, shown && !ground ? shown->format : 0, model.raster->version()};
+  view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;
-  if (frame.ground) light = view.light, darken(drawn, model, {RasterOutput::light}, light);
+  if (frame.ground) light = view.light, darken(drawn, standing, {RasterOutput::light}, light);
   Picture picture = finish(view, frame.ground ? light : view.light, area);
   const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
   times.counters.redrawn = pixels / static_cast<double>(view.pixels());

@@ -49,7 +49,7 @@ class RasterRenderer {
   std::size_t bytes_of(std::uint64_t original) const;
 
   /// Grows what the frame shows and has changed, which drawing it else does first.
-  void grow(const FurFrame& frame) { grown(frame); }
+  void grow(const FurFrame& frame);
 
   // As Renderer has them, but that with a crop what lies outside it is not drawn; `overlay` is of the frame's size,
   // null for none. The pause is called between boxes of about a million pixels.
@@ -66,21 +66,25 @@ class RasterRenderer {
 
  private:
   struct Model;
+  struct Standing;
+  /// Which strands of a coat grow: all where they are numbered, else no more than the frame keeps.
+  enum class Growth { all, as_kept };
   /// Grows what changed. What is kept of other models is dropped where all take too much, the longest unused first.
-  Model& grown(const FurFrame& frame);
+  Standing& grown(const FurFrame& frame, Growth growth = Growth::all);
   void keep_within_bounds(const Model& own);
   /// What of a frame is drawn.
   struct Wanted {
     RasterOutput shown;
     std::span<const glm::vec3> field = {};  // of each vertex, where that is shown
     const TileMask* tiles = nullptr;        // null for all
+    Growth growth = Growth::all;
   };
-  RasterScene scene_of(Model& model, const FurFrame& frame, const Wanted& wanted) const;
+  RasterScene scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const;
   /// Draws an area of a frame that has the size of its light into a picture; false when it is given up.
   bool draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times, const Pause& pause,
                  FloatImage& picture);
   /// What the ground is seen of, where there is one.
-  void darken(const FurFrame& frame, Model& model, const Wanted& wanted, FloatImage& picture) const;
+  void darken(const FurFrame& frame, Standing& standing, const Wanted& wanted, FloatImage& picture) const;
   Result<FloatImage> draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times, const Pause& pause);
   /// The skin and the eyes alone, in light that nothing stands in the way of.
   FloatImage draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,

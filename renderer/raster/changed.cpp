@@ -49,8 +49,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
   std::vector<std::uint8_t> changed(kept.ids.back() + std::size_t{1}, 1);  // of strands that face away it is not known
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t id = kept.ids[i];
-    std::uint32_t lit = id;
-    while (lit >= own) lit = part.strands->neighbour[lit];
+    const std::uint32_t lit = lit_strand(*part.strands, id, own);
     changed[id] = boxes[i].fur || (lit == id ? boxes[i].light : changed[lit] != 0) ? 1 : 0;
     if (changed[id] != 0)
       boxes[i].bounded ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)

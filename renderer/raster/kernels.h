@@ -50,6 +50,15 @@ struct LitPoints {
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
                    LitPoints& light);
 
+/// The strand whose light a strand has: one of the first `own` of its part, or itself where that is much shorter, and
+/// so has none of its upper half.
+inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uint32_t own) {
+  constexpr float taller = 1.3f;
+  std::uint32_t lit = id;
+  while (lit >= own) lit = set.neighbour[lit];
+  return set.roots[id].reach > taller * set.roots[lit].reach ? id : lit;
+}
+
 /// Strands that are placed, and of each the lit one whose light it has.
 struct LightSources {
   std::span<const std::uint32_t> ids, from;  // own numbers in the part: of each, and of the lit one

@@ -74,13 +74,9 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   const bool shares = !single && is_coloured(scene.shown);
   const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
   const std::uint32_t own = (last + lit_of) / lit_of;
-  place_.assign(own, none), lit_.clear(), of_.clear();
-  for (const std::uint32_t id : ids) {
-    std::uint32_t from = id;
-    while (from >= own) from = set.neighbour[from];
-    of_.push_back(from), place_[from] = 0;
-  }
-  for (std::uint32_t from = 0; from < own; ++from)
+  place_.assign(last + std::size_t{1}, none), lit_.clear(), of_.clear();
+  for (const std::uint32_t id : ids) of_.push_back(lit_strand(set, id, own)), place_[of_.back()] = 0;
+  for (std::uint32_t from = 0; from <= last; ++from)
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
   const std::uint32_t deep = single ? own : whole_strands(last);  // those before it are drawn from the root on
   const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
@@ -364,6 +360,7 @@ RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::ar
   RasterScene scene;
   scene.optics = kept_->optics.of(frame, model);
   scene.width = frame.width, scene.height = frame.height;
+  scene.oversampling = static_cast<float>(std::max(frame.knobs.scale, 1.0));
   scene.camera = picture_camera(frame), scene.shown = shown;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,

@@ -33,15 +33,6 @@ std::array<float, slice_count> strands_above(const Coat& coat) {
   return above;
 }
 
-namespace {
-
-/// Fine relief and textures are blurred for the pixels that are seen, not for the finer ones that are drawn.
-int shown_height(const FurFrame& frame) {
-  return std::max(1, static_cast<int>(std::lround(frame.height / std::max(frame.knobs.scale, 1.0))));
-}
-
-}  // namespace
-
 FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
   if (!coat_ || !same_strands(*coat_, frame.coat)) coat_ = frame.coat, above_ = strands_above(frame.coat);
   const Look look = wet_look(frame.coat, frame.look);
@@ -50,8 +41,8 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
     scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
   }
   FrameOptics optics;
-  optics.frame = make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), above_}, model.has_colours,
-                                  shown_height(frame));
+  optics.frame =
+      make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), above_}, model.has_colours, frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
   optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),

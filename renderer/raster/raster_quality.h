@@ -11,7 +11,7 @@ struct RasterQuality {
 
   /// Pixels that strands are widened to for those that are left out: beyond it more are kept. Wider ones look like
   /// wires, which passes in a draft alone.
-  double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, 2.5); }
+  double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, 2.0); }
 };
 
 }  // namespace pelage

@@ -81,6 +81,7 @@ struct DistanceKeys {
 struct RasterScene {
   FrameOptics optics;
   int width = 0, height = 0;  // of the picture, pixels
+  float oversampling = 1;     // of its pixels along a side of one that is seen: the skin's relief is as fine as those
   PictureCamera camera;
   RasterQuality quality;
   RasterOutput shown = RasterOutput::light;

@@ -192,7 +192,7 @@ struct SkinLanes {
   Vec3 colour;  // of what no fur hides
   Vec3 under;   // under fur
   Real grown, bare, wetness;
-  Real pixel;  // size of one there, sizes
+  Real pixel;  // size of one that is seen there, sizes
   PieceCorners corners;
 };
 
@@ -237,7 +237,7 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(way);
   SkinLanes skin;
   skin.place = Vec3(scene.camera.position) + way * distance, skin.to_camera = way * (-1.0f / size);
-  skin.pixel = scene.optics.frame.viewpoint.w * distance * size;
+  skin.pixel = scene.optics.frame.viewpoint.w * scene.oversampling * distance * size;
   const Vec3 across = cross(place[1] - place[0], place[2] - place[0]);
   const Real square = max(dot(across, across), 1e-30f);
   corners.b = clamp(dot(cross(skin.place - place[0], place[2] - place[0]), across) / square, 0.0f, 1.0f);

@@ -304,9 +304,9 @@ HWY_INLINE void hand_on(const LitPoints& points, const glm::vec4* light, std::sp
     const int low = std::min(static_cast<int>(at), points.count - 2);
     const Colour a = hn::LoadU(tag, &light[low].x), b = hn::LoadU(tag, &light[low + 1].x);
     Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, at - static_cast<float>(low)), a);
-    sent = hn::Max(sent, hn::Zero(tag));
     if constexpr (by_colour)
-      sent = hn::Mul(sent, colour_over_black(colours[static_cast<std::size_t>(along[k] * segments + 0.5f)]));
+      sent = hn::Mul(hn::Max(sent, hn::Zero(tag)),
+                     colour_over_black(colours[static_cast<std::size_t>(along[k] * segments + 0.5f)]));
     const auto half = hn::DemoteTo(halves, hn::Min(sent, hn::Set(tag, 65504.0f)));
     hn::StoreU(half, halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
   }

@@ -21,6 +21,18 @@ TEST_F(RasterViews, AStrokeDrawsItsPartWithTheBitsOfAWholeFrame) {
   expect_same_bits(model);
 }
 
+TEST_F(RasterViews, ADraftGrowsAShareOfTheCoatAndAStrokeDrawsItsPart) {
+  FurredModel model = animal();
+  request.width = request.height = 128;
+  request.knobs = knobs_of(Tier::draft);
+  expect_same_bits(model, 3);
+  expect_grown_at_once(model);
+  const std::size_t of_draft = raster.bytes_of(model.model.id);
+  request.knobs = knobs_of(Tier::interactive);
+  drawn(model);
+  EXPECT_GT(raster.bytes_of(model.model.id), 2 * of_draft);
+}
+
 TEST_F(RasterViews, WithoutGroundAndFromAnywhere) {
   FurredModel model = animal();
   model.settings.ground.visible = false;

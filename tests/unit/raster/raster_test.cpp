@@ -103,6 +103,15 @@ TEST(Raster, FewStrandsCoverAndShineAsAll) {
   }
 }
 
+/// Strands that are seen are taller than those that they have their light from.
+TEST(Raster, SharedLightIsThatOfTheSameHeight) {
+  Stage stage;
+  stage.recipe.coat.length_spread = 0.8, stage.recipe.coat.count = 20000, stage.frame.coat = stage.recipe.coat;
+  stage.grow();
+  const double own = mean(stage.draw({1000, 1}), 1);
+  for (const int lit_of : {2, 4, 8}) EXPECT_NEAR(mean(stage.draw({1000, lit_of}), 1), own, 0.015 * own) << lit_of;
+}
+
 TEST(Raster, IsSoundWhereNothingCanBeDrawn) {
   Stage stage;
   stage.frame.width = stage.frame.height = 1;
