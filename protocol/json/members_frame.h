@@ -47,11 +47,11 @@ void members(V& v, Visited<V, Tracing>& c) {
 template <class V>
 void members(V& v, Visited<V, Rasterizing>& c) {
   v.type("Rasterizing", "The choice of strands that are rasterized, and how they are lit.");
-  v.number(
-      "strands", c.strands, {0.01, 1000, "strands"},
-      "Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much "
-      "wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands "
-      "as many are drawn.");
+  v.number("strands", c.strands, {0.01, 1000, "strands"},
+           "Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much "
+           "wider, up to 1.5 pixels (of less than .67 up to 2), so that they cover as much. 1000 keeps all. Of a coat "
+           "of more "
+           "than 2000000 strands as many are drawn. Up to .5 a quarter of the coat grows where no more of it is kept.");
   v.integer("light_of", c.light_of, {1, 8},
             "Neighbouring strands that share the light of one of them. More is faster and smoother.");
 }

@@ -32,14 +32,14 @@ namespace {
 /// From the roughest to the nearest; the tier `interactive` among them, so that its frames have an estimate.
 std::vector<Knobs> rows() {
   return {dial_knobs(.4, 8, .25), dial_knobs(.4, 8, .5), dial_knobs(.3, 4, .7), dial_knobs(.4, 4, 1),
-          dial_knobs(1.5, 2, 1),  dial_knobs(4, 2, 1),   dial_knobs(1.5, 2, 2), dial_knobs(1000, 2, 2)};
+          dial_knobs(1.4, 4, 1),  dial_knobs(4, 3, 1),   dial_knobs(1.4, 4, 2), dial_knobs(1000, 3, 2)};
 }
 
 /// The rows, and what could have been chosen between them.
 std::vector<Knobs> candidates() {
   std::vector<Knobs> all = rows();
   for (const Knobs& knobs : {dial_knobs(.2, 8, .35), dial_knobs(1, 4, .5), dial_knobs(.7, 4, .7), dial_knobs(.8, 4, 1),
-                             dial_knobs(2.5, 2, 1), dial_knobs(1000, 2, 1), dial_knobs(.8, 4, 2)})
+                             dial_knobs(2.5, 3, 1), dial_knobs(1000, 3, 1), dial_knobs(.8, 4, 2)})
     all.push_back(knobs);
   return all;
 }

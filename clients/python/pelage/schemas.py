@@ -2099,10 +2099,11 @@ class Rasterizing(TypedDict, total=False):
     """The choice of strands that are rasterized, and how they are lit.
 
     strands: Strands that are kept of those that stand on a pixel of skin seen from above; the kept ones are as much
-        wider, up to 1.5 pixels, so that they cover as much. 1000 keeps all. Of a coat of more than 2000000 strands as
-        many are drawn. 0.01 to 1000 (strands). Default 1.5.
+        wider, up to 1.5 pixels (of less than .67 up to 2), so that they cover as much. 1000 keeps all. Of a coat of
+        more than 2000000 strands as many are drawn. Up to .5 a quarter of the coat grows where no more of it is kept.
+        0.01 to 1000 (strands). Default 1.4.
     light_of: Neighbouring strands that share the light of one of them. More is faster and smoother. 1 to 8. Default
-        2.
+        4.
     """
 
     strands: float

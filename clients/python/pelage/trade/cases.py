@@ -98,7 +98,7 @@ def cases_of(scene: Scene) -> List[Case]:
     ]
 
 
-def raster(strands: float = 1.5, light_of: int = 2, scale: float = 1.0, eye_steps: int = 8) -> Knobs:
+def raster(strands: float = 1.4, light_of: int = 4, scale: float = 1.0, eye_steps: int = 8) -> Knobs:
     """The tier `interactive`, but for what is given."""
     return {
         "method": "raster", "scale": scale, "eye_steps": eye_steps,
@@ -109,7 +109,7 @@ def raster(strands: float = 1.5, light_of: int = 2, scale: float = 1.0, eye_step
 TIERS = {
     "draft": raster(strands=0.4, light_of=4, eye_steps=1),
     "interactive": raster(),
-    "detailed": raster(strands=1000.0, scale=2.0, eye_steps=16),
+    "detailed": raster(strands=1000.0, light_of=3, scale=2.0, eye_steps=16),
 }
 
 
@@ -126,7 +126,7 @@ class Setting(NamedTuple):
 
 
 def strands_settings(quick: bool) -> List[Setting]:
-    values = (0.2, 1.5, 1000.0) if quick else (0.1, 0.2, 0.4, 0.8, 1.5, 3.0, 6.0, 1000.0)
+    values = (0.2, 1.4, 1000.0) if quick else (0.1, 0.2, 0.4, 0.8, 1.4, 3.0, 6.0, 1000.0)
     return [Setting("strands", f"{value:g}", raster(strands=value)) for value in values]
 
 
@@ -142,7 +142,7 @@ def scale_settings(quick: bool) -> List[Setting]:
 def grid(quick: bool) -> List[Setting]:
     return [
         Setting("grid", f"{strands:g} x {light_of} x {scale:g}", raster(strands, light_of, scale))
-        for strands in ((0.4, 1.5) if quick else (0.4, 1.5, 4.0, 1000.0))
+        for strands in ((0.4, 1.4) if quick else (0.4, 1.4, 4.0, 1000.0))
         for light_of in ((1, 4) if quick else (1, 2, 4))
         for scale in ((0.5, 1.0) if quick else (0.5, 0.75, 1.0, 2.0))
     ]

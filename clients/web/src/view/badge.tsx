@@ -4,7 +4,7 @@ import {pending, shown, type Shown} from "./frames";
 import {durationOf, millisecondsOf} from "./measured";
 
 /** Of a picture that was rasterized: strands for each pixel of skin, from so many on all that there are. */
-function rasterWords(strands = 1.5): string {
+function rasterWords(strands = 1.4): string {
   const all = 100;
   return strands >= all ? "all strands" : `${strands} strands a pixel`;
 }
