@@ -43,9 +43,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
   if (kept.ids.empty()) return;
   std::vector<StrandBox> boxes;
   find_changed(scene, part, kept, blocks, boxes);
-  const bool shares = part.role != StrandRole::curve && scene.quality.lit_of > 1;
-  const std::uint32_t own =
-      shares ? kept.ids.back() / static_cast<std::uint32_t>(scene.quality.lit_of) + 1 : kept.ids.back() + 1;
+  const std::uint32_t own = lit_strands(scene, part, kept.ids.back());
   std::vector<std::uint8_t> changed(kept.ids.back() + std::size_t{1}, 1);  // of strands that face away it is not known
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t id = kept.ids[i];

@@ -18,16 +18,22 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
   return {0.5f * (part.low + part.high) - scene.camera.position, 0.5f * glm::length(part.high - part.low)};
 }
 
+/// Sizes, where a part is nearest.
+double pixel_at(const RasterScene& scene, const GrownPart& part) {
+  const float middle = glm::dot(part.middle - scene.camera.position, scene.camera.forward);
+  return std::max(double{middle} - double{part.radius}, double{near_distance}) / scene.camera.scale;
+}
+
+/// Pixels, of one of a part's strands there.
+double width_at(const GrownPart& part, double pixel) { return 2 * double{part.strands->points[0].radius} / pixel; }
+
 /// Of all strands of a part, (0, 1]. Each curve is there on purpose.
 double kept_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
-  const float middle = glm::dot(part.middle - scene.camera.position, scene.camera.forward);
-  const double distance = std::max(double{middle} - double{part.radius}, double{near_distance});
-  const double pixel = distance / scene.camera.scale;
+  const double pixel = pixel_at(scene, part);
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
   const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
-  const double width = 2 * double{part.strands->points[0].radius} / pixel;  // of one of them
-  return std::min(std::max(share, width / scene.quality.widest()), 1.0);
+  return std::min(std::max(share, width_at(part, pixel) / scene.quality.widest()), 1.0);
 }
 
 /// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it
@@ -40,6 +46,13 @@ float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
   constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // a filter's, and of what is widened
   const double half = double{thickest} * double{scene.camera.scale} / double{std::max(nearest, near_distance)};
   return static_cast<float>(edge + wider * std::max(0.5 * scene.quality.widest(), half));
+}
+
+std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last) {
+  if (part.role == StrandRole::curve || !is_coloured(scene.shown)) return last + 1;
+  const double wide = std::max(width_at(part, pixel_at(scene, part)), 1.0);
+  const auto lit_of = static_cast<std::uint32_t>(std::max(scene.quality.lit_of / wide, 1.0));
+  return last / lit_of + 1;
 }
 
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {

@@ -12,6 +12,10 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
 /// thinned ones are wide, and hidden roots wider.
 float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 
+/// How many of a part's strands, from the first on, may hand their light on to the others up to `last`: fewer where
+/// they are thin, all where each is seen by itself.
+std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last);
+
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
 /// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the
 /// later they come, so that none appears at once when the camera comes nearer. Which they are depends on the skin, on

@@ -70,14 +70,12 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
                                std::uint32_t last, std::size_t first, PlacedStrands& placed) {
   if (ids.empty()) return 0;
   const StrandSet& set = *part.strands;
-  const bool single = part.role == StrandRole::curve;
-  const bool shares = !single && is_coloured(scene.shown);
-  const auto lit_of = static_cast<std::uint32_t>(shares ? scene.quality.lit_of : 1);
-  const std::uint32_t own = (last + lit_of) / lit_of;
+  const std::uint32_t own = lit_strands(scene, part, last);
   place_.assign(last + std::size_t{1}, none), lit_.clear(), of_.clear();
   for (const std::uint32_t id : ids) of_.push_back(lit_strand(set, id, own)), place_[of_.back()] = 0;
   for (std::uint32_t from = 0; from <= last; ++from)
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
+  const bool single = part.role == StrandRole::curve;
   const std::uint32_t deep = single ? own : whole_strands(last);  // those before it are drawn from the root on
   const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
   light_strands(scene, part, std::span(lit_).first(whole), true, whole_);

@@ -112,6 +112,17 @@ TEST(Raster, SharedLightIsThatOfTheSameHeight) {
   for (const int lit_of : {2, 4, 8}) EXPECT_NEAR(mean(stage.draw({1000, lit_of}), 1), own, 0.015 * own) << lit_of;
 }
 
+TEST(Raster, StrandsThatAreSeenSinglyAreLitThemselves) {
+  Stage stage;
+  RasterCounts far, near;
+  stage.draw({1000, 4}, 2, &far);
+  EXPECT_LT(far.lit, far.placed / 2);
+  stage.frame.camera.tan_half_fov *= 0.02f;
+  stage.draw({1000, 4}, 2, &near);
+  EXPECT_GT(near.placed, 10u);
+  EXPECT_EQ(near.lit, near.placed);
+}
+
 TEST(Raster, IsSoundWhereNothingCanBeDrawn) {
   Stage stage;
   stage.frame.width = stage.frame.height = 1;
