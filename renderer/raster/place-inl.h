@@ -35,6 +35,7 @@ struct PlacedLanes {
   Real left, right, top, bottom;
   Real nearest;  // one over a distance
   Real way;      // pixels along the strand
+  Real reach;    // pixels from its root to its tip, as the eye sees it
   Real longest;  // of its segments, pixels
   Real widest;   // half of it, pixels
   Real length;   // sizes
@@ -46,8 +47,8 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);
   const Real wider = load(widened) * camera.scale;
   const Real far = 1e30f, none = 0.0f;
-  PlacedLanes placed{far, -far, far, -far, none, none, none, none, none, Vec3(none), Vec3(none)};
-  Real before_x = 0.0f, before_y = 0.0f;
+  PlacedLanes placed{far, -far, far, -far, none, none, none, none, none, none, Vec3(none), Vec3(none)};
+  Real before_x = 0.0f, before_y = 0.0f, root_x = 0.0f, root_y = 0.0f;
   for (int k = 0; k <= set.segments; ++k) {
     const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
     const Vec3 place{point.real(0), point.real(1), point.real(2)}, apart = place - Vec3(camera.position);
@@ -59,7 +60,7 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     const Real half = point.real(3) * inverse * wider;
     store(x, knots.x[k]), store(y, knots.y[k]), store(half, knots.half_width[k]);
     store(select(seen, inverse, 0.0f), knots.inverse[k]);
-    if (k == 0) placed.root = place;
+    if (k == 0) placed.root = place, root_x = x, root_y = y;
     if (k > 0) {
       const Real segment = length(Vec2{x - before_x, y - before_y});
       placed.way += segment, placed.longest = max(placed.longest, segment);
@@ -73,6 +74,7 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     placed.bottom = select(seen, max(placed.bottom, y + half), placed.bottom);
     placed.nearest = select(seen, max(placed.nearest, inverse), placed.nearest);
   }
+  placed.reach = length(Vec2{before_x - root_x, before_y - root_y});
   return placed;
 }
 
@@ -142,7 +144,7 @@ HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& p
 
 /// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider,
 /// but not so wide that they would show beside the fur above them.
-HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way,
+HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way, float reach,
                             PlacedStrands& placed) {
   const int rest = segments - first;
   const float over = 1 / static_cast<float>(segments);
@@ -158,7 +160,7 @@ HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wid
     knot->x = knots.x[k][lane], knot->y = knots.y[k][lane], knot->inverse = knots.inverse[k][lane];
     knot->half_width = knots.half_width[k][lane];
     *along = static_cast<float>(k) * over;
-    const float above = way * (1 - *along);  // pixels of the strand
+    const float above = reach * (1 - *along);  // pixels
     if (k < wide) knot->half_width = std::clamp(0.5f * above, knot->half_width, deep_of * knot->half_width);
   }
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
@@ -185,7 +187,7 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
   if (placed.first.empty()) placed.first.push_back(0);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
-    float widened[lane_count], wider[lane_count], way[lane_count], hidden[lane_count];
+    float widened[lane_count], wider[lane_count], way[lane_count], reach[lane_count], hidden[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
@@ -197,13 +199,14 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
     if (scene.drawn) seen = drawn_lanes(*scene.drawn, lanes, load(wider), seen);
     if (seen == 0) continue;
     const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);
-    store(lanes.way, way), store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
+    store(lanes.way, way), store(lanes.reach, reach),
+        store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
     for (; seen != 0; seen &= seen - 1) {
       const int lane = std::countr_zero(seen);
       kept.ids[stay] = ids[lane], kept.widened[stay] = widened[lane], ++stay;
       const int deep = static_cast<int>(hidden[lane]);
       const bool whole_strand = ids[lane] < last_whole;
-      append_lane(knots, lane, whole_strand ? 0 : deep, deep, set.segments, way[lane], placed);
+      append_lane(knots, lane, whole_strand ? 0 : deep, deep, set.segments, way[lane], reach[lane], placed);
     }
   }
   kept.ids.resize(stay), kept.widened.resize(stay);
