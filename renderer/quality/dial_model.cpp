@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/raster/raster_quality.h"
+#include "renderer/input/raster_quality.h"
 
 namespace pelage {
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "renderer/input/picture.h"
+#include "renderer/input/raster_quality.h"
 #include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
-#include "renderer/raster/raster_quality.h"
 #include "renderer/raster/sky_over_ground.h"
 #include "renderer/raster/tiles.h"
 #include "renderer/strands/grown_fur.h"

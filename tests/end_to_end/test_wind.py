@@ -95,7 +95,7 @@ class Wind(ServedTest):
     def test_stiff_fur_moves_less(self):
         def moved(*commands):
             scene = self.scene(BREEZE, *commands)
-            first, later = (scene.frame(**DRAFT, time=time).image.astype(float) for time in (2, 4.5))
+            first, later = (scene.frame(**SIZE, time=time).image.astype(float) for time in (2, 4.5))
             return numpy.abs(first - later).mean()
 
         paint = {"op": "paint", "flood": True, "field": "stiffness", "brush": {"strength": 1}}

@@ -91,10 +91,12 @@ class Sweeper:
         self._show("truth", caption, self.view.jpeg(self.truth.knobs))
 
     def row_of(self, setting: Setting, known: Dict[str, Row]) -> Row:
-        """Measures a setting, or copies what is known of its knobs. Tiers are drawn where their pictures are shown."""
+        """Measures a setting, or copies what is known of its knobs. Tiers are drawn where their pictures are shown, and
+        keep what was known of them.
+        """
         is_shown = self.case.swept and setting.series == "tier"
         if is_shown or setting.json not in known:
-            known[setting.json] = self._measure(setting, is_shown)
+            known.setdefault(setting.json, self._measure(setting, is_shown))
         return known[setting.json]._replace(series=setting.series, value=setting.value)
 
     def _measure(self, setting: Setting, is_shown: bool) -> Row:
