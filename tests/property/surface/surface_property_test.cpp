@@ -302,7 +302,7 @@ RC_GTEST_PROP(Surface, VerticesAlongALineAgreeWithEveryVertexTried, ()) {
     const double share = along == glm::dvec3(0) ? 0 : glm::dot(point - from, along) / glm::dot(along, along);
     return glm::length(from + std::clamp(share, 0.0, 1.0) * along - point);
   };
-  const double radius = between(0, 2);
+  const double radius = *rc::gen::element(between(0, 0.1), between(0, 2));
   std::vector<std::uint32_t> expected, found;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     if (distance(glm::dvec3(positions[v])) <= radius) expected.push_back(v);

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -112,6 +113,27 @@ TEST(Surface, NormalsAreInterpolatedAndUnit) {
     EXPECT_NEAR(glm::length(ball.normal(point)), 1, 1e-12);
     EXPECT_GT(glm::dot(ball.normal(point), glm::normalize(ball.position(point))), 0.99);
   }
+}
+
+TEST(Surface, VerticesAlongALine) {
+  const Surface ball = surface_of(shapes::ball(20));
+  const auto& positions = ball.mesh().positions;
+  std::vector<std::uint32_t> found;
+  for (const double x : {-0.6, -0.28, 0.0, 0.1, 0.28}) {
+    for (const double end : {-0.1, 0.1, 0.6}) {  // before the ball, in it and beyond
+      const glm::dvec3 from(x, 0.05, -0.6), to(x, 0.1 * x, end);
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        const glm::dvec3 way = to - from, off = glm::dvec3(positions[v]) - from;
+        const double share = std::clamp(glm::dot(off, way) / glm::dot(way, way), 0.0, 1.0);
+        if (glm::length(off - share * way) <= 0.07) expected.push_back(v);
+      }
+      ball.vertices_along(from, to, 0.07, found);
+      EXPECT_EQ(found, expected) << x << " " << end;
+    }
+  }
+  ball.vertices_along({0, 0, -1}, {0, 0, 1}, std::numeric_limits<double>::quiet_NaN(), found);
+  EXPECT_TRUE(found.empty());
 }
 
 TEST(Surface, VerticesWithin) {
