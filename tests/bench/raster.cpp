@@ -1,9 +1,8 @@
 // Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
-// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try
-// A_PIXEL,LIT_OF,TWICE] Views: creature, ground, mohawk, close, far, torus, sphere; one that
-// ends with sky has no lights, with sun the first one alone. The truth is kept in the folder of pictures and read from
-// there.
+// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try A_PIXEL,LIT_OF,TWICE] Views: creature,
+// ground, mohawk, close, far, torus, sphere, sleek; one that ends with sky has no lights, with sun the first one alone.
+// The truth is kept in the folder of pictures and read from there.
 #include "renderer/raster/raster.h"
 
 #include <algorithm>
