@@ -86,6 +86,15 @@ struct PartChange {
   }
 };
 
+/// The share of a strand that stops light as if it lay alone: turns of a curl lie in the shadow of each other, and of
+/// those of the strands that curl with it. 1 for a straight one.
+float share_in_the_open(std::span<const StrandPoint> points) {
+  float way = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) way += glm::distance(points[k - 1].place, points[k].place);
+  const float reach = glm::distance(points.front().place, points.back().place);
+  return 1 / (1 + curl_in_shadow * std::max(way / std::max(reach, 0.02f * way + 1e-9f) - 1, 0.0f));
+}
+
 /// Sums over the cells that a part may stand in, of the strands of a change, of one thread alone.
 class PartCells {
  public:
@@ -120,14 +129,15 @@ class PartCells {
  private:
   void add_strand(const StrandSet& set, std::uint32_t id) {
     const auto segments = static_cast<std::size_t>(set.segments), first = id * (segments + 1);
-    for (std::size_t k = first; k < first + segments; ++k) add_segment(set.points[k], set.points[k + 1]);
+    const float share = share_in_the_open(std::span(set.points).subspan(first, segments + 1));
+    for (std::size_t k = first; k < first + segments; ++k) add_segment(set.points[k], set.points[k + 1], share);
   }
 
-  void add_segment(const StrandPoint& a, const StrandPoint& b) {
+  void add_segment(const StrandPoint& a, const StrandPoint& b, float share) {
     const glm::vec3 way = b.place - a.place;
     const float length = glm::length(way), over = 1 / place_.cell;
     const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_steps);
-    const float width = CellDensity::one * (a.radius + b.radius) * over * over / static_cast<float>(steps);
+    const float width = share * CellDensity::one * (a.radius + b.radius) * over * over / static_cast<float>(steps);
     const auto whole = [](float v) {
       constexpr float largest = 1e10f;  // a hundred million of them can be added
       return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + (v < 0 ? -0.5f : 0.5f));

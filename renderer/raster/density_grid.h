@@ -28,6 +28,10 @@ struct BlockPlace {
   glm::ivec3 count{0};
 };
 
+/// How much of each length that a strand goes beyond its reach lies in the shadow of its other turns. Found for curls
+/// that go six times as far as they reach (docs/notes/2026-11-28-light-of-strands.md).
+inline constexpr float curl_in_shadow = 0.3f;
+
 class DensityGrid {
  public:
   /// Brings the grid up to date: fur where parts have changed, light where fur or lights have. Curves cast no shadow:

@@ -142,13 +142,50 @@ HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& p
   return kept;
 }
 
-/// Appends the knots of a lane from `first` on that are more than a few pixels apart; those before `wide` are wider,
-/// but not so wide that they would show beside the fur above them.
-HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wide, int segments, float way, float reach,
-                            PlacedStrands& placed) {
-  const int rest = segments - first;
+/// Pixels.
+HWY_INLINE float apart(const PlacedKnot& a, const PlacedKnot& b) {
+  const float x = a.x - b.x, y = a.y - b.y;
+  return std::sqrt(x * x + y * y);
+}
+
+/// Turns of a curl that are too small to be drawn cover as much when what is drawn of them is wider, up to the curl's
+/// own width: about one `step` between its knots to each side.
+HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float step) {
+  float drawn = 0;
+  for (std::size_t k = 1; k < knots.size(); ++k) drawn += apart(knots[k], knots[k - 1]);
+  const float more = way / std::max(drawn, 1e-3f);
+  if (more < 1.1f) return;
+  for (PlacedKnot& knot : knots) knot.half_width = std::min(knot.half_width * more, knot.half_width + step);
+}
+
+/// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
+HWY_INLINE void round_tip(PlacedKnot& tip, const PlacedKnot& before, float wider) {
+  const float more = 0.785f * tip.half_width / (wider * std::max(apart(tip, before), 1e-3f));
+  tip.x += more * (tip.x - before.x), tip.y += more * (tip.y - before.y);
+}
+
+/// How a strand is drawn that stays.
+struct KeptLane {
+  int lane, first, deep;  // its first knot, and the last one that only gaps between strands show
+  float way, reach;       // as PlacedLanes
+  float wider;            // than it has grown in a whole coat
+  float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
+};
+
+/// Strands do not stand in each other. So the thicker they are for their distance the less an eye sees past them: what
+/// is too thin to be seen by itself covers more than if it stood anywhere.
+HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
+  const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
+  const float alone = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);
+  return knot.half_width / (1 - std::min(kept.packing * over * over * alone, 0.6f));
+}
+
+/// Appends the knots of a lane that are more than a few pixels apart; deep ones are wider, but not so wide that they
+/// would show beside the fur above them.
+HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int segments, PlacedStrands& placed) {
+  const int rest = segments - kept.first;
   const float over = 1 / static_cast<float>(segments);
-  const float wanted = way / min_segment * static_cast<float>(rest) * over;
+  const float wanted = kept.way / min_segment * static_cast<float>(rest) * over;
   const int count = std::min(rest, std::max(2, static_cast<int>(std::min(wanted, 64.0f))));
   const float step = static_cast<float>(rest) / static_cast<float>(count);
   const std::size_t at = placed.knots.size();
@@ -156,25 +193,37 @@ HWY_INLINE void append_lane(const KnotLanes& knots, int lane, int first, int wid
   PlacedKnot* knot = &placed.knots[at];
   float* along = &placed.along[at];
   for (int i = 0; i <= count; ++i, ++knot, ++along) {
-    const int k = first + static_cast<int>(static_cast<float>(i) * step + 0.01f);
-    knot->x = knots.x[k][lane], knot->y = knots.y[k][lane], knot->inverse = knots.inverse[k][lane];
-    knot->half_width = knots.half_width[k][lane];
+    const int k = kept.first + static_cast<int>(static_cast<float>(i) * step + 0.01f);
+    knot->x = knots.x[k][kept.lane], knot->y = knots.y[k][kept.lane], knot->inverse = knots.inverse[k][kept.lane];
+    knot->half_width = knots.half_width[k][kept.lane];
+    knot->half_width = packed_half(kept, *knot);
     *along = static_cast<float>(k) * over;
-    const float above = reach * (1 - *along);  // pixels
-    if (k < wide) knot->half_width = std::clamp(0.5f * above, knot->half_width, deep_of * knot->half_width);
+    const float above = kept.reach * (1 - *along);  // pixels
+    if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, knot->half_width, deep_of * knot->half_width);
   }
+  round_tip(placed.knots.back(), placed.knots[placed.knots.size() - 2], kept.wider);
+  widen_for_curls(std::span(placed.knots).subspan(at), kept.way * static_cast<float>(rest) * over, kept.way * over);
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }
 
-HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip, Real length) {
+HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip, Real way) {
   const Int roots = strand_rows(ids, root_stride);
   const Quad normal = gather_quad(&set.roots[0].normal.x, roots);
   const Real reach = gather(&set.roots[0].reach, roots);
+  const Real straight = max(length(tip - root), 0.02f * way + 1e-9f);
+  const Real in_the_open = way / (1.0f + curl_in_shadow * max(way / straight - 1.0f, 0.0f));
   return {root,
           tip,
           {normal.real(0), normal.real(1), normal.real(2)},
           reach,
-          length / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
+          in_the_open / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
+}
+
+/// Share of the skin that strands of radius 1 would fill: the more the flatter they lie.
+HWY_INLINE Real packing_of(const GrownPart& part, const DepthLanes& depth) {
+  const Real upright = max(dot(unit(depth.tip - depth.root), depth.normal), 0.2f);
+  constexpr float there = 0.7f;  // of all strands, at the height that is seen
+  return there * part.packing / (part.wider * part.wider) / upright;
 }
 
 HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const PixelBox& box,
@@ -187,7 +236,8 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
   if (placed.first.empty()) placed.first.push_back(0);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
-    float widened[lane_count], wider[lane_count], way[lane_count], reach[lane_count], hidden[lane_count];
+    float widened[lane_count], wider[lane_count], way[lane_count], reach[lane_count], hidden[lane_count],
+        packing[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
@@ -199,14 +249,17 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
     if (scene.drawn) seen = drawn_lanes(*scene.drawn, lanes, load(wider), seen);
     if (seen == 0) continue;
     const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);
-    store(lanes.way, way), store(lanes.reach, reach),
-        store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
+    store(lanes.way, way), store(lanes.reach, reach), store(packing_of(part, depth), packing);
+    store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
     for (; seen != 0; seen &= seen - 1) {
       const int lane = std::countr_zero(seen);
       kept.ids[stay] = ids[lane], kept.widened[stay] = widened[lane], ++stay;
       const int deep = static_cast<int>(hidden[lane]);
-      const bool whole_strand = ids[lane] < last_whole;
-      append_lane(knots, lane, whole_strand ? 0 : deep, deep, set.segments, way[lane], reach[lane], placed);
+      const float more = widened[lane] * scene.camera.scale;
+      append_lane(knots,
+                  {lane, ids[lane] < last_whole ? 0 : deep, deep, way[lane], reach[lane], part.wider * widened[lane],
+                   packing[lane] / (more * more)},
+                  set.segments, placed);
     }
   }
   kept.ids.resize(stay), kept.widened.resize(stay);

@@ -31,10 +31,6 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
 /// Added to colours, so that black can be divided by.
 inline constexpr float over_black = 0.002f;
 
-/// Share of the strands on a way to the light that stand in no other's shadow: strands stand in clumps, and the mean
-/// density of a cell spreads them evenly. Found for seven views (docs/notes/2026-11-28-light-of-strands.md).
-inline constexpr float in_the_open = 0.93f;
-
 /// Where a place lies among the cells of a grid.
 struct GridLanes {
   Int first;
@@ -193,7 +189,7 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
     const CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
     const Real way = way_out(fibre.height, facing);
     const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
-    const Real between = in_the_open * mix(crossed.strands, min(crossed.strands, known), thin);
+    const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
     const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
     const Real body = crossed.body;
     const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
@@ -287,28 +283,66 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
-/// To the knots of a strand, which lie `along` it, by their own colours. It is so many times `taller` than the one that
-/// is lit: knots have the light of the same height.
+/// Light along a strand, from that of the points of the one that is lit, which it is so many times `taller` than: knots
+/// have the light of the same height.
 template <bool by_colour>
-HWY_INLINE void hand_on(const LitPoints& points, const glm::vec4* light, std::span<const std::uint32_t> colours,
-                        std::span<const float> along, float taller, PlacedKnot* knots) {
+struct LightAlong {
+  static constexpr ColourTag tag{};
+  static constexpr float beyond_tip = 1;  // points; what is taller gets more light than the tip
+  std::span<const glm::vec4> points;
+  std::span<const std::uint32_t> colours;
+  float first, step;  // of the points, at the first knot and from knot to knot
+
+  LightAlong(const LitPoints& lit, const glm::vec4* light, std::span<const std::uint32_t> colour_of_knots, float taller)
+      : points(light, static_cast<std::size_t>(lit.count)), colours(colour_of_knots) {
+    const float over = static_cast<float>(lit.count - 1) / std::max(1 - lit.from, 1e-3f);
+    first = -lit.from * over, step = taller * over / static_cast<float>(colours.size() - 1);
+  }
+
+  HWY_INLINE Colour at(int knot) const {
+    const float last = static_cast<float>(points.size() - 1) + beyond_tip;
+    const float place = std::clamp(first + static_cast<float>(knot) * step, 0.0f, last);
+    const int low = std::min(static_cast<int>(place), static_cast<int>(points.size()) - 2);
+    const Colour a = hn::LoadU(tag, &points[static_cast<std::size_t>(low)].x),
+                 b = hn::LoadU(tag, &points[static_cast<std::size_t>(low) + 1].x);
+    const Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, place - static_cast<float>(low)), a);
+    if constexpr (!by_colour) return sent;
+    return hn::Mul(hn::Max(sent, hn::Zero(tag)), colour_over_black(colours[static_cast<std::size_t>(knot)]));
+  }
+
+  /// What the knots between two that are drawn send beyond the straight line between these, in the mean: so much more
+  /// each of them sends, so that a strand sends what it does, however few are drawn.
+  HWY_INLINE Colour left_out(int begin, Colour at_begin, int end, Colour at_end) const {
+    Colour sum = hn::Zero(tag);
+    const float over = 1 / static_cast<float>(std::max(end - begin, 1));
+    const Colour rise = hn::Mul(hn::Sub(at_end, at_begin), hn::Set(tag, over));
+    Colour straight = at_begin;
+    for (int k = begin + 1; k < end; ++k)
+      straight = hn::Add(straight, rise), sum = hn::Add(sum, hn::Sub(at(k), straight));
+    return hn::Mul(sum, hn::Set(tag, over));
+  }
+};
+
+/// To the knots that are drawn of a strand, which lie `along` it.
+template <bool by_colour>
+HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const float> along, PlacedKnot* knots) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));
-  const ColourTag tag;
   const hn::Rebind<hwy::float16_t, ColourTag> halves;
-  const float over = static_cast<float>(points.count - 1) / std::max(1 - points.from, 1e-3f);
-  const auto segments = static_cast<float>(colours.size() - 1);
-  constexpr float beyond_tip = 1;  // points; what is taller gets more light than the tip
+  const auto segments = static_cast<float>(light.colours.size() - 1);
+  const auto knot_at = [&](std::size_t k) { return static_cast<int>(along[k] * segments + 0.5f); };
+  int knot = knot_at(0);
+  Colour sent = light.at(knot), more_before = hn::Zero(light.tag);
   for (std::size_t k = 0; k < along.size(); ++k) {
-    const float at =
-        std::clamp((along[k] * taller - points.from) * over, 0.0f, static_cast<float>(points.count - 1) + beyond_tip);
-    const int low = std::min(static_cast<int>(at), points.count - 2);
-    const Colour a = hn::LoadU(tag, &light[low].x), b = hn::LoadU(tag, &light[low + 1].x);
-    Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, at - static_cast<float>(low)), a);
-    if constexpr (by_colour)
-      sent = hn::Mul(hn::Max(sent, hn::Zero(tag)),
-                     colour_over_black(colours[static_cast<std::size_t>(along[k] * segments + 0.5f)]));
-    const auto half = hn::DemoteTo(halves, hn::Min(sent, hn::Set(tag, 65504.0f)));
-    hn::StoreU(half, halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
+    const bool is_last = k + 1 == along.size();
+    const int next = is_last ? knot : knot_at(k + 1);
+    const Colour at_next = is_last ? sent : light.at(next);
+    const Colour more_after = is_last ? more_before : light.left_out(knot, sent, next, at_next);
+    if (k == 0) more_before = more_after;
+    const Colour whole = hn::MulAdd(hn::Add(more_before, more_after), hn::Set(light.tag, 0.5f), sent);
+    const Colour shown = by_colour ? hn::Max(whole, hn::Zero(light.tag)) : whole;
+    hn::StoreU(hn::DemoteTo(halves, hn::Min(shown, hn::Set(light.tag, 65504.0f))), halves,
+               reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
+    knot = next, sent = at_next, more_before = more_after;
   }
 }
 
@@ -323,8 +357,9 @@ HWY_INLINE void hand_on_all(const StrandSet& set, const LightSources& sources, s
     const glm::vec4* light = &points.light[(lit < whole ? lit : lit - whole) * static_cast<std::size_t>(points.count)];
     const float taller = set.roots[sources.ids[i]].reach / std::max(set.roots[sources.from[i]].reach, 1e-3f);
     const std::uint32_t begin = placed.first[first + i], end = placed.first[first + i + 1];
-    hand_on<by_colour>(points, light, std::span(set.colours).subspan(sources.ids[i] * knots, knots),
-                       std::span(placed.along).subspan(begin, end - begin), taller, &placed.knots[begin]);
+    const LightAlong<by_colour> along(points, light, std::span(set.colours).subspan(sources.ids[i] * knots, knots),
+                                      taller);
+    hand_on(along, std::span(placed.along).subspan(begin, end - begin), &placed.knots[begin]);
   }
 }
 

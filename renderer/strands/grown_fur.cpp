@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "protocol/base/parallel.h"
 #include "renderer/strands/sampling.h"
@@ -75,8 +76,11 @@ std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, con
   part.skin = skin.value();
   part.state = state;
   find_bounds(model, chunks_[chunk], part);
-  const double of_coat = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile) * recipe.share * part.area;
+  const double on_area = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
+  const double of_coat = on_area * recipe.share * part.area;
   part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
+  part.wider = static_cast<float>(1 / recipe.share);
+  part.packing = static_cast<float>(glm::pi<double>() * on_area);
   return part.strands->count();
 }
 

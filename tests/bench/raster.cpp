@@ -1,8 +1,8 @@
 // Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds as minima of alternating
 // repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
 // PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try A_PIXEL,LIT_OF,TWICE] Views: creature,
-// ground, mohawk, close, far, torus, sphere, sleek; one that ends with sky has no lights, with sun the first one alone.
-// The truth is kept in the folder of pictures and read from there.
+// ground, mohawk, curly, wet, close, far, torus, sphere, sleek; one that ends with sky has no lights, with sun the
+// first one alone. The truth is kept in the folder of pictures and read from there.
 #include "renderer/raster/raster.h"
 
 #include <algorithm>
@@ -74,6 +74,9 @@ testing::FurredModel model_of(const Setup& setup) {
   if (setup.view.ends_with("sky")) model.settings.lights.clear();
   if (setup.view.ends_with("sun")) model.settings.lights.resize(1), model.settings.look.ambient = 0;
   model.settings.ground.visible = setup.view == "ground";
+  Coat& coat = model.settings.coat;
+  if (setup.view == "curly") coat.curl = 0.12, coat.curl_turns = 8, coat.curl_together = 0.5, coat.clump = 0.5;
+  if (setup.view == "wet") coat.wetness = 1, coat.clump = 0.6, coat.clump_size = 0.016, coat.fine_clump = 0.7;
   if (setup.view == "mohawk") add_mohawk(model);
   return model;
 }

@@ -1,8 +1,11 @@
-"""The tiers on six animals: how far each is from the same strands, traced (R2), near and far. Through HTTP, because
-grooms are recipes. Light is mean linear luminance over alpha, coverage the sum of alpha, both over those of R2.
+"""How far the tiers are from the same strands, traced (R2), from three distances: on six animals, nine looks, and furs
+that are hard to draw. Through HTTP, because grooms are recipes. Light is mean linear luminance over alpha, coverage the
+sum of alpha, both over those of R2; errors and pictures are of the last distance.
 
-usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--size 224] [--passes 32] [--only NAME...]
-           [--pictures FOLDER]   a JPEG for each animal: R2 and the tiers, with error maps below
+usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--group animals looks furs] [--only NAME...]
+           [--size 224] [--passes 32] [--distances near far whole]
+           [--pictures FOLDER]                    a JPEG for each: R2 and the tiers, with error maps below
+           [--beside BIN] [--beside-tiers ...]    another build draws the same scenes
 """
 import argparse
 import io
@@ -15,46 +18,13 @@ import tempfile
 import numpy
 from PIL import Image, ImageDraw
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "end_to_end"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end"))
+from subjects import ANIMALS, DISTANCES, FURS, LOOKS  # noqa: E402
 from support.exr import read_exr  # noqa: E402
-from support.server import BIN, Server, shared_folder  # noqa: E402
+from support.server import BIN, Server  # noqa: E402
 
 TIERS = ("draft", "interactive", "detailed")
-DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # sizes from the middle of the box
-DIRECTION = numpy.array([0.5, 0.22, 0.84])
-
-
-class Animal:
-    def __init__(self, name, file=None, recipe=None, look=None, front="z", fur=""):
-        self.name, self.file, self.recipe, self.look, self.front, self.fur = name, file, recipe, look, front, fur
-
-    def on(self, server):
-        scene = server.new_scene("creature", 20000, name=self.name)
-        if self.file:
-            content = (shared_folder() / "meshes" / self.file).read_bytes()
-            kind = self.file.split(".")[-1]
-            answer = server.call("PUT", f"{scene.path}/model?format={kind}&front={self.front}{self.fur}", content)
-            assert answer.status == 200, answer
-        if self.recipe:
-            recipe = ROOT / "clients" / "recipes" / f"{self.recipe}.json"
-            subprocess.run([BIN / "pelage", "--server", server.address, "run", scene.id, recipe], check=True,
-                           stdout=subprocess.DEVNULL)
-        if self.look:
-            commands = json.loads((ROOT / "clients" / "looks" / f"{self.look}.json").read_text(encoding="utf-8"))
-            answer = scene.post("commands", commands)
-            assert answer.status == 200, answer
-        answer = scene.run({"op": "set_ground", "ground": {"visible": False}})  # its shadow would count as coverage
-        assert answer.status == 200, answer
-        return scene
-
-
-ANIMALS = [Animal("koala, plush", "koala_low.obj", "koala_plush"),
-           Animal("cat as a fox", "cat.obj", "cat_fox", front="-x"),
-           Animal("spot, sleek", "spot.obj", "spot_sleek", front="-z"),
-           Animal("koala, white", "koala_low.obj", "koala_white"),
-           Animal("creature", recipe="creature"),
-           Animal("cat as a leopard", "cat.obj", look="leopard", front="-x", fur="&length=0.018&inclination=0.8")]
+GROUPS = {"animals": ANIMALS, "looks": LOOKS, "furs": FURS}
 
 
 class Frame:
@@ -76,14 +46,9 @@ class Frame:
         return Image.fromarray((255 * srgb.clip(0, 1) + .5).astype(numpy.uint8))
 
 
-def draw(scene, distance, size, quality):
-    info = scene.info()
-    low, high = numpy.array(info["bounds"]["min"]), numpy.array(info["bounds"]["max"])
-    target = (low + high) / 2
-    eye = target + DIRECTION / numpy.linalg.norm(DIRECTION) * distance * info["size"]
+def draw(scene, camera, size, quality):
     request = {"width": size, "height": size, "format": "exr", "exr_type": "float", "background": "transparent",
-               "quality": quality, "max_seconds": 900,
-               "camera": {"position": list(eye), "target": list(target), "up": [0, 1, 0], "fov_degrees": 35}}
+               "quality": quality, "max_seconds": 900, "camera": camera}
     answer = scene.post("frames", request, timeout=900)
     assert answer.status == 200, answer
     return Frame(answer)
@@ -126,42 +91,73 @@ def write_picture(path, cells, size):
     sheet.save(path, quality=86)
 
 
-def measure(server, animal, options):
-    """Prints a row for each tier and keeps the picture."""
-    scene = animal.on(server)
-    traced = {"method": "strands", "eye_steps": 16, "trace": {"passes": options.passes, "filter": False}}
-    truths = {name: draw(scene, distance, options.size, traced) for name, distance in DISTANCES.items()}
-    cells = [("R2", truths["whole"], None)]
-    for tier in TIERS:
-        frames = {name: draw(scene, distance, options.size, tier) for name, distance in DISTANCES.items()}
-        error, error_map = compare(truths["whole"], frames["whole"])
-        light, coverage = zip(*(ratios_of(frames[name], truths[name]) for name in DISTANCES))
-        print(f"| {animal.name} | {tier} | {error['flip']['mean']:.4f} | {silhouette_of(error)} | "
+def traced(passes):
+    return {"method": "strands", "eye_steps": 16, "trace": {"passes": passes, "filter": False}}
+
+
+class Table:
+    """Rows of tiers for one subject, seen from each distance, and the cells of its picture, which shows the last one."""
+
+    def __init__(self, subject, scene, options):
+        self.subject, self.size = subject, options.size
+        self.cameras = [subject.seen_from(scene, distance) for distance in options.distances]
+        self.truths = self.drawn(scene, traced(options.passes))
+        self.cells = [("R2", self.truths[-1], None)]
+
+    def drawn(self, scene, quality):
+        return [draw(scene, camera, self.size, quality) for camera in self.cameras]
+
+    def add(self, scene, tier, title):
+        frames = self.drawn(scene, tier)
+        error, error_map = compare(self.truths[-1], frames[-1])
+        light, coverage = zip(*map(ratios_of, frames, self.truths))
+        print(f"| {self.subject.name} | {title} | {error['flip']['mean']:.4f} | {silhouette_of(error)} | "
               f"{error['flip']['percentile_95']:.3f} | {three(light)} | {three(coverage)} |", flush=True)
-        cells.append((f"{tier}, {error['flip']['mean']:.3f} from R2", frames["whole"], error_map))
+        self.cells.append((f"{title}, {error['flip']['mean']:.3f} from R2", frames[-1], error_map))
+
+
+def measure(servers, subject, options):
+    """Prints a row for each tier of each server, and keeps the picture."""
+    scenes = {title: subject.on(server) for title, server in servers.items()}
+    table = Table(subject, scenes[""], options)
+    for title, scene in scenes.items():
+        for tier in TIERS if not title else options.beside_tiers:
+            table.add(scene, tier, title + tier)
     if options.pictures:
-        name = animal.name.replace(", ", "-").replace(" ", "-")
-        write_picture(pathlib.Path(options.pictures) / f"{name}.jpg", cells, options.size)
-    server.call("DELETE", scene.path)
+        name = subject.name.replace(", ", "-").replace(" ", "-")
+        write_picture(pathlib.Path(options.pictures) / f"{name}.jpg", table.cells, options.size)
+    for title, scene in scenes.items():
+        servers[title].call("DELETE", scene.path)
 
 
-def main():
+def options_of_line():
     parser = argparse.ArgumentParser()
     parser.add_argument("--size", type=int, default=224)
     parser.add_argument("--passes", type=int, default=32)
+    parser.add_argument("--group", choices=GROUPS, nargs="*", default=["animals"])
+    parser.add_argument("--distances", choices=DISTANCES, nargs="*", default=["near", "far", "whole"])
     parser.add_argument("--only", nargs="*", help="beginnings of names")
     parser.add_argument("--pictures", help="a folder")
-    options = parser.parse_args()
-    server = Server()
+    parser.add_argument("--beside", help="programs of another build, whose tiers are drawn too", type=pathlib.Path)
+    parser.add_argument("--beside-tiers", nargs="*", default=["interactive", "detailed"])
+    return parser.parse_args()
+
+
+def main():
+    options = options_of_line()
+    servers = {"": Server()}
+    if options.beside:
+        servers["old "] = Server(binaries=options.beside)
     try:
         print(f"{options.size} pixels, R2 of {options.passes} passes\n")
-        print("| animal | tier | FLIP | silhouette | 95% | light over R2, near whole far | coverage over R2 |")
+        print(f"| subject | tier | FLIP | silhouette | 95% | light over R2, {' '.join(options.distances)} | coverage over R2 |")
         print("|---|---|---|---|---|---|---|")
-        for animal in ANIMALS:
-            if not options.only or animal.name.startswith(tuple(options.only)):
-                measure(server, animal, options)
+        for subject in (subject for group in options.group for subject in GROUPS[group]):
+            if not options.only or subject.name.startswith(tuple(options.only)):
+                measure(servers, subject, options)
     finally:
-        server.close()
+        for server in servers.values():
+            server.close()
 
 
 if __name__ == "__main__":

@@ -17,12 +17,16 @@ class Raster(ServedTest):
         scene = self.server.new_scene("sphere", 2000)
         scene.run({"op": "set_ground", "ground": {"visible": False}})
         traced = {"method": "strands", "trace": {"passes": 32, "filter": False}}
-        truth = read_exr(scene.frame(**{**LIGHT, "quality": traced}).body)
-        for quality in (ALL, {"method": "raster"}, {"method": "raster", "scale": 2}):
-            drawn = read_exr(scene.frame(**{**LIGHT, "quality": quality}).body)
-            self.assertAlmostEqual(drawn["A"].sum() / truth["A"].sum(), 1, delta=0.03, msg=quality)
-            light = drawn["G"].sum() / truth["G"].sum()  # shadows are as coarse as the grid's cells
-            self.assertAlmostEqual(light, 1, delta=0.08, msg=quality)
+        view = {**LIGHT, "width": 240, "height": 180}
+        curls = {"curl": 0.12, "curl_turns": 8, "curl_together": 0.5, "clump": 0.5}
+        band = {"ramp": [{"at": at, "colour": [grey] * 3} for at, grey in ((0, 0.4), (0.7, 0.4), (0.75, 0.08), (1, 0.4))]}
+        for coat, apart in (({}, 0.08), (band, 0.08), (curls, 0.12)):  # shadows are as coarse as the grid's cells, those of curls guessed
+            scene.run({"op": "set_coat", "coat": coat})
+            truth = read_exr(scene.frame(**{**view, "quality": traced}).body)
+            for quality in (ALL, {"method": "raster"}, {"method": "raster", "scale": 2}):
+                drawn = read_exr(scene.frame(**{**view, "quality": quality}).body)
+                self.assertAlmostEqual(drawn["A"].sum() / truth["A"].sum(), 1, delta=0.03, msg=(coat, quality))
+                self.assertAlmostEqual(drawn["G"].sum() / truth["G"].sum(), 1, delta=apart, msg=(coat, quality))
 
     def test_the_layers_are_those_of_the_picture(self):
         scene = self.server.new_scene("sphere", 2000)

@@ -50,8 +50,9 @@ class Answer:
 
 
 class Server:
-    def __init__(self, *, gl="auto", threads=2, data=None, arguments=(), token=None):
+    def __init__(self, *, gl="auto", threads=2, data=None, arguments=(), token=None, binaries=BIN):
         self.gl, self.threads, self.arguments, self.token = gl, threads, list(arguments), token
+        self.binaries = binaries
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="pelage-test-"))
         self.data = pathlib.Path(data) if data else self.folder / "data"
         self.process = None
@@ -64,7 +65,7 @@ class Server:
     def start(self):
         port_file = self.folder / "port"
         port_file.unlink(missing_ok=True)
-        command = [BIN / "pelaged", "--listen", "127.0.0.1:0", "--port-file", port_file, "--data", self.data,
+        command = [self.binaries / "pelaged", "--listen", "127.0.0.1:0", "--port-file", port_file, "--data", self.data,
                    "--gl", self.gl, "--threads", str(self.threads), *self.arguments]
         if self.token:
             command += ["--token", self.token]
