@@ -9,7 +9,7 @@ import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "end_to_end"))
-from support.server import BIN, shared_folder  # noqa: E402
+from support.server import shared_folder  # noqa: E402
 
 DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # sizes from the middle of the box
 DIRECTION = numpy.array([0.5, 0.22, 0.84])
@@ -34,7 +34,7 @@ class Subject:
             assert answer.status == 200, answer
         if self.recipe:
             recipe = ROOT / "clients" / "recipes" / f"{self.recipe}.json"
-            subprocess.run([BIN / "pelage", "--server", server.address, "run", scene.id, recipe], check=True,
+            subprocess.run([server.binaries / "pelage", "--server", server.address, "run", scene.id, recipe], check=True,
                            stdout=subprocess.DEVNULL)
         if self.look:
             look = ROOT / "clients" / "looks" / f"{self.look}.json"

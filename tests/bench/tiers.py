@@ -5,6 +5,7 @@ sum of alpha, both over those of R2; errors and pictures are of the last distanc
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--group animals looks furs] [--only NAME...]
            [--size 224] [--passes 32] [--distances near far whole]
            [--pictures FOLDER]                    a JPEG for each: R2 and the tiers, with error maps below
+           [--sheet FILE]                         a JPEG of all of them: a row for each, cut to what is seen
            [--beside BIN] [--beside-tiers ...]    another build draws the same scenes
 """
 import argparse
@@ -91,6 +92,30 @@ def write_picture(path, cells, size):
     sheet.save(path, quality=86)
 
 
+def cut_to_fur(cells):
+    """Of pictures in a row the part that shows something in the first, with a margin."""
+    alpha = cells[0][1].alpha
+    seen = numpy.argwhere(alpha > 0.02)
+    top, left = numpy.maximum(seen.min(axis=0) - 8, 0) if len(seen) else (0, 0)
+    bottom, right = numpy.minimum(seen.max(axis=0) + 9, alpha.shape) if len(seen) else alpha.shape
+    return [(title, frame.shown().crop((left, top, right, bottom))) for title, frame, _ in cells]
+
+
+def write_sheet(path, rows):
+    """One row below the other, their words over each picture."""
+    words, gap = 16, 6
+    heights = [row[0][1].height + words + gap for row in rows]
+    sheet = Image.new("RGB", (max(sum(picture.width + gap for _, picture in row) for row in rows), sum(heights)), "#faf8f4")
+    pen = ImageDraw.Draw(sheet)
+    for row, y in zip(rows, numpy.cumsum([0, *heights])):
+        x = 0
+        for title, picture in row:
+            pen.text((x + 3, y + 2), title, fill="#333")
+            sheet.paste(picture, (x, int(y) + words))
+            x += picture.width + gap
+    sheet.save(path, quality=82)
+
+
 def traced(passes):
     return {"method": "strands", "eye_steps": 16, "trace": {"passes": passes, "filter": False}}
 
@@ -117,7 +142,7 @@ class Table:
 
 
 def measure(servers, subject, options):
-    """Prints a row for each tier of each server, and keeps the picture."""
+    """Prints a row for each tier of each server, and keeps the picture. Gives its row of a sheet."""
     scenes = {title: subject.on(server) for title, server in servers.items()}
     table = Table(subject, scenes[""], options)
     for title, scene in scenes.items():
@@ -128,6 +153,8 @@ def measure(servers, subject, options):
         write_picture(pathlib.Path(options.pictures) / f"{name}.jpg", table.cells, options.size)
     for title, scene in scenes.items():
         servers[title].call("DELETE", scene.path)
+    first, *rest = table.cells
+    return cut_to_fur([(f"{subject.name}, R2", *first[1:]), *rest])
 
 
 def options_of_line():
@@ -138,6 +165,7 @@ def options_of_line():
     parser.add_argument("--distances", choices=DISTANCES, nargs="*", default=["near", "far", "whole"])
     parser.add_argument("--only", nargs="*", help="beginnings of names")
     parser.add_argument("--pictures", help="a folder")
+    parser.add_argument("--sheet", help="a file")
     parser.add_argument("--beside", help="programs of another build, whose tiers are drawn too", type=pathlib.Path)
     parser.add_argument("--beside-tiers", nargs="*", default=["interactive", "detailed"])
     return parser.parse_args()
@@ -152,9 +180,11 @@ def main():
         print(f"{options.size} pixels, R2 of {options.passes} passes\n")
         print(f"| subject | tier | FLIP | silhouette | 95% | light over R2, {' '.join(options.distances)} | coverage over R2 |")
         print("|---|---|---|---|---|---|---|")
-        for subject in (subject for group in options.group for subject in GROUPS[group]):
-            if not options.only or subject.name.startswith(tuple(options.only)):
-                measure(servers, subject, options)
+        subjects = [subject for group in options.group for subject in GROUPS[group]]
+        rows = [measure(servers, subject, options) for subject in subjects
+                if not options.only or subject.name.startswith(tuple(options.only))]
+        if options.sheet:
+            write_sheet(options.sheet, rows)
     finally:
         for server in servers.values():
             server.close()
