@@ -149,13 +149,14 @@ HWY_INLINE float apart(const PlacedKnot& a, const PlacedKnot& b) {
 }
 
 /// Turns of a curl that are too small to be drawn cover as much when what is drawn of them is wider, up to the curl's
-/// own width: about one `step` between its knots to each side.
+/// own width: about one `step` between its knots to each side, and a pixel.
 HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float step) {
   float drawn = 0;
   for (std::size_t k = 1; k < knots.size(); ++k) drawn += apart(knots[k], knots[k - 1]);
   const float more = way / std::max(drawn, 1e-3f);
   if (more < 1.1f) return;
-  for (PlacedKnot& knot : knots) knot.half_width = std::min(knot.half_width * more, knot.half_width + step);
+  for (PlacedKnot& knot : knots)
+    knot.half_width = std::min(knot.half_width * more, knot.half_width + std::min(step, 1.0f));
 }
 
 /// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
@@ -172,12 +173,15 @@ struct KeptLane {
   float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
 };
 
+/// Of the skin, that strands fill: more is as much, so that they stay within drawn_edge.
+inline constexpr float most_packed = 0.5f;
+
 /// Strands do not stand in each other. So the thicker they are for their distance the less an eye sees past them: what
 /// is too thin to be seen by itself covers more than if it stood anywhere.
 HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
   const float alone = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);
-  return knot.half_width / (1 - std::min(kept.packing * over * over * alone, 0.6f));
+  return knot.half_width / (1 - alone * std::min(most_packed, kept.packing * over * over));
 }
 
 /// Appends the knots of a lane that are more than a few pixels apart; deep ones are wider, but not so wide that they
@@ -195,11 +199,11 @@ HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int se
   for (int i = 0; i <= count; ++i, ++knot, ++along) {
     const int k = kept.first + static_cast<int>(static_cast<float>(i) * step + 0.01f);
     knot->x = knots.x[k][kept.lane], knot->y = knots.y[k][kept.lane], knot->inverse = knots.inverse[k][kept.lane];
-    knot->half_width = knots.half_width[k][kept.lane];
-    knot->half_width = packed_half(kept, *knot);
+    const float thin = knot->half_width = knots.half_width[k][kept.lane];
+    const float packed = knot->half_width = packed_half(kept, *knot);
     *along = static_cast<float>(k) * over;
     const float above = kept.reach * (1 - *along);  // pixels
-    if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, knot->half_width, deep_of * knot->half_width);
+    if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, packed, std::max(packed, deep_of * thin));
   }
   round_tip(placed.knots.back(), placed.knots[placed.knots.size() - 2], kept.wider);
   widen_for_curls(std::span(placed.knots).subspan(at), kept.way * static_cast<float>(rest) * over, kept.way * over);
