@@ -96,10 +96,11 @@ class Wind(ServedTest):
         def moved(*commands):
             scene = self.scene(BREEZE, *commands)
             first, later = (scene.frame(**SIZE, time=time).image.astype(float) for time in (2, 4.5))
-            return numpy.abs(first - later).mean()
+            blocks = (first - later).reshape(24, 4, 24, 4, -1).mean(axis=(1, 3))  # strands that pass a pixel tell no distance
+            return numpy.abs(blocks).mean()
 
         paint = {"op": "paint", "flood": True, "field": "stiffness", "brush": {"strength": 1}}
-        self.assertLess(moved({**paint, "value": 4}), 0.6 * moved())
+        self.assertLess(moved({**paint, "value": 4}), 0.5 * moved())
         self.assertNotEqual(moved({**paint, "value": 0}), moved())
 
     def test_an_open_shutter_blurs_what_moves(self):
