@@ -174,14 +174,14 @@ struct KeptLane {
 };
 
 /// Of the skin, that strands fill: more is as much, so that they stay within drawn_edge.
-inline constexpr float most_packed = 0.5f;
+inline constexpr float max_packed = 0.5f;
 
 /// Strands do not stand in each other. So the thicker they are for their distance the less an eye sees past them: what
 /// is too thin to be seen by itself covers more than if it stood anywhere.
 HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
   const float alone = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);
-  return knot.half_width / (1 - alone * std::min(most_packed, kept.packing * over * over));
+  return knot.half_width / (1 - alone * std::min(max_packed, kept.packing * over * over));
 }
 
 /// Appends the knots of a lane that are more than a few pixels apart; deep ones are wider, but not so wide that they
