@@ -161,7 +161,8 @@ HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float st
 
 /// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
 HWY_INLINE void round_tip(PlacedKnot& tip, const PlacedKnot& before, float wider) {
-  const float more = 0.785f * tip.half_width / (wider * std::max(apart(tip, before), 1e-3f));
+  constexpr float half_disc = 0.785f;  // its area over that of a strip as wide and half as long
+  const float more = half_disc * tip.half_width / (wider * std::max(apart(tip, before), 1e-3f));
   tip.x += more * (tip.x - before.x), tip.y += more * (tip.y - before.y);
 }
 
@@ -180,8 +181,8 @@ inline constexpr float max_packed = 0.5f;
 /// is too thin to be seen by itself covers more than if it stood anywhere.
 HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
-  const float alone = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);
-  return knot.half_width / (1 - alone * std::min(max_packed, kept.packing * over * over));
+  const float unresolved = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);
+  return knot.half_width / (1 - unresolved * std::min(max_packed, kept.packing * over * over));
 }
 
 /// Appends the knots of a lane that are more than a few pixels apart; deep ones are wider, but not so wide that they

@@ -30,9 +30,9 @@ struct GrownPart {
   double area = 0;                           // of the skin that they stand on, sizes^2
   float crowding = 1;                        // strands over those of the whole coat on that area; 0 for curves
   float wider = 1;                           // than those of the whole coat, where a share of it was grown
-  float packing = 0;                         // share of the skin under one strand of the coat, over its radius squared
-  std::uint64_t state = 0;                   // the same while the strands are
-  std::uint64_t skin = 0;                    // the same while the looks of its skin are
+  float packing = 0;        // share of the skin that strands of the whole coat fill, over their radius^2
+  std::uint64_t state = 0;  // the same while the strands are
+  std::uint64_t skin = 0;   // the same while the looks of its skin are
 };
 
 class GrownFur {

@@ -17,10 +17,12 @@ class Raster(ServedTest):
         scene = self.server.new_scene("sphere", 2000)
         scene.run({"op": "set_ground", "ground": {"visible": False}})
         traced = {"method": "strands", "trace": {"passes": 32, "filter": False}}
-        view = {**LIGHT, "width": 240, "height": 180}
         curls = {"curl": 0.12, "curl_turns": 8, "curl_together": 0.5, "clump": 0.5}
         band = {"ramp": [{"at": at, "colour": [grey] * 3} for at, grey in ((0, 0.4), (0.7, 0.4), (0.75, 0.08), (1, 0.4))]}
-        for coat, apart in (({}, 0.08), (band, 0.08), (curls, 0.12)):  # shadows are as coarse as the grid's cells, those of curls guessed
+        larger = {"width": 240, "height": 180}  # curls at the silhouette are wide beside pixels of the smaller one
+        # Shadows are as coarse as the grid's cells, those of curls guessed.
+        for coat, size, apart in (({}, {}, 0.08), (band, {}, 0.08), (curls, larger, 0.12)):
+            view = {**LIGHT, **size}
             scene.run({"op": "set_coat", "coat": coat})
             truth = read_exr(scene.frame(**{**view, "quality": traced}).body)
             for quality in (ALL, {"method": "raster"}, {"method": "raster", "scale": 2}):
