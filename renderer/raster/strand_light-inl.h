@@ -323,6 +323,8 @@ struct LightAlong {
   }
 };
 
+inline constexpr float max_half = 65504;
+
 /// To the knots that are drawn of a strand, which lie `along` it.
 template <bool by_colour>
 HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const float> along, PlacedKnot* knots) {
@@ -339,8 +341,8 @@ HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const floa
     const Colour more_after = is_last ? more_before : light.left_out(knot, sent, next, at_next);
     if (k == 0) more_before = more_after;
     const Colour whole = hn::MulAdd(hn::Add(more_before, more_after), hn::Set(light.tag, 0.5f), sent);
-    const Colour shown = by_colour ? hn::Max(whole, hn::Zero(light.tag)) : whole;
-    hn::StoreU(hn::DemoteTo(halves, hn::Min(shown, hn::Set(light.tag, 65504.0f))), halves,
+    const Colour shown = hn::Clamp(whole, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
+    hn::StoreU(hn::DemoteTo(halves, shown), halves,
                reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
     knot = next, sent = at_next, more_before = more_after;
   }

@@ -27,14 +27,16 @@ bool same_bits(const Layers& a, const Layers& b) {
   return a.size() == b.size();
 }
 
+/// A limit that members pass together, each within its own.
+bool names_what_is_wrong(const Status& refusal) { return !refusal.pointer.empty() && !refusal.limit.empty(); }
+
 /// A request, or nothing where members of it do not go together.
 std::optional<FrameRequest> request_or_refusal(const std::string& frame) {
   Row row;
   row.frame = frame;
   const Result<FrameRequest> request = request_of(row);
   if (request) return *request;
-  RC_ASSERT(!request.status().pointer.empty());
-  RC_ASSERT(!request.status().limit.empty());
+  RC_ASSERT(names_what_is_wrong(request.status()));
   return std::nullopt;
 }
 
@@ -56,7 +58,11 @@ class Worker {
     const std::string tracing = any_tracing(), other = any_frame();
     RC_LOG() << trail << "\n" << tracing << "\n" << other << "\n";
     const Result<std::shared_ptr<Scene>> scene = scene_of(row, store_);
-    if (!scene) RC_FAIL(scene.status().message + " " + scene.status().pointer + "\n");
+    if (!scene) {
+      if (!names_what_is_wrong(scene.status())) RC_FAIL(scene.status().message + "\n");
+      for (const SceneSummary& left : store_.list()) RC_ASSERT(store_.remove(left.id).ok());
+      return;
+    }
     look_at(**scene, row.frame, tracing, other);
     renderer_.forget((*scene)->model()->id);
     RC_ASSERT(store_.remove((*scene)->id()).ok());
