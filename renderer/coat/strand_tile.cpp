@@ -181,6 +181,11 @@ glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q) {
   return offset;
 }
 
+double winding(const Coat& coat) {
+  const double around = turn * coat.curl * coat.curl_turns, aside = 4 * coat.wave * coat.wave_turns;
+  return std::hypot(1.0, around, aside);
+}
+
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
   const double rise = q * std::sqrt(q);
   // Wet strands meet early and then go on together.

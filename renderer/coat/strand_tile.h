@@ -102,6 +102,9 @@ glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q);
 /// Whether both coats give the same strands: patterns, variation and the lean do not count.
 bool same_strands(const Coat& a, const Coat& b);
 
+/// The way along a strand over its length as curls and waves wind it, 1 or more; not painted ones.
+double winding(const Coat& coat);
+
 // What water does to a coat beside gathering its clumps. Each factor is 1 for a dry coat.
 
 /// Factor on a fibre's absorption, 1 to 1.8: light that water keeps inside crosses more pigment. A colour c is then

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "renderer/coat/strand_tile.h"
 #include "renderer/finish/resize.h"
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
@@ -42,8 +43,6 @@ double whole_coats_of(const FurModel& model) {
   return expected_strands(model, coat);
 }
 
-RasterQuality quality_of(const Knobs& knobs) { return {knobs.raster.strands, knobs.raster.light_of}; }
-
 /// The frame as it is drawn, before its light is resized.
 FurFrame scaled(const FurFrame& frame) {
   const auto pixels = [&](int asked) { return std::max(1, static_cast<int>(std::lround(asked * frame.knobs.scale))); };
@@ -66,12 +65,12 @@ constexpr double thin_share = 0.25;
 /// Whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
 bool keeps_thin_share(const FurFrame& frame) {
   constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
-  const RasterQuality quality = quality_of(frame.knobs);
+  const RasterQuality quality = quality_of(frame.knobs, winding(frame.coat));
   const double distance = -double{glm::dot(frame.camera.position, frame.camera.forward)};
   const double pixel = 2 * distance * double{frame.camera.tan_half_fov} / frame.height;
   const double on_a_pixel = frame.coat.count / (frame.coat.tile * frame.coat.tile) * pixel * pixel;
-  const double kept = std::max(quality.strands_a_pixel / on_a_pixel, frame.coat.width_root / pixel / quality.widest());
-  return quality.strands_a_pixel <= of_draft && distance > outside && kept <= thin_share;
+  return quality.strands_a_pixel <= of_draft && distance > outside &&
+         quality.kept_share(on_a_pixel, frame.coat.width_root / pixel) <= thin_share;
 }
 
 /// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
@@ -207,8 +206,8 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
 }
 
 RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const {
-  RasterScene scene =
-      standing.raster->scene_of(standing.copy.model(), standing.fur, frame, quality_of(frame.knobs), wanted.shown);
+  RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
+                                                quality_of(frame.knobs, winding(frame.coat)), wanted.shown);
   scene.field = wanted.field, scene.drawn = wanted.tiles;
   return scene;
 }

@@ -101,8 +101,9 @@ HWY_INLINE hn::Vec<Tag> load_every_fourth(Tag tag, const std::int32_t* from, con
 HWY_INLINE Quad gather_quad(const std::int32_t* from, Int index) {
   HWY_ALIGN std::int32_t at[lane_count];
   hn::Store(index, int_tag, at);
-  Int row[4];  // of each block of four lanes the words of one lane
-  for (int k = 0; k < 4; ++k) row[k] = load_every_fourth(int_tag, from, at + k);
+  // Of each block of four lanes the words of one lane. Written out: a loop stays one, and goes through memory.
+  const Int row[4] = {load_every_fourth(int_tag, from, at), load_every_fourth(int_tag, from, at + 1),
+                      load_every_fourth(int_tag, from, at + 2), load_every_fourth(int_tag, from, at + 3)};
   const hn::Repartition<std::int64_t, IntTag> pair_tag;
   const auto low = [&](Int a, Int b) HWY_ATTR { return hn::BitCast(pair_tag, hn::InterleaveLower(int_tag, a, b)); };
   const auto high = [&](Int a, Int b) HWY_ATTR { return hn::BitCast(pair_tag, hn::InterleaveUpper(int_tag, a, b)); };

@@ -8,9 +8,6 @@
 
 namespace pelage {
 
-/// Three numbers in [0, 1) for a cell: PCG3D (Jarzynski, Olano 2020).
-glm::vec3 random_of_cell(glm::ivec3 cell, std::uint32_t stream, std::uint32_t seed);
-
 /// Gradient noise (Perlin 2002) of one swell per unit: mean 0, standard deviation .19, seldom beyond +-.6.
 float gradient_noise(glm::vec3 place, std::uint32_t stream, std::uint32_t seed);
 

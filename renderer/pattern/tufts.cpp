@@ -1,10 +1,11 @@
 #include "renderer/pattern/tufts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
-#include "renderer/pattern/pattern.h"
+#include "renderer/pattern/cells.h"
 
 namespace pelage {
 
@@ -13,26 +14,44 @@ namespace {
 constexpr std::uint32_t tuft_stream = 31;
 constexpr float finer = 0.45f, max_gathered = 0.6f;
 
+constexpr std::size_t beside = 27, looked_at = 28;  // cells about a place, and as many as make whole vectors
+
+/// From the cell of a place, along one axis: -1, 0 or 1.
+constexpr std::array<std::int8_t, looked_at> steps_along(int axis) {
+  std::array<std::int8_t, looked_at> steps{};
+  constexpr std::array<int, 3> every{1, 3, 9};
+  for (std::size_t k = 0; k < beside; ++k)
+    steps[k] = static_cast<std::int8_t>(static_cast<int>(k) / every[static_cast<std::size_t>(axis)] % 3 - 1);
+  return steps;
+}
+constexpr std::array steps{steps_along(0), steps_along(1), steps_along(2)};
+
 /// One scale, in units of its cells. What lies off the surface counts as three times as far.
 TuftPlace nearest_tuft(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
-  const glm::ivec3 cell(glm::floor(place));
-  float first = std::numeric_limits<float>::max(), second = first;
-  TuftPlace tuft;
-  for (int k = 0; k < 27; ++k) {
-    const glm::ivec3 at = cell + glm::ivec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const glm::vec3 apart = glm::vec3(at) + random_of_cell(at, stream, seed) - place;
-    const float off = glm::dot(apart, normal);
-    const glm::vec3 along = apart - off * normal;
-    const float distance = std::sqrt(glm::dot(along, along) + 9 * off * off);
-    if (distance < first) {
-      second = first, first = distance;
-      tuft.to_middle = along;
-    } else {
-      second = std::min(second, distance);
-    }
+  const glm::vec3 low = glm::floor(place), inside = place - low;
+  const glm::uvec3 cell(static_cast<glm::ivec3>(low));
+  Cells<looked_at> cells;
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    cells.x[k] = cell.x + static_cast<std::uint32_t>(steps[0][k]);
+    cells.y[k] = cell.y + static_cast<std::uint32_t>(steps[1][k]);
+    cells.z[k] = cell.z + static_cast<std::uint32_t>(steps[2][k]);
   }
-  tuft.inside = (second - first) / std::max(second + first, 1e-6f);
-  return tuft;
+  CellNumbers<looked_at> to = numbers_of(cells, stream, seed);
+  std::array<float, looked_at> squared;
+  for (std::size_t k = 0; k < looked_at; ++k) {
+    const float x = to.x[k] += steps[0][k] - inside.x, y = to.y[k] += steps[1][k] - inside.y;
+    const float z = to.z[k] += steps[2][k] - inside.z, off = x * normal.x + y * normal.y + z * normal.z;
+    squared[k] = x * x + y * y + z * z + 8 * off * off;
+  }
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < beside; ++k)
+    if (squared[k] < squared[nearest]) nearest = k;
+  float next = std::numeric_limits<float>::max();
+  for (std::size_t k = 0; k < beside; ++k)
+    if (k != nearest) next = std::min(next, squared[k]);
+  const float first = std::sqrt(squared[nearest]), second = std::sqrt(next);
+  const glm::vec3 apart(to.x[nearest], to.y[nearest], to.z[nearest]);
+  return {apart - glm::dot(apart, normal) * normal, (second - first) / std::max(second + first, 1e-6f)};
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
   constexpr double million = 1e6, hundred_thousand = 1e5;
   constexpr double aslant = 1.3;  // strands that stand on a pixel of what is seen, over those of one seen from above
   const double pixels = view.pixels * knobs.scale * knobs.scale;
-  const double widest = RasterQuality{knobs.raster.strands}.widest();
-  const double wanted = aslant * knobs.raster.strands * view.area * knobs.scale * knobs.scale;
-  const double kept = std::min(view.strands, std::max(wanted, view.strands * view.width_pixels * knobs.scale / widest));
+  const double on_a_pixel = view.strands / std::max(aslant * view.area * knobs.scale * knobs.scale, 1e-12);
+  const double kept =
+      view.strands * quality_of(knobs, view.winding).kept_share(on_a_pixel, view.width_pixels * knobs.scale);
   return {1,
           pixels / million,
           view.strands / hundred_thousand,
           kept / hundred_thousand,
           kept * view.lights / (knobs.raster.light_of * hundred_thousand),
-          kept * view.fur_pixels * knobs.scale / million,
+          kept * view.winding * view.fur_pixels * knobs.scale / million,
           view.area * knobs.scale * knobs.scale / hundred_thousand};
 }
 

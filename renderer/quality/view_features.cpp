@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/coat/strand_tile.h"
+
 namespace pelage {
 
 namespace {
@@ -85,6 +87,7 @@ ViewFeatures Looker::features(double times) const {
   view.lights = static_cast<double>(frame_.lights.size());
   const Coat& coat = frame_.coat;
   view.width_pixels = area_ > 0 ? std::min(coat.width_root * sizes_ / area_, max_fur) : 0;
+  view.winding = winding(coat);
   view.strands = seen_skin_ * times * coat.count / (coat.tile * coat.tile);
   return view;
 }

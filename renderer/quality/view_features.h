@@ -24,6 +24,7 @@ struct ViewFeatures {
   double lights = 0;
   double strands = 0;       // of the coat, that stand on the skin of `area`
   double width_pixels = 0;  // of a strand at its root where it is seen
+  double winding = 1;       // of its strands (strand_tile.h)
 };
 
 /// At most some ten thousand triangles are looked at, evenly through the list. Deterministic.

@@ -101,7 +101,8 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, 
   const Real covered = clamp(drawn - off + 0.5f, 0.0f, 1.0f) - clamp(0.5f - drawn - off, 0.0f, 1.0f);
   const Real within = clamp(mul_add(along, s.sharpness, 0.5f), 0.0f, 1.0f) -
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
-  const Real alpha = min(covered * within * (half / max(drawn, 1e-6f)), 1.0f);
+  static_assert(min_half == 1);  // so that half over drawn is this:
+  const Real alpha = min(covered * within * min(half, 1.0f), 1.0f);
   const Real through = load(sums.through + at);
   const Real inverse = mul_add(share, s.more_inverse, s.inverse);
   const Mask in_front = inverse > load(sums.behind + at);

@@ -32,8 +32,7 @@ double kept_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
   const double pixel = pixel_at(scene, part);
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
-  const double share = scene.quality.strands_a_pixel / std::max(on_a_pixel, 1e-12);
-  return std::min(std::max(share, width_at(part, pixel) / scene.quality.widest()), 1.0);
+  return scene.quality.kept_share(on_a_pixel, width_at(part, pixel));
 }
 
 /// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it

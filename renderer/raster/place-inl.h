@@ -207,7 +207,8 @@ HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int se
     if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, packed, std::max(packed, deep_of * thin));
   }
   round_tip(placed.knots.back(), placed.knots[placed.knots.size() - 2], kept.wider);
-  widen_for_curls(std::span(placed.knots).subspan(at), kept.way * static_cast<float>(rest) * over, kept.way * over);
+  if (count < rest)
+    widen_for_curls(std::span(placed.knots).subspan(at), kept.way * static_cast<float>(rest) * over, kept.way * over);
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }
 

@@ -276,10 +276,10 @@ using Colour = hn::Vec<ColourTag>;
 HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   const ColourTag tag;
   const hn::RebindToSigned<ColourTag> words;
-  HWY_ALIGN const std::int32_t channels[4] = {static_cast<std::int32_t>(packed & 1023),
-                                              static_cast<std::int32_t>(packed >> 10 & 1023),
-                                              static_cast<std::int32_t>(packed >> 20 & 1023), 0};
-  const Colour share = hn::Mul(hn::ConvertTo(tag, hn::Load(words, channels)), hn::Set(tag, 2.0f / 1023));
+  HWY_ALIGN constexpr std::int32_t of_channel[4] = {1023, 1023 << 10, 1023 << 20, 0};
+  HWY_ALIGN constexpr float over_largest[4] = {2.0f / 1023, 2.0f / (1023 << 10), 2.0f / (1023 << 20), 0};
+  const auto bits = hn::And(hn::Set(words, static_cast<std::int32_t>(packed)), hn::Load(words, of_channel));
+  const Colour share = hn::Mul(hn::ConvertTo(tag, bits), hn::Load(tag, over_largest));
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
@@ -342,8 +342,7 @@ HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const floa
     if (k == 0) more_before = more_after;
     const Colour whole = hn::MulAdd(hn::Add(more_before, more_after), hn::Set(light.tag, 0.5f), sent);
     const Colour shown = hn::Clamp(whole, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
-    hn::StoreU(hn::DemoteTo(halves, shown), halves,
-               reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
+    hn::StoreU(hn::DemoteTo(halves, shown), halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
     knot = next, sent = at_next, more_before = more_after;
   }
 }

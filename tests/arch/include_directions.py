@@ -69,7 +69,7 @@ ALLOWED = {
     "renderer/picture_files/library": ["protocol/base", "renderer/image", "renderer/picture_files"],
     "renderer/light": ["protocol/base", "protocol/commands"],
     "renderer/compare": ["protocol/base", "protocol/commands", "renderer/image"],
-    "renderer/quality": ["protocol/base", "protocol/commands", "renderer/input"],
+    "renderer/quality": ["protocol/base", "protocol/commands", "renderer/coat", "renderer/input"],
     "renderer/optics": ["protocol/base", "renderer/eye", "renderer/input", "renderer/shaders", "renderer/shading", "renderer/pattern", "renderer/upload"],
     "renderer/finish": ["protocol/base", "protocol/commands", "renderer/image", "renderer/input", "renderer/optics"],
     "renderer/gl": ["protocol/base", "renderer/gl"],

@@ -48,6 +48,17 @@ TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
   }
 }
 
+// Where one knot is in the light and the next is not, what lies between takes or gives more than half floats hold.
+TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
+  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
+  for (const double intensity : {1e-8, 1.0, 1e8}) {
+    for (Light& light : model.settings.lights) light.intensity = intensity;
+    const auto images = aovs_of(model, small_frame(), {Aov::beauty, Aov::direct, Aov::shadow});
+    for (const FloatImage& image : images)
+      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0) << intensity;
+  }
+}
+
 TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
   FurredModel model = furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0});
   model.settings.coat.bend = 0;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -44,6 +45,28 @@ TEST(Forms, StraightStrandsAreStraight) {
   for (const Strand& strand : make_strands(plain())) {
     EXPECT_LT(glm::length(tip(plain(), strand)), 1e-12);
     EXPECT_EQ(strand.length_share, 1);
+  }
+}
+
+/// The way along a strand that rises by nominal_length, over that.
+double way_along(const Coat& coat, const Strand& strand) {
+  constexpr int steps = 2000;
+  double way = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const glm::dvec2 here = strand_offset(coat, strand, static_cast<double>(i) / steps),
+                     before = strand_offset(coat, strand, static_cast<double>(i - 1) / steps);
+    way += std::hypot(glm::distance(here, before) / nominal_length, 1.0 / steps);
+  }
+  return way;
+}
+
+TEST(Forms, WindingIsTheWayAlongAStrand) {
+  EXPECT_EQ(winding(plain()), 1);
+  for (const auto& [curl, wave, turns] : {std::array{0.02, 0.0, 3.0}, {0.12, 0.0, 8.0}, {0.0, 0.1, 4.0}}) {
+    Coat coat = plain();
+    coat.count = 100, coat.curl = curl, coat.wave = wave, coat.curl_turns = coat.wave_turns = turns;
+    const double mean = mean_of(coat, [&](const Strand& strand) { return way_along(coat, strand); });
+    EXPECT_NEAR(winding(coat) / mean, 1, 0.15) << curl << ' ' << wave;  // they grow out of the lowest quarter
   }
 }
 

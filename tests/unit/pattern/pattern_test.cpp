@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "protocol/base/random.h"
+#include "renderer/pattern/cells.h"
 
 namespace pelage {
 namespace {
@@ -82,9 +83,13 @@ TEST(Noise, IsContinuousAcrossCells) {
 }
 
 TEST(Noise, StreamsAndSeedsDiffer) {
-  EXPECT_NE(random_of_cell({1, 2, 3}, 0, 1), random_of_cell({1, 2, 3}, 1, 1));
-  EXPECT_NE(random_of_cell({1, 2, 3}, 0, 1), random_of_cell({1, 2, 3}, 0, 2));
-  EXPECT_NE(random_of_cell({1, 2, 3}, 0, 1), random_of_cell({-1, 2, 3}, 0, 1));
+  const auto x = [](glm::ivec3 cell, std::uint32_t stream, std::uint32_t seed) {
+    return numbers_of(corner_cells(cell), stream, seed).x;
+  };
+  EXPECT_NE(x({1, 2, 3}, 0, 1), x({1, 2, 3}, 1, 1));
+  EXPECT_NE(x({1, 2, 3}, 0, 1), x({1, 2, 3}, 0, 2));
+  EXPECT_NE(x({1, 2, 3}, 0, 1), x({-1, 2, 3}, 0, 1));
+  EXPECT_EQ(x({1, 2, 3}, 0, 1)[1], x({2, 2, 3}, 0, 1)[0]);  // the same cell
 }
 
 TEST(Pattern, NoneIsTheBaseItself) {

@@ -45,6 +45,18 @@ TEST(Cull, StrandsThatAreLeftStandForAll) {
   EXPECT_LT(static_cast<double>(field.kept(0.05).ids.size()), count / 2);
 }
 
+TEST(Cull, StrandsCountByWhatTheyCover) {
+  Knobs knobs;
+  knobs.raster = {.strands = 1.5, .light_of = 4};
+  EXPECT_EQ(quality_of(knobs, 1).strands_a_pixel, 1.5);
+  EXPECT_EQ(quality_of(knobs, 4).strands_a_pixel, 0.75);
+  const RasterQuality quality = quality_of(knobs, 1);
+  EXPECT_DOUBLE_EQ(quality.kept_share(6, 0.1), 0.25);
+  EXPECT_DOUBLE_EQ(quality.kept_share(6, 1), 1 / 1.5);  // none is wider than that
+  EXPECT_EQ(quality.kept_share(0.5, 0), 1);
+  EXPECT_EQ(quality.kept_share(0, 0), 1);
+}
+
 // Else a stroke would change strands that it does not touch, and that are not drawn again.
 TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
   Field field;
