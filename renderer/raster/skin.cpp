@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "protocol/base/parallel.h"
 #include "renderer/raster/kernels.h"
@@ -26,51 +28,82 @@ glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 place) {
           glm::dot(apart, glm::dvec3(camera.forward))};
 }
 
-FlatTriangle flat(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece) {
-  FlatTriangle triangle;
-  for (int i = 0; i < 3; ++i) {
-    const glm::dvec3& corner = corners[static_cast<std::size_t>(i)];
-    const double inverse = 1 / corner.z, scale = inverse * double{camera.scale};
-    triangle.at[static_cast<std::size_t>(i)] = {camera.middle.x + corner.x * scale, camera.middle.y - corner.y * scale};
-    triangle.inverse[i] = inverse;
-  }
-  triangle.piece = piece;
-  return triangle;
+/// A place on the picture, and one over its distance.
+struct FlatCorner {
+  glm::dvec2 at{0};
+  double inverse = 0;  // 0 for what is too near to be drawn
+};
+
+FlatCorner flat(const PictureCamera& camera, const glm::dvec3& corner) {
+  if (corner.z < double{near_distance}) return {};
+  const double inverse = 1 / corner.z, scale = inverse * double{camera.scale};
+  return {{camera.middle.x + corner.x * scale, camera.middle.y - corner.y * scale}, inverse};
 }
 
-/// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): up to two.
-void add_clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
-                 std::vector<FlatTriangle>& triangles) {
+FlatTriangle triangle_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c, std::uint32_t piece) {
+  return {{a.at, b.at, c.at}, {a.inverse, b.inverse, c.inverse}, piece};
+}
+
+/// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): up to two. Gives how many.
+std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
+                    std::array<FlatTriangle, 2>& triangles) {
   constexpr double least = near_distance;
   std::array<glm::dvec3, 4> kept;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];
     if (a.z >= least) kept[count++] = a;
-    if ((a.z >= least) != (b.z >= least)) kept[count++] = a + (b - a) * ((least - a.z) / (b.z - a.z));
-  }
-  for (std::size_t i = 2; i < count; ++i) triangles.push_back(flat(camera, {kept[0], kept[i - 1], kept[i]}, piece));
-}
-
-/// Each triangle of the surface once; pieces of several patches are alike.
-std::vector<FlatTriangle> flat_triangles(const RasterScene& scene, const PixelBox& box) {
-  const FurModel& model = *scene.model;
-  std::vector<FlatTriangle> triangles;
-  for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
-    const glm::uvec3 t = model.triangles[i];
-    const std::array corners{in_camera(scene.camera, model.positions[t.x]),
-                             in_camera(scene.camera, model.positions[t.y]),
-                             in_camera(scene.camera, model.positions[t.z])};
-    const std::size_t before = triangles.size();
-    add_clipped(scene.camera, corners, i, triangles);
-    for (std::size_t k = triangles.size(); k-- > before;) {
-      const auto [x0, x1] = std::minmax({triangles[k].at[0].x, triangles[k].at[1].x, triangles[k].at[2].x});
-      const auto [y0, y1] = std::minmax({triangles[k].at[0].y, triangles[k].at[1].y, triangles[k].at[2].y});
-      if (!(x1 > box.left && x0 < box.right && y1 > box.top && y0 < box.bottom))
-        triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(k));
+    if ((a.z >= least) != (b.z >= least)) {
+      kept[count] = a + (b - a) * ((least - a.z) / (b.z - a.z));
+      kept[count++].z = least;
     }
   }
-  return triangles;
+  for (std::size_t i = 2; i < count; ++i)
+    triangles[i - 2] = triangle_of(flat(camera, kept[0]), flat(camera, kept[i - 1]), flat(camera, kept[i]), piece);
+  return count < 3 ? 0 : count - 2;
+}
+
+/// Whether the middle of a pixel of the box may lie in a triangle: most of a fine mesh lie between them.
+bool meets_pixel(const FlatTriangle& triangle, const PixelBox& box) {
+  constexpr double beside = 0.5 - 2e-3;  // more than covered_pixels overlaps
+  const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
+  const auto [y0, y1] = std::minmax({triangle.at[0].y, triangle.at[1].y, triangle.at[2].y});
+  if (!(x1 > box.left && x0 < box.right && y1 > box.top && y0 < box.bottom)) return false;
+  return std::floor(x1 - beside) >= std::ceil(x0 - 1 + beside) && std::floor(y1 - beside) >= std::ceil(y0 - 1 + beside);
+}
+
+constexpr std::uint32_t batch_size = 8192;  // vertices or triangles, a thread each: the same for any number of threads
+
+/// Calls each(batch, i) for all i below `count`, in batches.
+template <class Each>
+void in_batches(std::size_t count, int threads, const Each& each) {
+  const auto end = static_cast<std::uint32_t>(count);
+  for_each_in_parallel((end + batch_size - 1) / batch_size,
+                       [&](std::uint32_t batch) {
+                         for (std::uint32_t i = batch * batch_size; i < std::min((batch + 1) * batch_size, end); ++i)
+                           each(batch, i);
+                       },
+                       threads);
+}
+
+/// Each triangle of the surface once, in its order, in batches; pieces of several patches are alike.
+std::vector<std::vector<FlatTriangle>> flat_triangles(const RasterScene& scene, const PixelBox& box, int threads) {
+  const FurModel& model = *scene.model;
+  const auto in_view = [&](std::uint32_t v) { return in_camera(scene.camera, model.positions[v]); };
+  std::vector<FlatCorner> corners(model.positions.size());
+  in_batches(corners.size(), threads,
+             [&](std::uint32_t, std::uint32_t v) { corners[v] = flat(scene.camera, in_view(v)); });
+  std::vector<std::vector<FlatTriangle>> batches((model.triangles.size() + batch_size - 1) / batch_size);
+  in_batches(model.triangles.size(), threads, [&](std::uint32_t batch, std::uint32_t i) {
+    const glm::uvec3 t = model.triangles[i];
+    const FlatCorner &a = corners[t.x], &b = corners[t.y], &c = corners[t.z];
+    std::array<FlatTriangle, 2> found{triangle_of(a, b, c, i), {}};
+    const bool whole = a.inverse > 0 && b.inverse > 0 && c.inverse > 0;
+    const std::size_t count = whole ? 1 : clipped(scene.camera, {in_view(t.x), in_view(t.y), in_view(t.z)}, i, found);
+    for (std::size_t k = 0; k < count; ++k)
+      if (meets_pixel(found[k], box)) batches[batch].push_back(found[k]);
+  });
+  return batches;
 }
 
 /// Tiles that a triangle's box touches.
@@ -157,19 +190,23 @@ void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, s
 
 /// Triangles by tile: those of tile t are order[first[t]] to order[first[t + 1]].
 struct TileTriangles {
-  std::vector<std::uint32_t> first, order;
+  std::vector<std::uint32_t> first;
+  std::vector<const FlatTriangle*> order;
 };
 
-TileTriangles by_tile(const std::vector<FlatTriangle>& triangles, const PixelBox& box, const TileRows& tiles) {
+TileTriangles by_tile(std::span<const std::vector<FlatTriangle>> batches, const PixelBox& box, const TileRows& tiles) {
+  const auto each = [&](const auto& found) {
+    for (const std::vector<FlatTriangle>& batch : batches)
+      for (const FlatTriangle& triangle : batch)
+        each_tile(triangle, box, tiles, [&](int tile) { found(static_cast<std::size_t>(tile), triangle); });
+  };
   TileTriangles by;
   by.first.resize(static_cast<std::size_t>(tiles.count()) + 1);
-  for (const FlatTriangle& triangle : triangles)
-    each_tile(triangle, box, tiles, [&](int tile) { ++by.first[static_cast<std::size_t>(tile) + 1]; });
+  each([&](std::size_t tile, const FlatTriangle&) { ++by.first[tile + 1]; });
   for (std::size_t i = 0; i + 1 < by.first.size(); ++i) by.first[i + 1] += by.first[i];
   by.order.resize(by.first.back());
   std::vector<std::uint32_t> next(by.first.begin(), by.first.end() - 1);
-  for (std::uint32_t i = 0; i < triangles.size(); ++i)
-    each_tile(triangles[i], box, tiles, [&](int tile) { by.order[next[static_cast<std::size_t>(tile)]++] = i; });
+  each([&](std::size_t tile, const FlatTriangle& triangle) { by.order[next[tile]++] = &triangle; });
   return by;
 }
 
@@ -216,7 +253,7 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
   inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0);
   furthest.assign(count, 0), hidden.assign(count * blocks * blocks, 0);
   if (!scene.eyes.empty()) eyes.assign(count * tile_pixels, -1), with_eyes_.resize(count * tile_pixels);
-  const std::vector<FlatTriangle> triangles = flat_triangles(scene, box);
+  const std::vector<std::vector<FlatTriangle>> triangles = flat_triangles(scene, box, threads);
   const TileTriangles by = by_tile(triangles, box, tiles);
   const auto raster_tile = [&](std::uint32_t tile) {
     const int x = static_cast<int>(tile) % tiles.across, y = static_cast<int>(tile) / tiles.across;
@@ -224,7 +261,7 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
     float* at = &inverse[std::size_t{tile} * tile_pixels];
     std::uint32_t* pieces = &piece[std::size_t{tile} * tile_pixels];
     for (std::uint32_t i = by.first[tile]; i < by.first[tile + 1]; ++i)
-      raster_triangle(triangles[by.order[i]], left, top, at, pieces);
+      raster_triangle(*by.order[i], left, top, at, pieces);
     if (!eyes.empty()) at = add_eyes(scene, tile, left, top);
     const bool drawn = !scene.drawn || scene.drawn->has(left, top);
     furthest[tile] = drawn ? *std::min_element(at, at + tile_pixels) : std::numeric_limits<float>::max();

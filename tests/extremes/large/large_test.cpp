@@ -16,16 +16,18 @@ class Large : public WithRenderer {
   FreshStore store_{"pelage_large" + std::to_string(static_cast<int>(GetParam()))};
 };
 
-TEST_P(Large, APictureOf8192IsDrawnByShellsAndRefusedToStrands) {
+TEST_P(Large, APictureOf8192IsDrawnAndRefusedToTracing) {
   const Row row{.area = "camera",
                 .value = "8192 x 8192",
-                .frame = R"({"width": 8192, "height": 8192, "quality": {"shells": 1}})"};
+                .frame = R"({"width": 8192, "height": 8192, "quality": {"method": "shells", "shells": {"count": 1}}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
   BothWays ways(*renderer);
   FrameRequest request = request_of(row).value();
-  const Result<Image> image = ways.show(*scene, request);
-  ASSERT_TRUE(image.ok()) << image.status().message;
-  for (std::size_t i = 3; i < image->rgba.size(); i += 4) ASSERT_EQ(image->rgba[i], 255);
+  for (const FrameRequest& drawn : {request, rasterized(request)}) {
+    const Result<Image> image = ways.show(*scene, drawn);
+    ASSERT_TRUE(image.ok()) << image.status().message;
+    for (std::size_t i = 3; i < image->rgba.size(); i += 4) ASSERT_EQ(image->rgba[i], 255);
+  }
   request.knobs.method = Method::strands;
   const auto traced = ways.trace(*scene, request);
   ASSERT_FALSE(traced.ok());
