@@ -22,8 +22,8 @@ struct RasterQuality {
   }
 };
 
-/// `winding`: the way along a strand over its length, 1 or more. A curled one covers so many times as much, so that
-/// fewer do.
+/// `winding`: the way along a strand over its length, 1 or more. A curled one covers so many times as much: by its
+/// root, halfway between as many strands as straight fur has and as many as cover what those do.
 inline RasterQuality quality_of(const Knobs& knobs, double winding) {
   return {knobs.raster.strands / std::sqrt(winding), knobs.raster.light_of};
 }

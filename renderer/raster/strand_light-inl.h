@@ -323,7 +323,7 @@ struct LightAlong {
   }
 };
 
-inline constexpr float max_half = 65504;
+inline constexpr float max_half = 65504;  // of half floats, in which knots keep light
 
 /// To the knots that are drawn of a strand, which lie `along` it.
 template <bool by_colour>

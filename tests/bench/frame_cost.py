@@ -1,7 +1,7 @@
 """CPU milliseconds of a frame by tier, of this build and of another one in turns, and what the scene's strands take.
 
-Each frame is of a camera of its own, turned by a tenth of a degree, so that no picture is kept; minima. The whole frame counts, with
-its light, skin and eyes, as the server's `cpu` says, without PNG. Megabytes are what the renderer keeps of the scene: strands, whole and thinned,
+Each frame is of a camera of its own, turned by a tenth of a degree, so that no picture is kept; minima. The whole frame counts, as the
+server's `cpu` says. Megabytes are what the renderer keeps of the scene: strands, whole and thinned,
 the density grid with its lights, and the model.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/frame_cost.py [--beside BIN] [--group looks furs] [--only NAME...]
