@@ -123,6 +123,20 @@ TEST(Raster, StrandsThatAreSeenSinglyAreLitThemselves) {
   EXPECT_EQ(near.lit, near.placed);
 }
 
+// Of a fine mesh few triangles have the middle of a pixel; those that do leave no hole.
+TEST(Raster, SkinIsWholeHoweverFineItsMesh) {
+  const auto bald = [](int quads) {
+    Stage stage;
+    stage.patch = FurPatch{0.4, quads, 0};
+    stage.patch.id = 2;
+    stage.grow();
+    return stage.draw();
+  };
+  const FloatImage coarse = bald(1), fine = bald(200);  // a third of a pixel each
+  EXPECT_GT(mean(coarse, 3), 0.2);
+  for (std::size_t i = 3; i < coarse.rgba.size(); i += 4) ASSERT_EQ(fine.rgba[i], coarse.rgba[i]) << i / 4;
+}
+
 TEST(Raster, IsSoundWhereNothingCanBeDrawn) {
   Stage stage;
   stage.frame.width = stage.frame.height = 1;
