@@ -59,8 +59,8 @@ Area whole_area(const FurFrame& frame) {
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
-/// The share of a coat that is enough for drafts which keep no more of it: it grows in a quarter of the time.
-constexpr double thin_share = 0.25;
+/// The share of a coat that is enough for drafts which keep no more of it: it grows in a third of the time.
+constexpr double thin_share = 0.34;
 
 /// Whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
 bool keeps_thin_share(const FurFrame& frame) {

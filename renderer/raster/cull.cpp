@@ -49,7 +49,7 @@ float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
 
 std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last) {
   if (part.role == StrandRole::curve || !is_coloured(scene.shown)) return last + 1;
-  const double wide = std::max(width_at(part, pixel_at(scene, part)), 1.0);
+  const double wide = std::max(width_at(part, pixel_at(scene, part)) / double{part.wider}, 1.0);  // in the whole coat
   const auto lit_of = static_cast<std::uint32_t>(std::max(scene.quality.lit_of / wide, 1.0));
   return last / lit_of + 1;
 }

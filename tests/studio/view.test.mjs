@@ -41,6 +41,40 @@ test("the picture fits the window, and a dense screen gets its pixels at rest", 
   await studio.finish();
 });
 
+test("drafts are smaller while the server is slow, and as large as the canvas while it is fast", async () => {
+  const studio = await openStudio({scene: id, before: () => {
+    const send = window.fetch;
+    window.said = 0;  // ms of the server for a draft
+    window.widths = [];
+    window.fetch = async (path, options) => {
+      const answer = await send(path, options);
+      const asked = /\/frames/.test(path) && options?.body ? JSON.parse(options.body) : null;
+      if (asked?.quality !== "draft") return answer;
+      window.widths.push(asked.width);
+      const headers = new Headers(answer.headers);
+      headers.set("Server-Timing", `draw;dur=${window.said}`);
+      return new Response(await answer.blob(), {status: answer.status, headers});
+    };
+  }});
+  await studio.ready();
+  await studio.seen("rest");
+  const reaches = async (milliseconds, share) => {
+    await studio.page.evaluate((said) => { window.said = said; }, milliseconds);
+    let off = 0;
+    for (let stroke = 0; stroke < 8; ++stroke) {
+      await studio.drag([[0.45, 0.5], [0.55, 0.5], [0.45, 0.55]], {steps: 40});
+      off = await studio.page.evaluate((share) => window.widths.at(-1) - share * document.querySelector("canvas.picture").getBoundingClientRect().width, share);
+      if (Math.abs(off) <= 1) return;
+    }
+    assert.fail(`${off} pixels off at ${milliseconds} ms`);
+  };
+  await reaches(200, 0.5);
+  await reaches(1, 1);
+  await reaches(100, 0.5);
+  await studio.seen("rest");
+  await studio.finish();
+});
+
 test("never more than two frames are in flight", async () => {
   const studio = await openStudio({scene: id, before: () => {
     const send = window.fetch;

@@ -8,6 +8,7 @@ import type {FrameRequest, Pinhole} from "../api/types";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
 import {note} from "./measured";
+import {Pace} from "./pace";
 import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
 export type Stage = "turning" | "draft" | "rest" | "traced";
@@ -30,10 +31,11 @@ const wanted = signal(0);
 /** Whether what is seen is older than what is to be seen. */
 export const pending = computed(() => shown.value?.state !== wanted.value);
 
+const moving: Partial<FrameRequest> = {format: "jpeg", jpeg_quality: 85};
 const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 
 /** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
-interface Ask { number: number; state: number; stage: Stage; slot: number; dial: Dial; stop: AbortController }
+interface Ask { number: number; state: number; stage: Stage; slot: number; dial: Dial; ratio: number; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
@@ -44,6 +46,7 @@ export class FrameLoop {
   private rested_at = 0;
   private blocked_until = 0;
   private passes = 0;
+  private pace = new Pace();
   private news = false;
   private timer = 0;
   private in_flight = new Set<Ask>();
@@ -106,7 +109,8 @@ export class FrameLoop {
   }
 
   private async ask(stage: Stage, wish: Wish) {
-    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), dial: dial.value, stop: new AbortController()};
+    const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : wish.ratio;
+    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
     this.in_flight.add(ask);
     const asked = performance.now();
     try {
@@ -120,12 +124,11 @@ export class FrameLoop {
     }
   }
 
-  private requestOf({stage, slot}: Ask, wish: Wish): FrameRequest {
-    const moves = stage === "draft" || stage === "turning";
-    const ratio = moves ? 1 : wish.ratio;
+  private requestOf({stage, slot, ratio}: Ask, wish: Wish): FrameRequest {
     const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
     const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
-    if (moves) return {...request, ...(stage === "draft" ? {quality: "draft"} : {budget_ms: turning_budget}), format: "jpeg", jpeg_quality: 85};
+    if (stage === "draft") return {...request, quality: "draft", ...moving};
+    if (stage === "turning") return {...request, budget_ms: turning_budget, ...moving};
     if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
     return {...request, ...rest_quality.value};
   }
@@ -142,6 +145,7 @@ export class FrameLoop {
       if (ask.stage === "draft") this.done.draft = ask.state;
       return;
     }
+    if (ask.stage === "draft") this.pace.note(ask.ratio, picture);
     if (ask.number < this.shown_number) return;
     const answered = performance.now();
     const bitmap = await createImageBitmap(picture.bytes);
