@@ -79,6 +79,7 @@ struct FurFields {
   std::span<const FurSkinRegion> skin = {};  // at most 64; fur is shorter there
   FurPaint paint = {};
   std::span<const glm::vec2> closing = {};  // `direction` when the shutter of traced strands closes; empty: the same
+  std::span<const glm::vec2> still = {};    // `direction` before wind or body moved it; empty: nothing did
 };
 
 struct FurLight {

@@ -95,41 +95,45 @@ float share_in_the_open(std::span<const StrandPoint> points) {
   return 1 / (1 + curl_in_shadow * std::max(way / std::max(reach, 0.02f * way + 1e-9f) - 1, 0.0f));
 }
 
-/// Sums over the cells that a part may stand in, of the strands of a change, of one thread alone.
+/// So many of a part's first strands stand for all of them: more of them than this stand on a cell's face, and any
+/// first part of them lies evenly.
+std::uint32_t summed_strands(const GrownPart& part, float cell) {
+  constexpr double enough = 8;
+  const double count = static_cast<double>(part.strands->count());
+  const double on_cell = count * cell * cell / std::max(part.area, 1e-12);
+  return static_cast<std::uint32_t>(std::ceil(count * std::min(1.0, enough / std::max(on_cell, 1e-9))));
+}
+
+/// Sums over the cells that a part may stand in, for one part after another, of one thread alone.
 class PartCells {
  public:
-  PartCells(const GridPlace& place, const GrownPart& part, const PartChange& change) : place_(place) {
-    const CellBox box = cells_of(place, part.low, part.high);
-    first_ = box.first, size_ = box.size;
-    sums_.resize(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
-                 static_cast<std::size_t>(size_.z));
-    touched_.resize(sums_.size());
-    if (change.all) {
-      for (std::uint32_t id = 0; id < part.strands->count(); ++id) add_strand(*part.strands, id);
-    } else {
-      for (const std::uint32_t id : change.ids) add_strand(*part.strands, id);
-    }
-  }
+  /// `named`: the cells are asked for, of all strands.
+  PartCells(const GridPlace& place, bool named) : place_(place), named_(named) {}
 
-  /// Adds them to the grid's, which several threads do at a time: `sign` is -1 for what goes.
-  /// Gives the cells as well.
-  void add_to(std::vector<CellDensity>& cells, int sign, std::vector<glm::ivec3>& touched) const {
-    std::size_t at = 0;
-    for (int z = 0; z < size_.z; ++z)
-      for (int y = 0; y < size_.y; ++y)
-        for (int x = 0; x < size_.x; ++x, ++at) {
-          if (!touched_[at]) continue;
-          touched.push_back(first_ + glm::ivec3(x, y, z));
-          CellDensity& cell = cells[place_.index(touched.back())];
-          for (std::size_t i = 0; i < cell.sum.size(); ++i)
-            std::atomic_ref(cell.sum[i]).fetch_add(sign * sums_[at].sum[i], std::memory_order_relaxed);
-        }
+  /// Adds the strands of a change to the grid's cells, which several threads do at a time: `sign` is -1 for what goes.
+  /// Gives the cells as well, where they are named.
+  void add(const GrownPart& part, const PartChange& change, int sign, std::vector<CellDensity>& cells,
+           std::vector<glm::ivec3>& touched) {
+    const CellBox box = cells_of(place_, part.low, part.high);
+    first_ = box.first, size_ = box.size;
+    const auto count =
+        static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z);
+    if (sums_.size() < count) sums_.resize(count), on_.resize(count);
+    const auto all = static_cast<std::uint32_t>(part.strands->count()), summed = summed_strands(part, place_.cell);
+    const float each = static_cast<float>(all) / static_cast<float>(std::max(summed, 1u));
+    const auto add = [&](std::uint32_t id) { add_strand(*part.strands, id, id < summed ? each : 0); };
+    if (change.all) {
+      for (std::uint32_t id = 0; id < (named_ ? all : summed); ++id) add(id);
+    } else {
+      for (const std::uint32_t id : change.ids) add(id);
+    }
+    hand_over(sign, cells, touched);
   }
 
  private:
-  void add_strand(const StrandSet& set, std::uint32_t id) {
+  void add_strand(const StrandSet& set, std::uint32_t id, float weight) {
     const auto segments = static_cast<std::size_t>(set.segments), first = id * (segments + 1);
-    const float share = share_in_the_open(std::span(set.points).subspan(first, segments + 1));
+    const float share = weight * share_in_the_open(std::span(set.points).subspan(first, segments + 1));
     for (std::size_t k = first; k < first + segments; ++k) add_segment(set.points[k], set.points[k + 1], share);
   }
 
@@ -137,29 +141,48 @@ class PartCells {
     const glm::vec3 way = b.place - a.place;
     const float length = glm::length(way), over = 1 / place_.cell;
     const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_steps);
-    const float width = share * CellDensity::one * (a.radius + b.radius) * over * over / static_cast<float>(steps);
+    const float step = 1 / static_cast<float>(steps);
+    const float width = share * CellDensity::one * (a.radius + b.radius) * over * over * step;
     const auto whole = [](float v) {
       constexpr float largest = 1e10f;  // a hundred million of them can be added
-      return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + (v < 0 ? -0.5f : 0.5f));
+      return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + std::copysign(0.5f, v));
     };
-    const std::array<std::int64_t, 4> added{whole(width * length), whole(width * way.x), whole(width * way.y),
-                                            whole(width * way.z)};
+    const std::int64_t along = whole(width * length);
+    const std::int64_t x = whole(width * way.x), y = whole(width * way.y), z = whole(width * way.z);
     for (int s = 0; s < steps; ++s) {
-      const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
-      const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place_.low) * over) - first_, glm::ivec3(0), size_ - 1);
-      const std::size_t at_cell =
-          (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(cell.y)) *
-              static_cast<std::size_t>(size_.x) +
-          static_cast<std::size_t>(cell.x);
-      touched_[at_cell] = 1;
-      for (std::size_t i = 0; i < added.size(); ++i) sums_[at_cell].sum[i] += added[i];
+      const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) * step);
+      std::array<std::int64_t, 4>& sum = sums_[index_of(at, over)].sum;
+      sum[0] += along, sum[1] += x, sum[2] += y, sum[3] += z;
     }
   }
 
+  std::uint32_t index_of(glm::vec3 at, float over) {
+    const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place_.low) * over) - first_, glm::ivec3(0), size_ - 1);
+    const auto index = static_cast<std::uint32_t>((cell.z * size_.y + cell.y) * size_.x + cell.x);
+    if (!on_[index]) on_[index] = 1, touched_.push_back(index);
+    return index;
+  }
+
+  void hand_over(int sign, std::vector<CellDensity>& cells, std::vector<glm::ivec3>& touched) {
+    for (const std::uint32_t index : touched_) {
+      const int at = static_cast<int>(index), across = size_.x, down = size_.y;
+      const glm::ivec3 place = first_ + glm::ivec3(at % across, at / across % down, at / (across * down));
+      if (named_) touched.push_back(place);
+      CellDensity& cell = cells[place_.index(place)];
+      const CellDensity sums = std::exchange(sums_[index], {});
+      for (std::size_t i = 0; i < cell.sum.size(); ++i)
+        std::atomic_ref(cell.sum[i]).fetch_add(sign * sums.sum[i], std::memory_order_relaxed);
+      on_[index] = 0;
+    }
+    touched_.clear();
+  }
+
   const GridPlace& place_;
+  bool named_;
   glm::ivec3 first_{0}, size_{1};
-  std::vector<CellDensity> sums_;
-  std::vector<std::uint8_t> touched_;
+  std::vector<CellDensity> sums_;  // 0 from part to part
+  std::vector<std::uint8_t> on_;   // of each, whether it is in
+  std::vector<std::uint32_t> touched_;
 };
 
 }  // namespace
@@ -190,23 +213,39 @@ void DensityGrid::find_skin(const FurModel& model) {
   }
 }
 
+std::vector<std::uint32_t> DensityGrid::other_parts(std::span<const GrownPart> parts) const {
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t p = 0; p < parts.size(); ++p)
+    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands) others.push_back(p);
+  return others;
+}
+
+/// Where most has changed it costs less to begin anew.
+void DensityGrid::clear_fur() {
+  std::fill(density_.begin(), density_.end(), CellDensity());
+  std::fill(held_.begin(), held_.end(), GrownPart());
+  whole_version_ = version_;
+}
+
 /// Sums are whole numbers, so that taking strands out leaves what would be there without them.
 CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
+  std::vector<std::uint32_t> others = other_parts(parts);
+  if (others.empty()) return {};
+  if (2 * others.size() > parts.size()) clear_fur(), others = other_parts(parts);
   std::vector<PartChange> changes;
-  for (std::uint32_t p = 0; p < parts.size(); ++p)
-    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands)
-      changes.emplace_back(p, held_[p], parts[p]);
-  if (changes.empty()) return {};
-  for_each_in_parallel(
-      static_cast<std::uint32_t>(changes.size()),
-      [&](std::uint32_t i) {
-        PartChange& change = changes[i];
-        GrownPart& held = held_[change.part];
-        if (held.strands) PartCells(place_, held, change).add_to(density_, -1, change.cells);
-        held = parts[change.part];
-        PartCells(place_, held, change).add_to(density_, 1, change.cells);
-      },
-      threads);
+  for (const std::uint32_t p : others) changes.emplace_back(p, held_[p], parts[p]);
+  std::atomic<std::size_t> next{0};
+  run_on_threads(threads, [&] {
+    PartCells cells(place_, whole_version_ < version_);
+    for (std::size_t i = next++; i < changes.size(); i = next++) {
+      PartChange& change = changes[i];
+      GrownPart& held = held_[change.part];
+      if (held.strands) cells.add(held, change, -1, density_, change.cells);
+      held = parts[change.part];
+      cells.add(held, change, 1, density_, change.cells);
+    }
+  });
+  if (whole_version_ == version_) return CellRows(place_.rows(), {0, place_.size.x});
   CellRows rows(place_.rows());
   for (const PartChange& change : changes) {
     mark_fur(change.cells, rows);
@@ -264,7 +303,7 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
       else
         lights_[i] = std::move(*made[i]);
       whole_version_ = version_;
-    } else {
+    } else if (whole_version_ < version_) {
       mark_light(cells[i]);
     }
   }

@@ -62,6 +62,9 @@ class DensityGrid {
  private:
   static constexpr int block_side = 2;  // cells
 
+  /// The parts of fur that are not as they are held.
+  std::vector<std::uint32_t> other_parts(std::span<const GrownPart> parts) const;
+  void clear_fur();
   /// The cells in which anything may have changed.
   CellRows add_fur(std::span<const GrownPart> parts, int threads);
   void mark_fur(std::span<const glm::ivec3> cells, CellRows& rows);

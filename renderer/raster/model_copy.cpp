@@ -52,13 +52,16 @@ ModelCopy::ModelCopy(const FurModel& model, const FurFields& fields)
             images_,  model.has_colours, model.original, rest_positions_, rest_normals_};
   direction_.resize(positions_.size()), length_.resize(positions_.size());
   const DirtyRange all{0, static_cast<std::uint32_t>(positions_.size())};
-  update({fields.direction, fields.length, {&all, 1}, fields.skin, fields.paint});
+  FurFields whole = fields;
+  whole.dirty = {&all, 1};
+  update(whole);
 }
 
 std::size_t ModelCopy::update(const FurFields& fields) {
   assert(fields.length.size() == positions_.size());
   const FurPaint& from = fields.paint;
   std::size_t bytes = take(fields.direction, fields.dirty, direction_) + take(fields.length, fields.dirty, length_);
+  bytes += take(fields.still, fields.dirty, still_);
   bytes += take(from.density, fields.dirty, paint_.density) + take(from.width, fields.dirty, paint_.width);
   bytes += take(from.curl, fields.dirty, paint_.curl) + take(from.clump, fields.dirty, paint_.clump);
   bytes += take(from.wetness, fields.dirty, paint_.wetness) + take(from.bare, fields.dirty, paint_.bare);
@@ -75,13 +78,15 @@ FurFields ModelCopy::fields() const {
   FurFields fields{direction_, length_, {}, skin_, {}};
   fields.paint = {paint_.density, paint_.width, paint_.curl,        paint_.clump,     paint_.wetness,
                   paint_.bare,    paint_.mask,  paint_.root_colour, paint_.tip_colour};
+  fields.still = still_;
   return fields;
 }
 
 std::size_t ModelCopy::bytes() const {
-  std::size_t bytes = bytes_of(positions_, normals_, tangents_, rest_positions_, rest_normals_, triangles_, corners_,
-                               direction_, length_, skin_, paint_.density, paint_.width, paint_.curl, paint_.clump,
-                               paint_.wetness, paint_.bare, paint_.mask, paint_.root_colour, paint_.tip_colour);
+  std::size_t bytes =
+      bytes_of(positions_, normals_, tangents_, rest_positions_, rest_normals_, triangles_, corners_, direction_,
+               still_, length_, skin_, paint_.density, paint_.width, paint_.curl, paint_.clump, paint_.wetness,
+               paint_.bare, paint_.mask, paint_.root_colour, paint_.tip_colour);
   for (const auto& pixels : pixels_) bytes += pixels.capacity();
   return bytes;
 }

@@ -39,7 +39,7 @@ class ModelCopy {
   std::vector<std::vector<std::uint8_t>> pixels_;
   std::vector<ImageView> images_;
   FurModel model_;
-  std::vector<glm::vec2> direction_;
+  std::vector<glm::vec2> direction_, still_;
   std::vector<float> length_;
   std::vector<FurSkinRegion> skin_;
   Paint paint_;

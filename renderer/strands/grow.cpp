@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -60,6 +61,12 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
   return hash.value();
 }
 
+/// As they are before anything moves them.
+FurFields at_rest(FurFields fields) {
+  if (!fields.still.empty()) fields.direction = fields.still;
+  return fields;
+}
+
 std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const FurVertex> vertices,
                                          std::span<const FurVertex> closing) {
   std::vector<std::uint64_t> hashes;
@@ -75,7 +82,7 @@ std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const 
 }
 
 /// None where nothing moves.
-std::vector<FurVertex> closing_vertices(const std::vector<FurVertex>& vertices, std::span<const glm::vec2> directions) {
+std::vector<FurVertex> moved_vertices(const std::vector<FurVertex>& vertices, std::span<const glm::vec2> directions) {
   if (directions.empty()) return {};
   std::vector<FurVertex> moved(vertices);
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v].direction = directions[v];
@@ -114,6 +121,12 @@ std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segme
 
 }  // namespace
 
+/// How a strand stands on its root, but for the way in which the fur leans there.
+struct StandingForm {
+  float reach = 1, stretch = 1;  // StrandRoot
+  std::array<glm::vec3, 64> sideways;
+};
+
 struct Grower::Impl {
   /// A piece as it is, and as it is when the shutter closes where anything moves.
   struct Piece {
@@ -132,8 +145,9 @@ struct Grower::Impl {
        std::shared_ptr<const CoatTables> before)
       : model(surface),
         recipe(how),
-        vertices(fur_vertices(surface, fields)),
-        closing(closing_vertices(vertices, fields.closing)),
+        vertices(fur_vertices(surface, at_rest(fields))),
+        closing(moved_vertices(vertices, fields.closing)),
+        bent(moved_vertices(vertices, fields.still.empty() ? fields.still : fields.direction)),
         tables(tables_for(how, strand_segments(how.coat, any_above_default(fields.paint.curl)), std::move(before))),
         tile(tables->tile),
         form(recipe.coat, tile),
@@ -148,13 +162,15 @@ struct Grower::Impl {
   /// Adds the strands that grow on a piece.
   void find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const;
   void append(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
-  void append_guard_hair(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
-  void append_root(const Piece& piece, const TileCopy& copy, const RootFields& root, float reach, StrandSet& set) const;
+  StandingForm form_of(const TileCopy& copy, const RootFields& root) const;
+  StandingForm guard_hair(const TileCopy& copy, const RootFields& root) const;
+  LeanCurves bend_of(std::uint32_t piece) const;
 
   FurModel model;
   GrowRecipe recipe;
   std::vector<FurVertex> vertices;
   std::vector<FurVertex> closing;  // when the shutter closes; empty: the same
+  std::vector<FurVertex> bent;     // where something has moved them; empty: nothing has
   std::shared_ptr<const CoatTables> tables;
   const TileStrands& tile;
   StrandForm form;
@@ -177,65 +193,62 @@ bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
 
-void Grower::Impl::append_root(const Piece& piece, const TileCopy& copy, const RootFields& root, float reach,
-                               StrandSet& set) const {
-  const auto whole = [](double share) {
-    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
-  };
-  set.roots.push_back({root.normal,
-                       static_cast<float>(tile[copy.strand].number),
-                       reach,
-                       root.wetness,
-                       piece.index,
-                       {whole(copy.share.y), whole(copy.share.z)}});
+StandingForm Grower::Impl::form_of(const TileCopy& copy, const RootFields& root) const {
+  StandingForm standing;
+  standing.reach = static_cast<float>(tile[copy.strand].length_share);
+  form.sideways(copy.strand, root, std::span(standing.sideways).first(static_cast<std::size_t>(tile.segments()) + 1));
+  return standing;
+}
+
+/// No clumps and locks, a bow of its own, and some reach beyond the fur.
+StandingForm Grower::Impl::guard_hair(const TileCopy& copy, const RootFields& root) const {
+  StandingForm standing;
+  const float longer = number_of(copy, 4);
+  standing.stretch = glm::mix(0.8f, 1.25f, longer * longer);
+  const float angle = 2 * std::numbers::pi_v<float> * number_of(copy, 5);
+  const glm::vec3 aside = std::cos(angle) * root.tile_u + std::sin(angle) * root.tile_v;
+  const auto longest = static_cast<float>((recipe.coat.bend + recipe.coat.mess) * nominal_length);
+  const float bow = longest * std::min(root.length / static_cast<float>(nominal_length), 1.0f);
+  for (int k = 0; k <= tile.segments(); ++k)
+    standing.sideways[static_cast<std::size_t>(k)] = aside * (bow * tile.along(k) * tile.along(k));
+  return standing;
 }
 
 void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
   const RootFields root = piece.opening.fields(share);
-  const auto reach = static_cast<float>(tile[copy.strand].length_share);
+  const bool guards = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
+  const StandingForm standing = guards ? guard_hair(copy, root) : form_of(copy, root);
   const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
   set.points.resize(first + knots), set.colours.resize(first + knots);
-  std::array<glm::vec3, 64> sideways;
-  form.sideways(copy.strand, root, std::span(sideways).first(knots));
   const float wider = std::max(root.width, 0.0f) * static_cast<float>(recipe.widening);
   for (std::size_t i = 0; i < knots; ++i) {
     const int k = static_cast<int>(i);
+    const float s = tile.along(k) * standing.reach;
     const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
     const auto point = [&](const FurPiece& of) {
-      return StrandPoint{root.place + of.leaned(share, tile.along(k) * reach) + sideways[i], radius};
+      return StrandPoint{root.place + standing.stretch * of.curves().at(share, s) + standing.sideways[i], radius};
     };
     set.points[first + i] = point(piece.opening);
     if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
-  append_root(piece, copy, root, reach, set);
+  const auto whole = [](double part) {
+    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(part, 0.0, 1.0)));
+  };
+  set.roots.push_back({root.normal,
+                       static_cast<float>(tile[copy.strand].number),
+                       standing.reach,
+                       standing.stretch,
+                       root.wetness,
+                       piece.index,
+                       {whole(copy.share.y), whole(copy.share.z)}});
 }
 
-/// No clumps and locks, a bow of its own, and some reach beyond the fur.
-void Grower::Impl::append_guard_hair(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
-  const glm::vec3 share(copy.share);
-  const RootFields root = piece.opening.fields(share);
-  const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
-  set.points.resize(first + knots), set.colours.resize(first + knots);
-  const float longer = number_of(copy, 4), stretch = glm::mix(0.8f, 1.25f, longer * longer);
-  const float angle = 2 * std::numbers::pi_v<float> * number_of(copy, 5);
-  const glm::vec3 aside = std::cos(angle) * root.tile_u + std::sin(angle) * root.tile_v;
-  const auto longest = static_cast<float>((recipe.coat.bend + recipe.coat.mess) * nominal_length);
-  const float bow = longest * std::min(root.length / static_cast<float>(nominal_length), 1.0f);
-  const float wider = std::max(root.width, 0.0f) * static_cast<float>(recipe.widening);
-  for (std::size_t i = 0; i < knots; ++i) {
-    const int k = static_cast<int>(i);
-    const float s = tile.along(k);
-    const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
-    const auto point = [&](const FurPiece& of) {
-      return StrandPoint{root.place + stretch * of.leaned(share, s) + aside * (bow * s * s), radius};
-    };
-    set.points[first + i] = point(piece.opening);
-    if (piece.closing) set.closing.push_back(point(*piece.closing));
-  }
-  colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
-  append_root(piece, copy, root, 1, set);
+LeanCurves Grower::Impl::bend_of(std::uint32_t piece) const {
+  const PatternBlock* block = pattern ? &*pattern : nullptr;
+  const FurPiece still(model, vertices, piece, tables->leans, block), moved(model, bent, piece, tables->leans, block);
+  return moved.curves().less(still.curves());
 }
 
 void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const {
@@ -277,8 +290,7 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   for (const std::uint32_t strand : even.order) {
     const auto& [number, copy] = found.strands[strand];
     const Impl::Piece& piece = found.pieces[number];
-    const bool guard_hair = number_of(copy, 3) < static_cast<float>(grower.recipe.guard_share);
-    guard_hair ? grower.append_guard_hair(piece, copy, set) : grower.append(piece, copy, set);
+    grower.append(piece, copy, set);
     if (set.bytes() > max) break;
   }
   even.neighbour.resize(set.count());
@@ -286,6 +298,25 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   set.points.shrink_to_fit(), set.closing.shrink_to_fit();
   set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
+}
+
+void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
+  const Impl& grower = *impl_;
+  assert(grower.bent.size() == grower.vertices.size());
+  std::vector<std::uint32_t> pieces(chunk);
+  std::sort(pieces.begin(), pieces.end());
+  std::vector<LeanCurves> bends(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), bends.begin(),
+                 [&](std::uint32_t piece) { return grower.bend_of(piece); });
+  StrandPoint* point = set.points.data();
+  for (const StrandRoot& root : set.roots) {
+    const auto piece = std::lower_bound(pieces.begin(), pieces.end(), root.piece);
+    const LeanCurves& curves = bends[static_cast<std::size_t>(piece - pieces.begin())];
+    const glm::vec2 share = glm::vec2(root.share[0], root.share[1]) / 65535.0f;
+    const glm::vec3 shares(1 - share.x - share.y, share);
+    for (int k = 0; k <= set.segments; ++k, ++point)
+      point->place += root.stretch * curves.at(shares, grower.tile.along(k) * root.reach);
+  }
 }
 
 const std::shared_ptr<const CoatTables>& Grower::tables() const { return impl_->tables; }
@@ -301,6 +332,16 @@ std::array<SkinLook, 3> Grower::skin(std::uint32_t piece) const {
     corners[static_cast<std::size_t>(k)] = {impl_->colours.under(root), grown, vertex.bare, vertex.wetness};
   }
   return corners;
+}
+
+std::uint64_t Grower::bend_fingerprint(const StrandChunk& chunk) const {
+  if (impl_->bent.empty()) return 0;
+  Hash hash;
+  for (const std::uint32_t piece : chunk) {
+    const glm::uvec3 t = impl_->model.triangles[piece];
+    for (const std::uint32_t v : {t.x, t.y, t.z}) hash.add_value(impl_->bent[v].direction);
+  }
+  return hash.value();
 }
 
 std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {

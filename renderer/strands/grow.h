@@ -49,7 +49,7 @@ struct CoatTables;
 
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +
-/// 36 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
+/// 40 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
 /// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer
@@ -67,10 +67,15 @@ class Grower {
   /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
   /// where strands have no width.
   StrandSet grow(const StrandChunk& chunk, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
+  /// Moves strands that grew of a chunk where `still` has them to where `direction` leads (FurFields::still, not
+  /// empty).
+  void bend(const StrandChunk& chunk, StrandSet& set) const;
   /// Of the corners of a piece.
   std::array<SkinLook, 3> skin(std::uint32_t piece) const;
   /// Of all that `grow(chunk)` and `skin` of its pieces depend on: the same while they would give the same. 64 bits.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
+  /// Of what `bend(chunk)` depends on besides; 0 where nothing is bent.
+  std::uint64_t bend_fingerprint(const StrandChunk& chunk) const;
   const std::shared_ptr<const CoatTables>& tables() const;
 
  private:

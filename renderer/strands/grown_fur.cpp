@@ -57,7 +57,7 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   const Coat& coat = recipe.coat;
   if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
   chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
-  parts_.clear(), curves_.clear(), skin_.assign(model.triangles.size(), {});
+  parts_.clear(), still_.assign(chunks_.size(), {}), curves_.clear(), skin_.assign(model.triangles.size(), {});
   const auto none = std::make_shared<const StrandSet>();
   for (const StrandChunk& chunk : chunks_) parts_.push_back({.strands = none, .area = area_of(model, chunk)});
   parts_.push_back({.role = StrandRole::curve, .strands = none, .crowding = 0});
@@ -65,23 +65,44 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
 }
 
 /// Gives the strands that were grown.
-std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
-                                std::size_t chunk) {
-  GrownPart& part = parts_[chunk];
+std::size_t GrownFur::grow_still(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk) {
+  Still& still = still_[chunk];
   const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
-  if (part.state == state) return 0;
-  part.strands = std::make_shared<const StrandSet>(grower.grow(chunks_[chunk]));
+  if (still.state == state) return 0;
+  still = {std::make_shared<const StrandSet>(grower.grow(chunks_[chunk])), state};
+  GrownPart& part = parts_[chunk];
   Hash skin;
   for (const std::uint32_t piece : chunks_[chunk]) skin.add_value(skin_[piece] = grower.skin(piece));
   part.skin = skin.value();
-  part.state = state;
-  find_bounds(model, chunks_[chunk], part);
+  const std::size_t count = still.strands->count();
   const double on_area = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
   const double of_coat = on_area * recipe.share * part.area;
-  part.crowding = static_cast<float>(static_cast<double>(part.strands->count()) / std::max(of_coat, 1e-12));
+  part.crowding = static_cast<float>(static_cast<double>(count) / std::max(of_coat, 1e-12));
   part.wider = static_cast<float>(1 / recipe.share);
   part.packing = static_cast<float>(glm::pi<double>() * on_area);
-  return part.strands->count();
+  return count;
+}
+
+/// Bends what has grown as well, where something moves it.
+std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
+                                std::size_t chunk) {
+  const std::size_t grown = grow_still(grower, recipe, chunk);
+  GrownPart& part = parts_[chunk];
+  const Still& still = still_[chunk];
+  const std::uint64_t bend = grower.bend_fingerprint(chunks_[chunk]);
+  Hash state;
+  state.add(still.state), state.add(bend);
+  if (part.state == state.value()) return grown;
+  part.state = state.value();
+  if (bend == 0) {
+    part.strands = still.strands;
+  } else {
+    auto bent = std::make_shared<StrandSet>(*still.strands);
+    grower.bend(chunks_[chunk], *bent);
+    part.strands = std::move(bent);
+  }
+  find_bounds(model, chunks_[chunk], part);
+  return grown;
 }
 
 std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
@@ -115,6 +136,8 @@ std::size_t GrownFur::count() const {
 std::size_t GrownFur::bytes() const {
   std::size_t sum = 0;
   for (const GrownPart& part : parts_) sum += part.strands->bytes();
+  for (std::size_t i = 0; i < still_.size(); ++i)
+    if (still_[i].strands && still_[i].strands != parts_[i].strands) sum += still_[i].strands->bytes();
   return sum + skin_.size() * sizeof(skin_[0]);
 }
 

@@ -48,8 +48,15 @@ class GrownFur {
   std::size_t bytes() const;
 
  private:
+  /// A part's strands before anything moves them.
+  struct Still {
+    std::shared_ptr<const StrandSet> strands;
+    std::uint64_t state = 0;
+  };
+
   void divide(const FurModel& model, const GrowRecipe& recipe);
   std::size_t grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
+  std::size_t grow_still(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
   std::size_t set_curves(std::span<const FurCurves> curves);
 
   std::uint64_t model_ = 0;
@@ -58,6 +65,7 @@ class GrownFur {
   std::vector<StrandChunk> chunks_;
   std::vector<FurCurves> curves_;
   std::vector<GrownPart> parts_;  // of each chunk, then that of the curves
+  std::vector<Still> still_;      // of each chunk
   std::vector<std::array<SkinLook, 3>> skin_;
 };
 

@@ -73,6 +73,39 @@ RootFields corner_fields(const FurModel& model, std::span<const FurVertex> verti
   return root;
 }
 
+void LeanCurves::set(int corner, const LeanRow& row, glm::vec3 lean, glm::vec3 normal, float length) {
+  Corner& own = corners_[static_cast<std::size_t>(corner)];
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    own.curve[k] = length * (row[k].place.x * lean + row[k].place.y * normal);
+    own.slope[k] = (length / lean_cells) * (row[k].slope.x * lean + row[k].slope.y * normal);
+  }
+}
+
+glm::vec3 LeanCurves::at(glm::vec3 share, float s) const {
+  const float at = s * lean_cells;
+  const auto k = static_cast<std::size_t>(std::clamp(at, 0.0f, lean_cells - 1.0f));
+  const float x = at - static_cast<float>(k), y = 1 - x;
+  const glm::vec4 weights(y * y * (1 + 2 * x), x * y * y, x * x * (1 + 2 * y), -x * x * y);  // cubic Hermite
+  glm::vec3 sum(0);
+  for (int i = 0; i < 3; ++i) {
+    const Corner& c = corners_[static_cast<std::size_t>(i)];
+    sum += share[i] * (weights[0] * c.curve[k] + weights[1] * c.slope[k] + weights[2] * c.curve[k + 1] +
+                       weights[3] * c.slope[k + 1]);
+  }
+  return sum;
+}
+
+LeanCurves LeanCurves::less(const LeanCurves& other) const {
+  LeanCurves result;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    for (std::size_t k = 0; k <= lean_cells; ++k) {
+      result.corners_[i].curve[k] = corners_[i].curve[k] - other.corners_[i].curve[k];
+      result.corners_[i].slope[k] = corners_[i].slope[k] - other.corners_[i].slope[k];
+    }
+  }
+  return result;
+}
+
 FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
                    const LeanTable& leans, const PatternBlock* pattern) {
   const bool moved = !model.rest_positions.empty();
@@ -84,7 +117,7 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
     corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
     density_[i] = corner.fur.density;
-    prepare(corner, model.tangents[v], leans, pattern);
+    prepare(i, model.tangents[v], leans, pattern);
   }
   const auto of_corners = [&](glm::vec3 Corner::*of) {
     return std::array{corners_[0].*of, corners_[1].*of, corners_[2].*of};
@@ -93,17 +126,14 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
 }
 
 /// The curve of a strand at a corner, as in fur_vertex.glsl.
-void FurPiece::prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const {
+void FurPiece::prepare(int index, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) {
+  Corner& corner = corners_[static_cast<std::size_t>(index)];
   auto [inclination, lean] = lean_of(corner.fur.direction, corner.normal, tangent);
   if (pattern) {
     corner.fur.length *= pattern_length(*pattern, corner.rest_place);
     inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.rest_place), 0.0f, 1.0f);
   }
-  const LeanRow row = leans.row(inclination);
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    corner.curve[k] = corner.fur.length * (row[k].place.x * lean + row[k].place.y * corner.normal);
-    corner.slope[k] = (corner.fur.length / lean_cells) * (row[k].slope.x * lean + row[k].slope.y * corner.normal);
-  }
+  curves_.set(index, leans.row(inclination), lean, corner.normal, corner.fur.length);
 }
 
 glm::vec3 FurPiece::place(glm::vec3 share) const {
@@ -135,20 +165,6 @@ RootFields FurPiece::fields(glm::vec3 share) const {
   root.colour = mixed([](const Corner& c) { return c.corner.colour; });
   root.image = corners_[0].corner.image;
   return root;
-}
-
-glm::vec3 FurPiece::leaned(glm::vec3 share, float s) const {
-  const float at = s * lean_cells;
-  const auto k = static_cast<std::size_t>(std::clamp(at, 0.0f, lean_cells - 1.0f));
-  const float x = at - static_cast<float>(k), y = 1 - x;
-  const glm::vec4 weights(y * y * (1 + 2 * x), x * y * y, x * x * (1 + 2 * y), -x * x * y);  // cubic Hermite
-  glm::vec3 sum(0);
-  for (int i = 0; i < 3; ++i) {
-    const Corner& c = corners_[static_cast<std::size_t>(i)];
-    sum += share[i] * (weights[0] * c.curve[k] + weights[1] * c.slope[k] + weights[2] * c.curve[k + 1] +
-                       weights[3] * c.slope[k + 1]);
-  }
-  return sum;
 }
 
 }  // namespace pelage

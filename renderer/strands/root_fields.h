@@ -61,6 +61,22 @@ struct RootFields {
 /// The fields at a corner of a piece, but for what strands alone need: axes of the tile, curl and clump.
 RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner);
 
+/// The curves in which fur leans on a piece, mixed of those at its corners.
+class LeanCurves {
+ public:
+  void set(int corner, const LeanRow& row, glm::vec3 lean, glm::vec3 normal, float length);
+  /// From the root to the height s in [0, 1] of the fur there, sizes.
+  glm::vec3 at(glm::vec3 share, float s) const;
+  /// What leads from `other` to these.
+  LeanCurves less(const LeanCurves& other) const;
+
+ private:
+  struct Corner {
+    std::array<glm::vec3, lean_cells + 1> curve, slope;
+  };
+  std::array<Corner, 3> corners_;
+};
+
 /// A piece of fur with what its strands share.
 class FurPiece {
  public:
@@ -75,19 +91,18 @@ class FurPiece {
   glm::vec3 place(glm::vec3 share) const;
   glm::vec3 rest_place(glm::vec3 share) const;
   RootFields fields(glm::vec3 share) const;
-  /// From the root to the height s in [0, 1] of the fur there, sizes.
-  glm::vec3 leaned(glm::vec3 share, float s) const;
+  const LeanCurves& curves() const { return curves_; }
 
  private:
   struct Corner {
     glm::vec3 place, normal, rest_place, rest_normal;
     FurVertex fur;
     FurCorner corner;
-    std::array<glm::vec3, lean_cells + 1> curve, slope;
   };
-  void prepare(Corner& corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) const;
+  void prepare(int corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern);
 
   std::array<Corner, 3> corners_;
+  LeanCurves curves_;
   glm::vec3 grown_, density_;  // of each corner
   glm::mat3 turn_{1};          // from rest
 };

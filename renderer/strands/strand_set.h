@@ -21,13 +21,14 @@ struct StrandRoot {
   glm::vec3 normal{0, 1, 0};             // of the skin, unit
   float number = 0;                      // [0, 1)
   float reach = 1;                       // height s of the tip in the fur, (0, 1]; that of the root is 0
+  float stretch = 1;                     // of the curve in which fur leans there, that it follows
   float wetness = 0;                     // painted beyond the coat's own, [0, 1]
   std::uint32_t piece = no_piece;        // of the model that it stands on
   std::array<std::uint16_t, 2> share{};  // of the piece's second and third corner there, over 65535
 
   static constexpr std::uint32_t no_piece = ~std::uint32_t{0};
 };
-static_assert(sizeof(StrandRoot) == 32);
+static_assert(sizeof(StrandRoot) == 36);
 
 /// Linear colour in 4 bytes, 10 bits a channel over [0, 4] by their square roots.
 std::uint32_t pack_colour(glm::vec3 colour);

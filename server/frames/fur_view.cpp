@@ -174,7 +174,8 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
-  const FurFields fields = make_fields(scene, skin, ranges, moved);
+  FurFields fields = make_fields(scene, skin, ranges, moved);
+  if (moved) fields.still = scene.fields.direction();
   const std::uint64_t copy = copy_id(scene);
   const bool known = renderer.has(copy);
   if (known && (!shells || renderer.has_shells(copy))) return renderer.update(copy, fields);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tests/unit/strands/fur_patch.h"
@@ -54,6 +55,69 @@ TEST(GrownFur, GrowsAgainOnlyWhatChanged) {
     kept += same ? 1 : 0;
   }
   EXPECT_GT(kept, before.size() / 2);
+}
+
+/// A patch of fur of many kinds that leans one way, and another way that moved it there.
+struct BentPatch {
+  BentPatch() : patch(0.6, 12) {
+    recipe.coat = plain_coat();
+    recipe.coat.length_spread = 0.4, recipe.coat.bend = 0.2, recipe.coat.curl = 0.1, recipe.coat.clump = 0.5;
+    recipe.coat.tufts.gather = 0.5;
+    recipe.guard_share = 0.2;
+    for (std::size_t v = 0; v < patch.direction.size(); ++v) {
+      const glm::vec3 place = patch.positions[v];
+      patch.direction[v] = {0.5f * std::sin(9 * place.x), 0.3f * std::cos(7 * place.y)};
+      moved.push_back(patch.direction[v] + glm::vec2(0.3f * std::cos(5 * place.x), 0.4f));
+    }
+  }
+  FurFields fields() const {
+    FurFields fields = patch.fields();
+    fields.still = fields.direction, fields.direction = moved;
+    return fields;
+  }
+  FurPatch patch;
+  GrowRecipe recipe;
+  std::vector<glm::vec2> moved;
+};
+
+TEST(GrownFur, WhatMovesItBendsItToWhereItWouldHaveGrown) {
+  BentPatch bent;
+  GrownFur fur, other;
+  fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);
+  bent.patch.direction = bent.moved;
+  other.update(bent.patch.model(), bent.patch.fields(), bent.recipe, 2);
+  ASSERT_EQ(fur.parts().size(), other.parts().size());
+  float furthest = 0;
+  for (std::size_t i = 0; i < fur.parts().size(); ++i) {
+    const StrandSet &one = *fur.parts()[i].strands, &all = *other.parts()[i].strands;
+    ASSERT_EQ(one.points.size(), all.points.size());
+    for (std::size_t k = 0; k < one.points.size(); ++k)
+      furthest = std::max(furthest, glm::distance(one.points[k].place, all.points[k].place));
+    EXPECT_EQ(one.colours, all.colours);
+    EXPECT_EQ(fur.parts()[i].longest, other.parts()[i].longest);
+  }
+  EXPECT_LT(furthest, 2e-6f) << "of fur of .03 sizes: roots are kept to 1/65535 of a piece";
+}
+
+TEST(GrownFur, BendsAgainWhatStoodStill) {
+  BentPatch bent;
+  GrownFur fur;
+  fur.update(bent.patch.model(), bent.patch.fields(), bent.recipe, 2);
+  const std::vector<GrownPart> still = fur.parts();
+  const std::size_t bytes = fur.bytes();
+  EXPECT_EQ(fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2), 0u) << "nothing grows";
+  EXPECT_GT(fur.bytes(), bytes);
+  const std::vector<GrownPart> first = fur.parts();
+  for (glm::vec2& direction : bent.moved) direction += 0.1f;
+  fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);
+  for (std::size_t i = 0; i + 1 < still.size(); ++i) {
+    EXPECT_NE(first[i].state, still[i].state);
+    EXPECT_NE(fur.parts()[i].state, first[i].state);
+    EXPECT_NE(fur.parts()[i].strands, first[i].strands);
+  }
+  EXPECT_EQ(fur.update(bent.patch.model(), bent.patch.fields(), bent.recipe, 2), 0u) << "at rest again";
+  EXPECT_EQ(fur.bytes(), bytes);
+  for (std::size_t i = 0; i < still.size(); ++i) EXPECT_EQ(fur.parts()[i].strands, still[i].strands);
 }
 
 TEST(GrownFur, CurvesAreAPartOfTheirOwn) {
