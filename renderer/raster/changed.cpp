@@ -60,7 +60,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
 TileMask changed_since(const RasterScene& scene, std::uint64_t since, int threads) {
   const DensityGrid& grid = *scene.grid;
   TileMask changed(scene.width, scene.height);
-  if (grid.all_changed(since)) {
+  if (grid.all_changed(since) || (scene.near && scene.near->since() > since)) {
     changed.add(whole_of(scene));
     return changed;
   }
@@ -70,7 +70,8 @@ TileMask changed_since(const RasterScene& scene, std::uint64_t since, int thread
     thickest = std::max(thickest, part.thickest);
     if (part.strands->count() > 0 && grid.changed_in(part.low, part.high, since)) parts.push_back(&part);
   }
-  const std::vector<std::int32_t> blocks = grid.changed_flags(since);
+  const bool near = scene.near && !scene.near->cells().empty();
+  const std::vector<std::int32_t> blocks = grid.changed_flags(since, near);
   std::mutex mutex;
   for_each_in_parallel(
       static_cast<std::uint32_t>(parts.size()),

@@ -65,9 +65,7 @@ HWY_INLINE Real light_past(const RasterScene& scene, std::size_t light, Vec3 pla
   const GridEntry entry = grid_entry(grid, place, to_light);
   if (!any(entry.there)) return 1.0f;
   const CrossedLanes crossed = crossed_at(scene.grid->crossed(light), grid_lanes(grid, entry.place));
-  const Real strands = crossed.strands, body = crossed.body;
-  const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
-  return select(entry.there, luminance(through), 1.0f);
+  return select(entry.there, luminance(let_through(crossed, stopped)), 1.0f);
 }
 
 /// The same of all of a light that is wide.

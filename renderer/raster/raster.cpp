@@ -274,6 +274,7 @@ DistanceKeys keys_of(const RasterScene& scene) {
 struct Raster::Kept {
   RasterOptics optics;
   DensityGrid grid;
+  NearCells near;
   std::uint64_t sky_of = 0;  // version of the grid's fur
   float sky_height = 0;
   SkyOverGround sky;
@@ -309,7 +310,9 @@ Raster::~Raster() = default;
 
 std::uint64_t Raster::version() const { return kept_->grid.version(); }
 
-std::size_t Raster::bytes() const { return kept_->grid.bytes() + kept_->sky.hidden.size() * sizeof(float); }
+std::size_t Raster::bytes() const {
+  return kept_->grid.bytes() + kept_->near.bytes() + kept_->sky.hidden.size() * sizeof(float);
+}
 
 // So that what is drawn does not depend on the boxes.
 PixelBox whole_tiles(const PixelBox& box, int width, int height) {
@@ -374,6 +377,8 @@ RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const F
   if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   RasterScene scene = bare_scene_of(model, fur.skin(), frame, shown);
   scene.quality = quality, scene.parts = fur.parts(), scene.grid = &kept_->grid;
+  kept_->near.update(scene, kept_->grid.place().cell, kept_->grid.version(), threads_);
+  scene.near = &kept_->near;
   if (frame.ground && frame.ground->height < frame.camera.position.y)
     scene.ground = frame.ground, scene.sky = &kept_->sky;
   scene.keys = keys_of(scene);

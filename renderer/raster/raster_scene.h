@@ -15,6 +15,7 @@
 #include "renderer/optics/eye_cache.h"
 #include "renderer/optics/frame_optics.h"
 #include "renderer/raster/density_grid.h"
+#include "renderer/raster/near_cells.h"
 #include "renderer/raster/sky_over_ground.h"
 #include "renderer/raster/tiles.h"
 #include "renderer/strands/grown_fur.h"
@@ -92,6 +93,7 @@ struct RasterScene {
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   std::span<const glm::vec3> field;               // of each vertex, where it is shown
   const DensityGrid* grid = nullptr;              // of what stands in the way of light; null where nothing does
+  const NearCells* near = nullptr;                // the same of single strands, for parts that are near; null for none
   std::vector<EyeCamera> eyes;                    // of optics.eyes
   std::optional<FurGround> ground;
   const SkyOverGround* sky = nullptr;  // over the ground

@@ -278,9 +278,7 @@ class WayToSkin {
   }
   HWY_INLINE Vec3 through(int light) const {
     if (!grid_) return Vec3(1.0f);
-    const CrossedLanes between = crossed_at(grid_->crossed(static_cast<std::size_t>(light)), cells_);
-    const Real strands = between.strands, body = between.body;
-    return each(stopped_, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+    return let_through(crossed_at(grid_->crossed(static_cast<std::size_t>(light)), cells_), stopped_);
   }
 
  private:

@@ -70,6 +70,50 @@ HWY_INLINE CrossedLanes crossed_at(std::span<const Crossed> cells, const GridLan
   return {strands * (1 / Crossed::one), body * (1 / Crossed::one)};
 }
 
+/// How much single strands count at a place for the picture, [0, 1]: it shows little across from near.
+HWY_INLINE Real nearness(const RasterScene& scene, Vec3 place) {
+  const Real distance = dot(place - Vec3(scene.camera.position), Vec3(scene.camera.forward));
+  const Real view = distance * (static_cast<float>(std::max(scene.width, scene.height)) / scene.camera.scale);
+  return 1.0f - smoothstep(NearCells::whole_view, NearCells::no_view, view);
+}
+
+/// Of a light, what gets past strands that each stop so much of it, and past the body.
+HWY_INLINE Vec3 let_through(const CrossedLanes& crossed, Vec3 stopped) {
+  const Real strands = crossed.strands, body = crossed.body;
+  return each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+}
+
+/// Strands that light crosses in near cells on its last way to a fibre.
+HWY_INLINE Real near_strands(const NearCells& near, Vec3 place, Vec3 tangent, Vec3 to_light) {
+  constexpr float spread = 0.08f;  // as strands_crossed
+  const auto* cells = reinterpret_cast<const std::int32_t*>(near.cells().data());
+  const Vec3 at = place * (1 / near.cell());
+  const auto part = [](Real along, std::uint32_t factor)
+                        HWY_ATTR { return hn::Mul(to_int(floor(along)), whole(static_cast<int>(factor))); };
+  Real sum = 0.0f;
+  for (int k = 0; k < NearCells::steps; ++k) {
+    const Vec3 there = at + to_light * (static_cast<float>(k) + 0.5f);
+    const Int hashed =
+        hn::Xor3(part(there.x, NearCells::of_x), part(there.y, NearCells::of_y), part(there.z, NearCells::of_z));
+    const Int index = hn::And(hashed, whole(NearCells::count - 1));
+    const Int pair = gather(cells, hn::ShiftRight<1>(index));
+    sum += to_real(hn::And(hn::Shr(pair, hn::ShiftLeft<4>(hn::And(index, whole(1)))), whole(0xffff)));
+  }
+  const Real own = sum - NearCells::steps * near.mean();
+  const Real cosine = dot(tangent, to_light);
+  return own * (1 / NearCells::one) * sqrt(1.0f - (1.0f - spread) * min(cosine * cosine, 1.0f));
+}
+
+/// The strands to a light: near a fibre single ones, from where their cells end what the grid has.
+HWY_INLINE Real with_near(const RasterScene& scene, std::size_t light, const Fibre& fibre, Vec3 to_light, Real nearness,
+                          Real crossed) {
+  const GridPlace& grid = scene.grid->place();
+  const float way = scene.near->cell() * NearCells::steps;
+  const GridLanes beyond = grid_lanes(grid, fibre.place + to_light * way + fibre.normal * (off_skin * grid.cell));
+  const Real near = near_strands(*scene.near, fibre.place, fibre.tangent, to_light);
+  return mix(crossed, max(near + crossed_at(scene.grid->crossed(light), beyond).strands, 0.0f), nearness);
+}
+
 /// Strands between a fibre and a light less those that are met for sure, as the eye looks past them: the hot spot
 /// (strands_shared of lighting.glsl).
 HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real way, Real strands) {
@@ -183,16 +227,19 @@ HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, 
   if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
   const GridPlace& grid = scene.grid->place();
   const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (off_skin * grid.cell));
+  const Real near = scene.near && !scene.near->cells().empty() ? nearness(scene, fibre.place) : Real(0.0f);
+  const bool is_near = any(near > 0.0f);
   for (int i = 0; i < optics.lights; ++i) {
     const Arriving light = light_at(optics, i, fibre.place);
     const Real facing = dot(fibre.normal, light.to_light);
-    const CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
+    CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
+    if (is_near)
+      crossed.strands = with_near(scene, static_cast<std::size_t>(i), fibre, light.to_light, near, crossed.strands);
     const Real way = way_out(fibre.height, facing);
     const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
     const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
     const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
-    const Real body = crossed.body;
-    const Vec3 through = each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
+    const Vec3 through = let_through({strands, crossed.body}, stopped);
     const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
     const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, frame.exponents.z);
     sum.direct += sent * through;

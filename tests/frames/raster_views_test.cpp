@@ -43,6 +43,9 @@ TEST_F(RasterViews, WithoutGroundAndFromAnywhere) {
   request.camera.automatic = AutoView::none;
   request.camera.position = {0.05, 0.25, 0.6}, request.camera.target = {0.02, 0.16, 0.27};  // strands many pixels wide
   expect_same_bits(model);
+  request.camera.fov_degrees = 10;  // so near that single strands throw shadows
+  expect_same_bits(model);
+  request.camera.fov_degrees = 35;
   request.camera.position = {0.02, 0.1, 0.3}, request.camera.target = {0, 0, 0};  // inside the fur
   expect_same_bits(model);
 }

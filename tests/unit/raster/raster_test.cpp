@@ -7,7 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
+#include "renderer/raster/kernels.h"
 #include "tests/unit/strands/fur_patch.h"
 
 namespace pelage {
@@ -71,6 +74,18 @@ int other_pixels(const FloatImage& whole, const FloatImage& image, const Crop& c
   return count;
 }
 
+/// A lawn in one light from the side, of which the picture shows little.
+struct NearLawn : Stage {
+  NearLawn() {
+    recipe = {plain_coat(3000)};
+    frame.coat = recipe.coat, frame.lights.resize(1);
+    frame.lights[0].direction = glm::normalize(glm::vec3(1, 0.3f, -0.7f));
+    grow();
+    look_from({0.2f, 0.1f, 0.5f}, {0.2f, 0.2f, 0.02f});
+    frame.width = frame.height = 160, frame.camera.tan_half_fov = 0.08f;
+  }
+};
+
 TEST(Raster, ACropHasTheBitsOfTheWhole) {
   Stage stage;
   stage.frame.width = 320, stage.frame.height = 280;
@@ -87,6 +102,45 @@ TEST(Raster, ACropHasTheBitsOfTheWhole) {
       EXPECT_EQ(other_pixels(whole, stage.draw(quality), crop), 0) << crop.left;
     }
   }
+  NearLawn lawn;
+  const FloatImage whole = lawn.draw();
+  lawn.frame.crop = Crop{30, 60, 50, 40};
+  EXPECT_EQ(other_pixels(whole, lawn.draw(), *lawn.frame.crop), 0);
+}
+
+struct LightSpread {
+  double mean = 0, deviation = 0;
+};
+
+/// Of the light halfway up the strands of a part.
+LightSpread light_spread(const RasterScene& scene, const GrownPart& part) {
+  std::vector<std::uint32_t> ids(part.strands->count());
+  std::iota(ids.begin(), ids.end(), 0);
+  LitPoints light;
+  light_strands(scene, part, ids, true, light);
+  const auto count = static_cast<std::size_t>(light.count);
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const double red = light.light[i * count + count / 2].r;
+    sum += red, squares += red * red;
+  }
+  const double mean = sum / static_cast<double>(ids.size());
+  return {mean, std::sqrt(std::max(squares / static_cast<double>(ids.size()) - mean * mean, 0.0))};
+}
+
+TEST(Raster, SingleStrandsThrowShadowsWhereTheCameraIsNear) {
+  const NearLawn lawn;
+  Raster raster(2);
+  const RasterScene near = raster.scene_of(lawn.patch.model(), lawn.fur, lawn.frame, {1000, 1}, RasterOutput::light);
+  ASSERT_FALSE(near.near->cells().empty());
+  RasterScene mean = near;
+  mean.near = nullptr;
+  const auto middle = std::min_element(near.parts.begin(), near.parts.end(), [](const auto& a, const auto& b) {
+    return glm::distance(a.middle, glm::vec3(0.2f, 0.2f, 0)) < glm::distance(b.middle, glm::vec3(0.2f, 0.2f, 0));
+  });
+  const LightSpread one = light_spread(near, *middle), other = light_spread(mean, *middle);
+  EXPECT_GT(one.deviation, 1.5 * other.deviation);
+  EXPECT_NEAR(one.mean, other.mean, 0.1 * other.mean);
 }
 
 TEST(Raster, FewStrandsCoverAndShineAsAll) {

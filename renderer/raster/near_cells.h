@@ -1,0 +1,51 @@
+// Strands in small cells where the camera is near: what of single strands lies in the way of light, as contact shadows.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "renderer/strands/grown_fur.h"
+
+namespace pelage {
+
+struct RasterScene;
+
+/// Cells by a hash of their coordinates (Teschner et al. 2003): most of the space around fur is empty.
+class NearCells {
+ public:
+  static constexpr std::uint32_t count = 1 << 23;  // places for cells; a few share one
+  static constexpr std::uint32_t of_x = 73856093, of_y = 19349663, of_z = 83492791;
+  static constexpr float one = 256;
+  /// Sizes that the whole picture shows across at a place's distance: up to the first one single strands are looked
+  /// for, beyond the second one not.
+  static constexpr float whole_view = 0.1f, no_view = 0.2f;
+  static constexpr int steps = 8;  // cells that are looked at on the way to a light
+
+  /// Holds the strands of all parts that the picture shows from near, in cells that are a fraction of `cell` wide.
+  /// `version` is that of the density grid. Deterministic for any number of threads.
+  void update(const RasterScene& scene, float cell, std::uint64_t version, int threads);
+
+  /// Sizes.
+  float cell() const { return cell_; }
+  /// What strands cover of each cell's face, whichever way they lie, in steps of 1 / one; none where nothing is near.
+  std::span<const std::uint16_t> cells() const { return cells_; }
+  /// The mean over all cells: so much of other cells lies in each.
+  float mean() const { return mean_; }
+  /// Of the grid, when the parts that are near became those.
+  std::uint64_t since() const { return since_; }
+  std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
+
+ private:
+  void fill(int threads);
+
+  float cell_ = 1, mean_ = 0;
+  std::vector<std::uint16_t> cells_;
+  std::vector<std::uint32_t> parts_;                    // that are near
+  std::vector<std::shared_ptr<const StrandSet>> held_;  // of each of them
+  std::uint64_t since_ = 0;
+};
+
+}  // namespace pelage
