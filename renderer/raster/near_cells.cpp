@@ -14,8 +14,8 @@ namespace pelage {
 
 namespace {
 
-constexpr float over_cell = 5;                       // cells of the density grid's
-constexpr float around_part = 0.015f, in_depth = 0.15f;// sizes
+constexpr float over_cell = 5;                           // cells of the density grid's
+constexpr float around_part = 0.015f, in_depth = 0.15f;  // sizes
 
 /// Along the view.
 float distance_of(const RasterScene& scene, const GrownPart& part) {
@@ -44,9 +44,8 @@ std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
     if (scene.parts[i].role != StrandRole::coat || !is_near(scene, scene.parts[i])) continue;
     parts.push_back(i), nearest = std::min(nearest, distance_of(scene, scene.parts[i]));
   }
-  std::erase_if(parts, [&](std::uint32_t i) {
-    return distance_of(scene, scene.parts[i]) > std::max(nearest, 0.0f) + in_depth;
-  });
+  std::erase_if(
+      parts, [&](std::uint32_t i) { return distance_of(scene, scene.parts[i]) > std::max(nearest, 0.0f) + in_depth; });
   return parts;
 }
 
