@@ -15,11 +15,13 @@ int tile_of(float pixel, int first, int tiles) {
   return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(tiles - 1)));
 }
 
-/// Of a segment what lies nearest to the middle of a tile.
+/// Of a segment what lies nearest to the middle of a tile, but half a tile off its ends: so short ones go by their
+/// middle in each tile, and do not change places with others from tile to tile.
 float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
-  const float across = b.x - a.x, down = b.y - a.y;
-  const float along = ((x - a.x) * across + (y - a.y) * down) / std::max(across * across + down * down, 1e-6f);
-  return a.inverse + (b.inverse - a.inverse) * std::clamp(along, 0.0f, 1.0f);
+  const float across = b.x - a.x, down = b.y - a.y, squared = std::max(across * across + down * down, 1e-6f);
+  const float along = ((x - a.x) * across + (y - a.y) * down) / squared;
+  const float end = std::min(0.5f * tile_side / std::sqrt(squared), 0.5f);
+  return a.inverse + (b.inverse - a.inverse) * std::clamp(along, end, 1 - end);
 }
 
 /// Whether a segment passes a tile by, though its box does not.

@@ -47,6 +47,16 @@ TEST(Bins, KeepTheOrderOfBatches) {
   }
 }
 
+/// What lies between two that overlap must not depend on the tile; of a long one only what is near counts.
+TEST(Bins, ShortSegmentsGoByTheirMiddleInEachTile) {
+  const Bins of_short = binned({one_strand({{12, 8, 0.5f, 0.5f, {}}, {22, 8, 1, 0.5f, {}}})});
+  ASSERT_EQ(of_short.tile(0).size() + of_short.tile(1).size(), 2u);
+  EXPECT_EQ(of_short.tile(0)[0].key, of_short.tile(1)[0].key);
+  const Bins of_long = binned({one_strand({{2, 8, 0.5f, 0.5f, {}}, {62, 8, 1, 0.5f, {}}})});
+  for (int tile = 0; tile < 3; ++tile)
+    EXPECT_GT(of_long.tile(tile)[0].key, of_long.tile(tile + 1)[0].key) << "nearer and nearer";
+}
+
 TEST(Bins, LeaveOutWhatIsBehindOrTooNear) {
   const std::vector<float> furthest(12, 0.5f);
   EXPECT_EQ(binned({one_strand({{8, 8, 0.4f, 1, {}}, {9, 9, 0.45f, 1, {}}})}, furthest).tile(0).size(), 0u);
