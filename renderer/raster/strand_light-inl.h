@@ -85,7 +85,6 @@ HWY_INLINE Vec3 let_through(const CrossedLanes& crossed, Vec3 stopped) {
 
 /// Strands that light crosses in near cells on its last way to a fibre.
 HWY_INLINE Real near_strands(const NearCells& near, Vec3 place, Vec3 tangent, Vec3 to_light) {
-  constexpr float spread = 0.08f;  // as strands_crossed
   const auto* cells = reinterpret_cast<const std::int32_t*>(near.cells().data());
   const Vec3 at = place * (1 / near.cell());
   const auto part = [](Real along, std::uint32_t factor)
@@ -100,8 +99,7 @@ HWY_INLINE Real near_strands(const NearCells& near, Vec3 place, Vec3 tangent, Ve
     sum += to_real(hn::And(hn::Shr(pair, hn::ShiftLeft<4>(hn::And(index, whole(1)))), whole(0xffff)));
   }
   const Real own = sum - NearCells::steps * near.mean();
-  const Real cosine = dot(tangent, to_light);
-  return own * (1 / NearCells::one) * sqrt(1.0f - (1.0f - spread) * min(cosine * cosine, 1.0f));
+  return strands_crossed(own * (1 / NearCells::one), 1.0f, tangent, to_light);
 }
 
 /// The strands to a light: near a fibre single ones, from where their cells end what the grid has.

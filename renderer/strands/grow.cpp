@@ -119,13 +119,22 @@ std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segme
   return same ? std::move(before) : std::make_shared<const CoatTables>(recipe, segments);
 }
 
-}  // namespace
-
 /// How a strand stands on its root, but for the way in which the fur leans there.
 struct StandingForm {
   float reach = 1, stretch = 1;  // StrandRoot
   std::array<glm::vec3, 64> sideways;
 };
+
+StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t piece, const RootFields& root,
+                   const StandingForm& standing) {
+  const auto whole = [](double share) {
+    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
+  };
+  return {root.normal, static_cast<float>(strand.number),         standing.reach, standing.stretch, root.wetness,
+          piece,       {whole(copy.share.y), whole(copy.share.z)}};
+}
+
+}  // namespace
 
 struct Grower::Impl {
   /// A piece as it is, and as it is when the shutter closes where anything moves.
@@ -233,16 +242,7 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
     if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
   colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
-  const auto whole = [](double part) {
-    return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(part, 0.0, 1.0)));
-  };
-  set.roots.push_back({root.normal,
-                       static_cast<float>(tile[copy.strand].number),
-                       standing.reach,
-                       standing.stretch,
-                       root.wetness,
-                       piece.index,
-                       {whole(copy.share.y), whole(copy.share.z)}});
+  set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing));
 }
 
 LeanCurves Grower::Impl::bend_of(std::uint32_t piece) const {
