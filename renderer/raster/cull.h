@@ -16,6 +16,10 @@ float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 /// they are thin, all where each is seen by itself.
 std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last);
 
+/// Share of a strand's colour that is its own: the more strands of the whole coat it stands for, the nearer it is to
+/// their mean. [0, 1]
+float own_colour(const RasterScene& scene, const GrownPart& part);
+
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
 /// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the
 /// later they come, so that none appears at once when the camera comes nearer. Which they are depends on the skin, on

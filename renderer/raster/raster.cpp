@@ -82,7 +82,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   light_strands(scene, part, std::span(lit_).subspan(whole), false, rest_);
   at_.clear();
   for (const std::uint32_t from : of_) at_.push_back(place_[from]);
-  hand_on_light(set, {ids, of_, at_, whole_, rest_}, first, placed);
+  hand_on_light(set, {ids, of_, at_, whole_, rest_, own_colour(scene, part)}, first, placed);
   return lit_.size();
 }
 

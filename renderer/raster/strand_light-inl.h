@@ -328,6 +328,19 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
+/// Colours of a strand's knots: as much of its own as `share` says, and else of its group.
+struct KnotColours {
+  std::span<const std::uint32_t> own, group;
+  float share;
+
+  HWY_INLINE Colour at(std::size_t knot) const {
+    const Colour colour = colour_over_black(own[knot]);
+    if (share >= 1) return colour;
+    const Colour mean = colour_over_black(group[knot]);
+    return hn::MulAdd(hn::Sub(colour, mean), hn::Set(ColourTag(), share), mean);
+  }
+};
+
 /// Light along a strand, from that of the points of the one that is lit, which it is so many times `taller` than: knots
 /// have the light of the same height.
 template <bool by_colour>
@@ -335,13 +348,13 @@ struct LightAlong {
   static constexpr ColourTag tag{};
   static constexpr float beyond_tip = 1;  // points; what is taller gets more light than the tip
   std::span<const glm::vec4> points;
-  std::span<const std::uint32_t> colours;
+  KnotColours colours;
   float first, step;  // of the points, at the first knot and from knot to knot
 
-  LightAlong(const LitPoints& lit, const glm::vec4* light, std::span<const std::uint32_t> colour_of_knots, float taller)
-      : points(light, static_cast<std::size_t>(lit.count)), colours(colour_of_knots) {
+  LightAlong(const LitPoints& lit, const glm::vec4* light, const KnotColours& of_knots, float taller)
+      : points(light, static_cast<std::size_t>(lit.count)), colours(of_knots) {
     const float over = static_cast<float>(lit.count - 1) / std::max(1 - lit.from, 1e-3f);
-    first = -lit.from * over, step = taller * over / static_cast<float>(colours.size() - 1);
+    first = -lit.from * over, step = taller * over / static_cast<float>(colours.own.size() - 1);
   }
 
   HWY_INLINE Colour at(int knot) const {
@@ -352,7 +365,7 @@ struct LightAlong {
                  b = hn::LoadU(tag, &points[static_cast<std::size_t>(low) + 1].x);
     const Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, place - static_cast<float>(low)), a);
     if constexpr (!by_colour) return sent;
-    return hn::Mul(hn::Max(sent, hn::Zero(tag)), colour_over_black(colours[static_cast<std::size_t>(knot)]));
+    return hn::Mul(hn::Max(sent, hn::Zero(tag)), colours.at(static_cast<std::size_t>(knot)));
   }
 
   /// What the knots between two that are drawn send beyond the straight line between these, in the mean: so much more
@@ -375,7 +388,7 @@ template <bool by_colour>
 HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const float> along, PlacedKnot* knots) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));
   const hn::Rebind<hwy::float16_t, ColourTag> halves;
-  const auto segments = static_cast<float>(light.colours.size() - 1);
+  const auto segments = static_cast<float>(light.colours.own.size() - 1);
   const auto knot_at = [&](std::size_t k) { return static_cast<int>(along[k] * segments + 0.5f); };
   int knot = knot_at(0);
   Colour sent = light.at(knot), more_before = hn::Zero(light.tag);
@@ -392,19 +405,26 @@ HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const floa
   }
 }
 
+HWY_INLINE KnotColours knot_colours(const StrandSet& set, std::uint32_t strand, float own) {
+  const auto knots = static_cast<std::size_t>(set.segments) + 1;
+  const auto of = [&](const std::vector<std::uint32_t>& colours, std::uint32_t row) {
+    return std::span(colours).subspan(row * knots, knots);
+  };
+  if (own >= 1 || set.group_colours.empty()) return {of(set.colours, strand), {}, 1};
+  return {of(set.colours, strand), of(set.group_colours, set.group_of(strand)), own};
+}
+
 template <bool by_colour>
 HWY_INLINE void hand_on_all(const StrandSet& set, const LightSources& sources, std::size_t first,
                             PlacedStrands& placed) {
   const std::size_t whole = sources.whole.light.size() / static_cast<std::size_t>(sources.whole.count);
-  const auto knots = static_cast<std::size_t>(set.segments) + 1;
   for (std::size_t i = 0; i < sources.ids.size(); ++i) {
     const std::size_t lit = sources.lit[i];
     const LitPoints& points = lit < whole ? sources.whole : sources.rest;
     const glm::vec4* light = &points.light[(lit < whole ? lit : lit - whole) * static_cast<std::size_t>(points.count)];
     const float taller = set.roots[sources.ids[i]].reach / std::max(set.roots[sources.from[i]].reach, 1e-3f);
     const std::uint32_t begin = placed.first[first + i], end = placed.first[first + i + 1];
-    const LightAlong<by_colour> along(points, light, std::span(set.colours).subspan(sources.ids[i] * knots, knots),
-                                      taller);
+    const LightAlong<by_colour> along(points, light, knot_colours(set, sources.ids[i], sources.own_colour), taller);
     hand_on(along, std::span(placed.along).subspan(begin, end - begin), &placed.knots[begin]);
   }
 }

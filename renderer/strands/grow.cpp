@@ -297,6 +297,7 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   set.neighbour = std::move(even.neighbour);
   set.points.shrink_to_fit(), set.closing.shrink_to_fit();
   set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
+  set.find_group_colours();
   return set;
 }
 

@@ -1,6 +1,7 @@
 // The colours of grown strands beside the formulas of the shaders.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "protocol/base/colour_space.h"
@@ -31,6 +32,33 @@ TEST(GrowColour, IsTheStrandsOwn) {
         expect_colour(colour_of(set, i, k), strand_colour(coat, strand, static_cast<double>(k) / set.segments));
     }
   }
+}
+
+TEST(GrowColour, GroupsHaveTheMeanOfStrandsThatLieTogether) {
+  Coat coat;
+  coat.count = 4000, coat.ticking.share = 0.3;
+  const StrandSet set = FurPatch(0.2, 4).grow({coat});
+  const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
+  ASSERT_EQ(set.groups(), (set.count() + 7) / 8);
+  std::vector<glm::dvec3> sums(set.groups()), roots(set.groups());
+  std::vector<double> weights(set.groups());
+  std::vector<int> members(set.groups());
+  for (std::uint32_t i = 0; i < set.count(); ++i) {
+    const std::uint32_t group = set.group_of(i);
+    ASSERT_LT(group, set.groups());
+    const double weight = set.points[i * knots + 3].radius;
+    sums[group] += weight * glm::dvec3(colour_of(set, i, 3)), weights[group] += weight, ++members[group];
+    roots[group] += glm::dvec3(set.points[i * knots].place) / 8.0;
+  }
+  double apart = 0;
+  int whole = 0;
+  for (std::uint32_t g = 0; g < set.groups(); ++g) {
+    expect_colour(unpack_colour(set.group_colours[g * knots + 3]), glm::vec3(sums[g] / weights[g]));
+    if (members[g] != 8) continue;  // the last on the curve
+    apart += glm::distance(roots[g], glm::dvec3(set.points[g * knots].place)), ++whole;
+  }
+  EXPECT_GE(whole, static_cast<int>(set.groups()) - 1);
+  EXPECT_LT(apart / whole, 0.2 * std::sqrt(8.0 / static_cast<double>(set.count())));
 }
 
 TEST(GrowColour, ModelGivesTheHue) {
