@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/base/parallel.h"
 #include "protocol/base/status.h"
 
 namespace pelage {
@@ -31,11 +32,11 @@ struct ImageText {
 enum class PngNumbers { srgb, data };
 
 /// PNG with the fast settings (zlib level 1, sub filter); RGB when every alpha is at its largest and
-/// `keep_alpha` is false.
+/// `keep_alpha` is false. The same bytes on any number of threads.
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts = {},
-                       PngNumbers numbers = PngNumbers::srgb);
+                       PngNumbers numbers = PngNumbers::srgb, int threads = default_threads());
 std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {},
-                       PngNumbers numbers = PngNumbers::srgb);
+                       PngNumbers numbers = PngNumbers::srgb, int threads = default_threads());
 
 /// An `invalid` Status: "The picture cannot be read: REASON".
 inline constexpr std::string_view unreadable_picture = "The picture cannot be read: ";

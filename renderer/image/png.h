@@ -28,11 +28,11 @@ PngLayout png_layout(const Image16& image, bool keep_alpha);
 
 /// Bands of 16 rows, the last one with what is left: so short that a stroke changes few, so long that what each costs
 /// by itself (some 30 bytes) does not show.
-int png_band_count(const PngLayout& layout);
+std::uint32_t png_band_count(const PngLayout& layout);
 
 /// The samples of a band, from the top; RGBA, also where the layout leaves out alpha.
-std::span<const std::uint8_t> png_band_of(const Image& image, int band);
-std::span<const std::uint16_t> png_band_of(const Image16& image, int band);
+std::span<const std::uint8_t> png_band_of(const Image& image, std::uint32_t band);
+std::span<const std::uint16_t> png_band_of(const Image16& image, std::uint32_t band);
 
 struct PngBand {
   std::string chunk;        // IDAT, with its length and checksum
@@ -54,11 +54,16 @@ std::string png_file(const PngLayout& layout, std::span<const std::shared_ptr<co
 /// encode_png gives.
 class PngEncoder {
  public:
-  /// What is kept has at most so many pixels.
-  explicit PngEncoder(std::size_t max_pixels = std::size_t{2048} * 2048) : max_pixels_(max_pixels) {}
+  /// Compresses on up to so many threads. What is kept has at most so many pixels.
+  explicit PngEncoder(int threads, std::size_t max_pixels = std::size_t{2048} * 2048)
+      : threads_(threads), max_pixels_(max_pixels) {}
 
   /// As encode_png.
   std::string encode(Image image, bool keep_alpha, std::span<const ImageText> texts = {});
+  /// The same of a picture that is not kept.
+  std::string encode(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {}) const {
+    return encode_png(image, keep_alpha, texts, PngNumbers::srgb, threads_);
+  }
 
  private:
   /// A picture and its bands. Never changes, so several may read it.
@@ -73,6 +78,10 @@ class PngEncoder {
   /// `picture` takes the place of `source`, or of the oldest where there is none and no room.
   void keep(std::shared_ptr<const Kept> picture, const Kept* source);
 
+  /// The first of some pictures that has these rows there; null for none.
+  static const Kept* same_band(const Pictures& before, std::span<const std::uint8_t> rows, std::uint32_t band);
+
+  const int threads_;
   const std::size_t max_pixels_;
   mutable std::mutex mutex_;
   Pictures pictures_;

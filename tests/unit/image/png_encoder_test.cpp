@@ -23,7 +23,7 @@ Image noise(int width, int height, std::uint32_t seed, bool opaque) {
 
 /// What a client does: pictures of a few sizes, each mostly the one before with a patch changed.
 RC_GTEST_PROP(PngEncoder, GivesTheBytesThatEncodingWithoutAMemoryGives, ()) {
-  PngEncoder encoder(20'000);  // room for three or four of the larger ones
+  PngEncoder encoder(2, 20'000);  // room for three or four of the larger ones
   std::vector<Image> pictures;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     pictures.push_back(noise(sizes[i][0], sizes[i][1], static_cast<std::uint32_t>(i), i != 2));
@@ -38,7 +38,7 @@ RC_GTEST_PROP(PngEncoder, GivesTheBytesThatEncodingWithoutAMemoryGives, ()) {
 }
 
 TEST(PngEncoder, PicturesTooLargeToKeepAreEncodedAllTheSame) {
-  PngEncoder encoder(63 * 80);
+  PngEncoder encoder(2, 63 * 80);
   const Image large = noise(64, 80, 1, true), small = noise(16, 33, 2, true);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(encoder.encode(large, false), encode_png(large, false));
@@ -47,7 +47,7 @@ TEST(PngEncoder, PicturesTooLargeToKeepAreEncodedAllTheSame) {
 }
 
 TEST(PngEncoder, ServesSeveralThreads) {
-  PngEncoder encoder;
+  PngEncoder encoder(2);
   std::array<int, 4> wrong{};
   std::vector<std::thread> threads;
   for (std::uint32_t t = 0; t < wrong.size(); ++t) {
