@@ -14,6 +14,7 @@ find_package(meshoptimizer REQUIRED)
 # Through pkg-config and not find_package: its macros change the size of cpp-httplib's structures.
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
+pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(tinyobj REQUIRED IMPORTED_TARGET tinyobjloader_double)

@@ -4,7 +4,7 @@ set -euo pipefail
 
 build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml glslang-tools
   libglm-dev libegl-dev libosmesa6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6
-  libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev zlib1g-dev libtinyobjloader-dev libassimp-dev libzip-dev libembree-dev libtbb-dev libeigen3-dev libmeshoptimizer-dev libhwy-dev
+  libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev libwebp-dev zlib1g-dev libtinyobjloader-dev libassimp-dev libzip-dev libembree-dev libtbb-dev libeigen3-dev libmeshoptimizer-dev libhwy-dev
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 demo=("${build[@]}" glmark2-data openimageio-tools)
 test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip curl

@@ -15,4 +15,9 @@ Knobs knobs_of(Tier tier) {
   return {};
 }
 
+int lossy_quality(const Knobs& knobs) {
+  if (knobs.method != Method::raster || knobs.scale > 1) return 94;
+  return knobs.raster.strands < 1 ? 80 : 88;
+}
+
 }  // namespace pelage

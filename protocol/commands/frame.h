@@ -51,10 +51,12 @@ enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
 /// `npy` is a NumPy array of the pixels of `png`, bytes [height, width, 4]; `npy_linear` one of what an EXR of floats
 /// holds, [height, width, channels] in the order of its AOVs.
-enum class FrameFormat { png, png16, jpeg, exr, npy, npy_linear };
+enum class FrameFormat { png, png16, jpeg, webp, exr, npy, npy_linear };
 
 /// Whether the format holds linear light and AOVs, without exposure, tone map and background.
 constexpr bool is_linear(FrameFormat format) { return format == FrameFormat::exr || format == FrameFormat::npy_linear; }
+/// Whether it leaves out what is hardly seen.
+constexpr bool is_lossy(FrameFormat format) { return format == FrameFormat::jpeg || format == FrameFormat::webp; }
 enum class ExrType { half, single };
 /// What a picture can show over the frame: a field, on the fur; or, instead of it, the shape of the model.
 enum class Overlay {
@@ -137,6 +139,8 @@ struct Knobs {
 
 /// The knobs that a tier stands for.
 Knobs knobs_of(Tier tier);
+/// What a JPEG or a WebP keeps of a picture that was drawn with these knobs: the closer it is, the more. [1, 100]
+int lossy_quality(const Knobs& knobs);
 
 /// Why a traced picture ended; none while it goes on.
 enum class TraceEnd { none, passes, noise, seconds };
@@ -177,7 +181,7 @@ struct FrameRequest {
   ToneMap tone_map = ToneMap::filmic;
   std::optional<Look> look;  // in place of the scene's, for this frame
   FrameFormat format = FrameFormat::png;
-  int jpeg_quality = 90;                           // [1, 100]
+  int lossy_quality = 0;                           // of JPEG and WebP, [0, 100]; 0: as the knobs ask (lossy_quality)
   ExrType exr_type = ExrType::half;                // depth and position are always single
   std::vector<Aov> aovs{Aov::beauty};              // of an EXR: at least one, each once
   Overlay overlay = Overlay::none;                 // not in an EXR

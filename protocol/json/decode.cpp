@@ -43,7 +43,13 @@ Result<std::vector<Command>> decode_commands(std::string_view text) {
 
 Result<NewScene> decode_new_scene(std::string_view text) { return decode_document<NewScene>(text); }
 
-Result<FrameRequest> decode_frame_request(std::string_view text) { return decode_document<FrameRequest>(text); }
+Result<FrameRequest> decode_frame_request(std::string_view text, FrameFormat usual) {
+  auto tree = parse_json(text);
+  if (!tree) return tree.status();
+  const bool names_one = !tree->is_object() || tree->contains("format");
+  if (!names_one) (*tree)["format"] = json_names::text_of(json_names::frame_formats, usual);
+  return decode_tree<FrameRequest>(*tree);
+}
 
 Result<RenderJob> decode_job(std::string_view text) { return decode_document<RenderJob>(text); }
 

@@ -29,7 +29,8 @@ namespace pelage {
 /// `{"op": ...}` or `{"commands": [...]}`; 1 to 1,000 commands.
 Result<std::vector<Command>> decode_commands(std::string_view text);
 Result<NewScene> decode_new_scene(std::string_view text);
-Result<FrameRequest> decode_frame_request(std::string_view text);
+/// `usual` is the format of what names none.
+Result<FrameRequest> decode_frame_request(std::string_view text, FrameFormat usual = FrameFormat::png);
 /// A job of pelage-render. Paths and frame ranges are for the batch renderer to check.
 Result<RenderJob> decode_job(std::string_view text);
 
@@ -37,7 +38,7 @@ Result<RenderJob> decode_job(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
 /// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
-/// format, jpeg_quality, exr_type, layers (names with commas), overlay, overlay_from, revision. Pointers name the
+/// format, lossy_quality, exr_type, layers (names with commas), overlay, overlay_from, revision. Pointers name the
 /// member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.

@@ -139,11 +139,15 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409. At most "
       "200 bytes.");
   v.name("format", c.format, json_names::frame_formats,
-         "Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without "
+         "Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg, half as "
+         "large, ten times slower to make, with alpha. exr: linear light without "
          "exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes "
          "[height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, "
          "channels].");
-  v.integer("jpeg_quality", c.jpeg_quality, {1, 100}, "Quality of a JPEG; of the format jpeg only.");
+  v.integer(
+      "lossy_quality", c.lossy_quality, {0, 100},
+      "How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's quality asks, "
+      "80 of a draft, 88 of an interactive frame, 94 beyond.");
   v.name("exr_type", c.exr_type, json_names::exr_types,
          "Type of the channels of an EXR. Depth, position, strand and root are always float.");
   if (v.shows(is_linear(c.format)))

@@ -162,9 +162,10 @@ inline constexpr std::array<Name<ExportFormat>, 6> export_formats{{{"usda", Expo
                                                                    {"pelage", ExportFormat::pelage}}};
 inline constexpr std::array<Name<GuideFormat>, 3> guide_formats{
     {{"usda", GuideFormat::usda}, {"hair", GuideFormat::hair}, {"json", GuideFormat::json}}};
-inline constexpr std::array<Name<FrameFormat>, 6> frame_formats{{{"png", FrameFormat::png},
+inline constexpr std::array<Name<FrameFormat>, 7> frame_formats{{{"png", FrameFormat::png},
                                                                  {"png16", FrameFormat::png16},
                                                                  {"jpeg", FrameFormat::jpeg},
+                                                                 {"webp", FrameFormat::webp},
                                                                  {"exr", FrameFormat::exr},
                                                                  {"npy", FrameFormat::npy},
                                                                  {"npy_linear", FrameFormat::npy_linear}}};

@@ -20,13 +20,17 @@ Command read(const Value& value);
 
 /// The first refusal, where there is one.
 template <class T>
+Result<T> decode_tree(const nlohmann::json& tree, Reading reading = Reading::strict) {
+  Status first_failure;
+  T result = read<T>(Value(tree, "", first_failure, reading));
+  if (!first_failure.ok()) return first_failure;
+  return result;
+}
+template <class T>
 Result<T> decode_document(std::string_view text, Reading reading = Reading::strict) {
   const auto tree = parse_json(text);
   if (!tree) return tree.status();
-  Status first_failure;
-  T result = read<T>(Value(*tree, "", first_failure, reading));
-  if (!first_failure.ok()) return first_failure;
-  return result;
+  return decode_tree<T>(*tree, reading);
 }
 
 }  // namespace pelage::json_parts

@@ -80,7 +80,7 @@ void check_layers(const Value& value, const FrameRequest& request) {
 
 void check_overlay(const Value& value, const FrameRequest& request) {
   if (is_linear(request.format) && request.overlay != Overlay::none) {
-    value.refuse_below("overlay", "Linear light has no overlay.", "format png, png16, jpeg or npy");
+    value.refuse_below("overlay", "Linear light has no overlay.", "format png, png16, jpeg, webp or npy");
   }
   const bool compares = request.overlay == Overlay::difference;
   if (compares && !request.overlay_from) {

@@ -42,6 +42,9 @@ class PictureFiles {
   /// background.
   virtual std::string encode_jpeg(const Image& image, int quality) const = 0;
 
+  /// Lossy WebP for drafts over slow lines, quality in [1, 100]; with its alpha where that is not 1 everywhere.
+  virtual std::string encode_webp(const Image& image, int quality) const = 0;
+
   /// An EXR with these channels, zip compressed (lossless); the same input gives the same bytes. Finite numbers beyond
   /// the range of half are held at its largest; NaN and infinity stay.
   virtual std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes,

@@ -124,7 +124,8 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
   switch (request.format) {
     case FrameFormat::png:
     case FrameFormat::npy:
-    case FrameFormat::jpeg: return drawn(renderer.draw(frame, &times, pause));
+    case FrameFormat::jpeg:
+    case FrameFormat::webp: return drawn(renderer.draw(frame, &times, pause));
     case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times, pause));
     case FrameFormat::npy_linear:
     case FrameFormat::exr: return drawn(renderer.draw_aovs(frame, request.aovs, &times, pause));
@@ -151,14 +152,16 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
   return parts;
 }
 
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
-                         PngEncoder& png, std::span<const ImageText> texts) {
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
+                         const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
     return encode_aovs(std::move(*aovs), request, placement, texts);
-  if (const auto* deep = std::get_if<Image16>(&picture)) return encode_png(*deep, keep_alpha, texts);
+  if (const auto* deep = std::get_if<Image16>(&picture)) return png.encode(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
-  if (request.format == FrameFormat::jpeg) return picture_files().encode_jpeg(image, request.jpeg_quality);
+  const int kept = request.lossy_quality > 0 ? request.lossy_quality : lossy_quality(knobs);
+  if (request.format == FrameFormat::jpeg) return picture_files().encode_jpeg(image, kept);
+  if (request.format == FrameFormat::webp) return picture_files().encode_webp(image, kept);
   if (request.format == FrameFormat::npy) return encode_array(image);
   return png.encode(std::move(image), keep_alpha, texts);
 }
@@ -168,6 +171,7 @@ const char* content_type_of(FrameFormat format) {
     case FrameFormat::png:
     case FrameFormat::png16: return "image/png";
     case FrameFormat::jpeg: return "image/jpeg";
+    case FrameFormat::webp: return "image/webp";
     case FrameFormat::exr: return "image/x-exr";
     case FrameFormat::npy:
     case FrameFormat::npy_linear: return npy_type;

@@ -30,9 +30,10 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
 
 /// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and
 /// A of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
-/// or AOV.Y (shadow, shell_count) of the others. `png` remembers pictures of 8 bits. PNG and EXR carry the texts.
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const ModelPlacement& placement,
-                         PngEncoder& png, std::span<const ImageText> texts = {});
+/// or AOV.Y (shadow, sample_count) of the others. `png` remembers pictures of 8 bits. PNG and EXR carry the texts.
+/// `knobs` are those that it was drawn with: what is lossy keeps as much as they do.
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
+                         const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
 
 const char* content_type_of(FrameFormat format);
 

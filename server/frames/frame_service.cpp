@@ -40,16 +40,19 @@ int baking_threads() { return std::max(1, default_threads() / 4); }
 void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest& request,
                    const ModelPlacement& placement, PngEncoder& png, const FileTexts& texts) {
   const Stopwatch passed;
-  answer.bytes =
-      encode_frame(std::move(picture), request, placement, png, texts ? texts(answer) : std::vector<ImageText>());
+  answer.bytes = encode_frame(std::move(picture), request, answer.knobs, placement, png,
+                              texts ? texts(answer) : std::vector<ImageText>());
   answer.timings.encode = passed.milliseconds();
 }
 
 }  // namespace
 
 struct FrameService::Impl {
-  Impl(YieldGate& yield_gate, std::size_t coat_memory)
-      : gate(yield_gate), baker(baking_threads(), coat_memory, [this] { wake_up(); }) {}
+  Impl(YieldGate& yield_gate, std::size_t coat_memory, int asked_threads)
+      : gate(yield_gate),
+        baker(baking_threads(), coat_memory, [this] { wake_up(); }),
+        threads(drawing_threads(asked_threads)),
+        png(threads) {}
 
   YieldGate& gate;
   std::mutex mutex;
@@ -67,8 +70,8 @@ struct FrameService::Impl {
   PastScenes past_scenes;
   MovedFur moved_fur;  // of the render thread
   FramePlanner planner;
-  int threads = 1;  // that fur is drawn on
-  PngEncoder png;   // of whoever asked, not of the render thread
+  const int threads;  // that fur is drawn on
+  PngEncoder png;     // of whoever asked, not of the render thread
   const Stopwatch running_time;
   std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
@@ -107,7 +110,6 @@ void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<i
                              std::promise<Status>& started) {
   Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads, device);
   if (!context) return started.set_value(context.status());
-  threads = drawing_threads(asked_threads);
   planner.use(default_calibration(threads));
   Result<std::unique_ptr<Renderer>> renderer =
       make_renderer(context->get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
@@ -311,7 +313,7 @@ FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) 
 
 Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate,
                                                           std::optional<int> device, std::size_t coat_memory) {
-  auto impl = std::make_unique<Impl>(gate, coat_memory);
+  auto impl = std::make_unique<Impl>(gate, coat_memory, threads);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
   impl->thread = std::thread(

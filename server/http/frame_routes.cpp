@@ -7,6 +7,7 @@
 #include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/frames/seen_strand.h"
+#include "server/http/accept_format.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
@@ -192,10 +193,12 @@ void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Re
 
 void answer_post(Service& service, const std::shared_ptr<Scene>& scene, const Request& request, Response& response) {
   const Status status = check_query(request, {"after", "after_pass", "wait", "dry_run"});
-  const auto wanted = status.ok() ? decode_frame_request(request.body) : Result<FrameRequest>(status);
+  const FrameFormat liked = accepted_format(joined_header(request, "Accept"));
+  const auto wanted = status.ok() ? decode_frame_request(request.body, liked) : Result<FrameRequest>(status);
   const auto dry_run = is_dry_run(request);
   if (!dry_run) return reply_problem(response, dry_run.status());
   if (*dry_run) return answer_cost(service, scene, wanted, request, response);
+  response.set_header("Vary", "Accept");
   answer_frame(service, scene, wanted, request, response);
 }
 

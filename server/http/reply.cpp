@@ -103,6 +103,14 @@ Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {
   return failure(Code::malformed, "If-Match is no entity tag of a scene.", "", "one ETag such as \"12\", or *");
 }
 
+std::string joined_header(const httplib::Request& request, const char* name) {
+  std::string joined;
+  for (std::size_t k = 0; k < request.get_header_value_count(name); ++k) {
+    joined += (k > 0 ? "," : "") + request.get_header_value(name, k);
+  }
+  return joined;
+}
+
 bool none_match_names(const httplib::Request& request, std::string_view etag) {
   const std::string header = request.get_header_value("If-None-Match");
   std::string_view left = header;

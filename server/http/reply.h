@@ -42,6 +42,9 @@ Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
 Result<bool> flag_of(const httplib::Request& request, const std::string& name);
 inline Result<bool> is_dry_run(const httplib::Request& request) { return flag_of(request, "dry_run"); }
 
+/// The values of a header that may come in several lines.
+std::string joined_header(const httplib::Request& request, const char* name);
+
 /// Whether If-None-Match is * or names the entity tag, which has its quotes; weak ones count (RFC 9110 13.1.2).
 bool none_match_names(const httplib::Request& request, std::string_view etag);
 /// The same for a revision, and the passes of a traced picture.

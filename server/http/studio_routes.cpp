@@ -10,15 +10,6 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-/// The values of a header that may come in several lines.
-std::string joined_header(const Request& request, const char* name) {
-  std::string joined;
-  for (std::size_t k = 0; k < request.get_header_value_count(name); ++k) {
-    joined += (k > 0 ? "," : "") + request.get_header_value(name, k);
-  }
-  return joined;
-}
-
 std::string_view bytes_of(const StudioFile& file, Encoding encoding) {
   return encoding == Encoding::brotli ? file.brotli : encoding == Encoding::gzip ? file.gzip : file.identity;
 }

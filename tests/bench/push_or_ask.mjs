@@ -11,7 +11,7 @@ const option = (name, initial) => {
   return at < 0 ? initial : Number(process.argv[at + 1]);
 };
 const delay = option("delay", 25), seconds = option("seconds", 6);
-const request = {width: 900, height: 700, quality: "draft", format: "jpeg", jpeg_quality: 85};
+const request = {width: 900, height: 700, quality: "draft", format: "jpeg", lossy_quality: 85};
 
 const post = (address, path, body) => fetch(address + path, {method: "POST", body: JSON.stringify(body), headers: {"Content-Type": "application/json"}});
 

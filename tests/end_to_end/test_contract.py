@@ -210,7 +210,7 @@ class Requests(ServedTest):
                  "quality": {"scale": 1.0, "eye_steps": 2},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
         exr = {"width": 8, "height": 8, "background": "studio", "format": "exr", "exr_type": "half", "aovs": ["depth", "beauty"], "overlay": "none"}
-        jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "jpeg_quality": 50, "overlay": "strokes"}
+        jpeg = {"width": 8, "height": 8, "background": "studio", "format": "jpeg", "lossy_quality": 50, "overlay": "strokes"}
         difference = {"width": 8, "height": 8, "overlay": "difference", "overlay_from": 0}
         past = {"width": 8, "height": 8, "revision": 0, "progressive": False, "time": 2.5}
         trace = {"passes": 1, "transport": "paths", "scattering": "energy_conserving", "bounces": 2, "strands": 100,

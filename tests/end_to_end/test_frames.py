@@ -125,7 +125,7 @@ class Frames(ServedTest):
         png = scene.frame(background="studio").image.astype(float)
         sizes = []
         for quality in (5, 60, 98):
-            answer = scene.frame(format="jpeg", jpeg_quality=quality, background="studio")
+            answer = scene.frame(format="jpeg", lossy_quality=quality, background="studio")
             self.assertEqual(answer.headers["content-type"], "image/jpeg")
             with Image.open(io.BytesIO(answer.body)) as image:
                 self.assertEqual(image.format, "JPEG")
@@ -133,9 +133,36 @@ class Frames(ServedTest):
         self.assertEqual(sizes, sorted(sizes))
         self.assertLess(numpy.abs(answer.image.astype(float) - png[..., :3]).mean(), 3)
 
+    def test_webp(self):
+        scene = self.server.new_scene("creature", 2000)
+        for background in ("studio", "transparent"):
+            png = Image.fromarray(scene.frame(background=background).image).convert("RGBA")
+            answer = scene.frame(format="webp", background=background, lossy_quality=95)
+            self.assertEqual(answer.headers["content-type"], "image/webp")
+            with Image.open(io.BytesIO(answer.body)) as image:
+                self.assertEqual((image.format, image.mode), ("WEBP", "RGBA" if background == "transparent" else "RGB"))
+                shown = [numpy.array(Image.alpha_composite(Image.new("RGBA", png.size, "grey"), picture.convert("RGBA"))).astype(float)
+                         for picture in (image, png)]
+            self.assertLess(numpy.abs(shown[0] - shown[1]).mean(), 3, background)
+
+    def test_the_header_chooses_where_the_request_does_not(self):
+        scene = self.server.new_scene("sphere", 500)
+        moving = {"Accept": "image/webp, image/jpeg;q=0.5"}
+        for request, headers, expected in (({}, {}, "image/png"), ({}, moving, "image/webp"), ({"format": "png"}, moving, "image/png"),
+                                           ({}, {"Accept": "image/jpeg"}, "image/jpeg"), ({}, {"Accept": "*/*"}, "image/png")):
+            answer = scene.post("frames", {"width": 64, "height": 64, **request}, headers=headers)
+            self.assertEqual((answer.headers["content-type"], answer.headers["vary"]), (expected, "Accept"), (request, headers))
+
+    def test_drafts_keep_less(self):
+        scene = self.server.new_scene("creature", 2000)
+        draft = {"quality": "draft", "format": "jpeg", "background": "studio"}
+        self.assertEqual(scene.frame(**draft).body, scene.frame(**draft, lossy_quality=80).body)
+        self.assertEqual(scene.frame(format="jpeg", background="studio").body,
+                         scene.frame(format="jpeg", background="studio", lossy_quality=88).body)
+
     def test_same_request_same_content(self):
         scene = self.server.new_scene("torus", 1000)
-        for request in ({"format": "exr", "aovs": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"},
+        for request in ({"format": "exr", "aovs": ["beauty", "depth", "normal"]}, {"format": "png16"}, {"format": "jpeg"}, {"format": "webp"},
                         {"overlay": "strokes"}, {"overlay": "wire"}):
             self.assertEqual(scene.frame(**request).body, scene.frame(**request).body, request)
 
@@ -146,7 +173,7 @@ class Frames(ServedTest):
                                  ({"format": "exr", "aovs": ["depth", "depth"]}, "/aovs/1"),
                                  ({"format": "exr", "overlay": "length"}, "/overlay"), ({"overlay": "stretch"}, "/overlay"),
                                  ({"format": "jpeg", "background": "transparent"}, "/background"),
-                                 ({"format": "jpeg", "jpeg_quality": 0}, "/jpeg_quality"), ({"format": "tiff"}, "/format"),
+                                 ({"format": "jpeg", "lossy_quality": 101}, "/lossy_quality"), ({"format": "tiff"}, "/format"),
                                  ({"format": "exr", "width": 8192, "height": 8192, "aovs": ["beauty", "depth"]}, "/aovs")):
             self.assert_problem(scene.post("frames", request), 422, pointer)
         self.assert_problem(self.server.get(f"{scene.path}/frame.png?format=exr"), 422, "/format")

@@ -12,8 +12,8 @@ namespace pelage {
 
 namespace {
 
-const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"},
-                            {".jpeg", "jpeg"}, {".exr", "exr"}, {".npy", "npy"}};
+const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"},
+                            {".webp", "webp"}, {".exr", "exr"}, {".npy", "npy"}};
 
 /// Checked here too, so that a wrong line says so without a server.
 Result<FrameRequest> frame_request_of(const Options& options) {

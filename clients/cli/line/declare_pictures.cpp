@@ -68,8 +68,8 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--exposure", "exposure", "Stops, -20 to 20 [0]");
   hand_on(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");
   hand_on(command, frame, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
-  hand_on(command, frame, "--format", "format", "png, png16, jpeg, exr, npy or npy_linear [the output's ending]");
-  hand_on(command, frame, "--jpeg-quality", "jpeg_quality", "1 to 100 [90]");
+  hand_on(command, frame, "--format", "format", "png, png16, jpeg, webp, exr, npy or npy_linear [the output's ending]");
+  hand_on(command, frame, "--lossy-quality", "lossy_quality", "Of JPEG and WebP, 1 to 100 [by the quality]");
   hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
   hand_on(command, frame, "--aovs", "aovs",
           "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "

@@ -42,7 +42,7 @@ REQUESTS = (
             "Draws the scene. `camera` is also taken as a word, such as \"front\".", ("progressive",),
             parameters=(PROGRESS,)),
     Request("save_frame", "FrameRequest", "Frame",
-            "Draws the scene to a file: .png, .jpg, .jpeg, .exr or .npy. Another ending raises ValueError before anything "
+            "Draws the scene to a file: .png, .jpg, .jpeg, .webp, .exr or .npy. Another ending raises ValueError before anything "
             "is drawn. The file appears whole or not at all.", ("progressive",),
             parameters=((*PATH, "Where to; what is there is replaced."), PROGRESS)),
     Request("frame_cost", "FrameRequest", "FrameCost",
@@ -50,7 +50,7 @@ REQUESTS = (
     Request("frame_array", "FrameRequest", "NDArray[Any]",
             "Draws the scene to a NumPy array: [height, width, 4], uint8 sRGB, row 0 at the top. With `linear` float32 "
             "[height, width, channels]: linear light multiplied by alpha, the channels of `aovs` in their order.",
-            ("progressive", "format", "jpeg_quality", "exr_type"),
+            ("progressive", "format", "lossy_quality", "exr_type"),
             parameters=(("linear", "bool", "False", "Linear light, without exposure, tone map and background."), PROGRESS)),
     Request("live_frames", "FrameRequest", "Iterator[Frame]",
             "Frames without an end: one now, and one each time the scene has changed. A scene that is removed raises "

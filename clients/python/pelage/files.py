@@ -14,6 +14,7 @@ FORMATS = {
     ".png": ("png", "png16"),
     ".jpg": ("jpeg",),
     ".jpeg": ("jpeg",),
+    ".webp": ("webp",),
     ".exr": ("exr", "exr_half"),
     ".npy": ("npy", "npy_linear"),
 }

@@ -59,8 +59,8 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
-        jpeg_quality: Optional[int] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]] = None,
+        lossy_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
@@ -96,11 +96,13 @@ class Requests:
         look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
-            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
-            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
-            width, channels]. Default "png".
-        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg,
+            half as large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and
+            background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
+        lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+            quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
         exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
@@ -123,7 +125,7 @@ class Requests:
                 "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
                 "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
                 "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
-                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "format": format, "lossy_quality": lossy_quality, "exr_type": exr_type, "aovs": aovs,
                 "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             progress,
@@ -147,8 +149,8 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
-        jpeg_quality: Optional[int] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]] = None,
+        lossy_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
@@ -158,8 +160,8 @@ class Requests:
         revision: Optional[int] = None,
         progress: Optional[ReportProgress] = None,
     ) -> Frame:
-        """Draws the scene to a file: .png, .jpg, .jpeg, .exr or .npy. Another ending raises ValueError before
-        anything is drawn. The file appears whole or not at all.
+        """Draws the scene to a file: .png, .jpg, .jpeg, .webp, .exr or .npy. Another ending raises ValueError
+        before anything is drawn. The file appears whole or not at all.
 
         path: Where to; what is there is replaced.
         width: Width of the picture. 1 to 8192 (pixels). Default 512.
@@ -186,11 +188,13 @@ class Requests:
         look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
-            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
-            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
-            width, channels]. Default "png".
-        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg,
+            half as large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and
+            background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
+        lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+            quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
         exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
@@ -213,7 +217,7 @@ class Requests:
                 "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
                 "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
                 "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
-                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "format": format, "lossy_quality": lossy_quality, "exr_type": exr_type, "aovs": aovs,
                 "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
             path,
@@ -237,8 +241,8 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
-        jpeg_quality: Optional[int] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]] = None,
+        lossy_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
@@ -273,11 +277,13 @@ class Requests:
         look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
-            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
-            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
-            width, channels]. Default "png".
-        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg,
+            half as large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and
+            background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
+        lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+            quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
         exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
@@ -299,7 +305,7 @@ class Requests:
                 "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
                 "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
                 "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
-                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "format": format, "lossy_quality": lossy_quality, "exr_type": exr_type, "aovs": aovs,
                 "overlay": overlay, "overlay_from": overlay_from, "revision": revision,
             },
         )
@@ -402,8 +408,8 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
-        jpeg_quality: Optional[int] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]] = None,
+        lossy_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
@@ -438,11 +444,13 @@ class Requests:
         look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
-            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
-            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
-            width, channels]. Default "png".
-        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg,
+            half as large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and
+            background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
+        lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+            quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
         exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
@@ -462,7 +470,7 @@ class Requests:
                 "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
                 "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
                 "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
-                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "format": format, "lossy_quality": lossy_quality, "exr_type": exr_type, "aovs": aovs,
                 "overlay": overlay, "overlay_from": overlay_from,
             },
         )
@@ -484,8 +492,8 @@ class Requests:
         tone_map: Optional[Literal["none", "filmic"]] = None,
         look: Optional[Look] = None,
         view: Optional[str] = None,
-        format: Optional[Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]] = None,
-        jpeg_quality: Optional[int] = None,
+        format: Optional[Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]] = None,
+        lossy_quality: Optional[int] = None,
         exr_type: Optional[Literal["half", "float"]] = None,
         aovs: Optional[Sequence[Aov]] = None,
         overlay: Optional[Literal[
@@ -521,11 +529,13 @@ class Requests:
         look: Look for this frame, in place of the scene's.
         view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409.
             At most 200 bytes. Default "".
-        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light
-            without exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of
-            bytes [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height,
-            width, channels]. Default "png".
-        jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+        format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg,
+            half as large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and
+            background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4].
+            npy_linear: what an exr of floats holds as a NumPy array of floats [height, width, channels]. Default
+            "png".
+        lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+            quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
         exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
         aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent.
             Drawn pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth;
@@ -550,7 +560,7 @@ class Requests:
                 "width": width, "height": height, "crop": crop, "camera": camera, "quality": quality,
                 "budget_ms": budget_ms, "max_error": max_error, "max_seconds": max_seconds, "time": time,
                 "background": background, "exposure": exposure, "tone_map": tone_map, "look": look, "view": view,
-                "format": format, "jpeg_quality": jpeg_quality, "exr_type": exr_type, "aovs": aovs,
+                "format": format, "lossy_quality": lossy_quality, "exr_type": exr_type, "aovs": aovs,
                 "overlay": overlay, "progressive": progressive, "overlay_from": overlay_from,
             },
         )

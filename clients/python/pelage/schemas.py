@@ -605,11 +605,12 @@ class FrameRequest(TypedDict, total=False):
     look: Look for this frame, in place of the scene's.
     view: Name of the viewer: of several frames asked for one view only the newest is drawn, the others get 409. At
         most 200 bytes. Default "".
-    format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. exr: linear light without
-        exposure, tone map and background, multiplied by alpha. npy: the pixels of png as a NumPy array of bytes
-        [height, width, 4]. npy_linear: what an exr of floats holds as a NumPy array of floats [height, width,
-        channels]. Default "png".
-    jpeg_quality: Quality of a JPEG; of the format jpeg only. 1 to 100. Default 90.
+    format: Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy as jpeg, half as
+        large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and background,
+        multiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4]. npy_linear: what an
+        exr of floats holds as a NumPy array of floats [height, width, channels]. Default "png".
+    lossy_quality: How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's
+        quality asks, 80 of a draft, 88 of an interactive frame, 94 beyond. 0 to 100. Default 0.
     exr_type: Type of the channels of an EXR. Depth, position, strand and root are always float. Default "half".
     aovs: AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn
         pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z
@@ -645,8 +646,8 @@ class FrameRequest(TypedDict, total=False):
     tone_map: Literal["none", "filmic"]
     look: Look
     view: str
-    format: Literal["png", "png16", "jpeg", "exr", "npy", "npy_linear"]
-    jpeg_quality: int
+    format: Literal["png", "png16", "jpeg", "webp", "exr", "npy", "npy_linear"]
+    lossy_quality: int
     exr_type: Literal["half", "float"]
     aovs: Sequence[Aov]
     overlay: Literal[

@@ -24,6 +24,9 @@ class OpenImageIoFiles final : public PictureFiles {
   std::string encode_jpeg(const Image& image, int quality) const override {
     return pelage::encode_jpeg(image, quality);
   }
+  std::string encode_webp(const Image& image, int quality) const override {
+    return pelage::encode_webp(image, quality);
+  }
   std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes,
                          std::span<const ImageText> texts) const override {
     return pelage::encode_exr(window, planes, texts);

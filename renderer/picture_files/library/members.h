@@ -11,6 +11,7 @@ Result<DataImage> decode_data_image(std::span<const std::byte> bytes, std::size_
 std::string text_in_picture(std::span<const std::byte> bytes, const std::string& key);
 
 std::string encode_jpeg(const Image& image, int quality);
+std::string encode_webp(const Image& image, int quality);
 std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes, std::span<const ImageText> texts);
 
 Result<std::string> merge_pictures(std::span<const PicturePart> parts, int width, int height, bool keep_alpha,

@@ -26,6 +26,16 @@ TEST(DecodeFrame, DefaultsAndCameras) {
             "/camera/up");
 }
 
+TEST(DecodeFrame, TheUsualFormatIsForRequestsThatNameNone) {
+  const auto format_of = [](const char* text, FrameFormat usual) { return decode_frame_request(text, usual)->format; };
+  EXPECT_EQ(format_of("{}", FrameFormat::webp), FrameFormat::webp);
+  EXPECT_EQ(format_of(R"({"format": "png"})", FrameFormat::webp), FrameFormat::png);
+  EXPECT_EQ(decode_frame_request("{}")->format, FrameFormat::png);
+  EXPECT_EQ(decode_frame_request(R"({"background": "transparent"})", FrameFormat::jpeg).status().pointer,
+            "/background");
+  EXPECT_EQ(decode_frame_request("[]", FrameFormat::jpeg).status().code, decode_frame_request("[]").status().code);
+}
+
 TEST(DecodeFrame, QualityIsATierOrKnobs) {
   EXPECT_EQ(decode_frame_request(R"({"quality": "draft"})")->knobs, knobs_of(Tier::draft));
   Knobs expected = knobs_of(Tier::interactive);
@@ -56,9 +66,9 @@ TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
   EXPECT_EQ(pointer_of(R"({"format": "exr", "aovs": ["depth", "depth"]})"), "/aovs/1");
   EXPECT_EQ(pointer_of(R"({"format": "exr", "overlay": "strokes"})"), "/overlay");
   EXPECT_EQ(pointer_of(R"({"format": "jpeg", "background": "transparent"})"), "/background");
-  EXPECT_EQ(pointer_of(R"({"jpeg_quality": 101})"), "/jpeg_quality");
+  EXPECT_EQ(pointer_of(R"({"lossy_quality": 101})"), "/lossy_quality");
   EXPECT_EQ(decode_frame_request(R"({"format": "tiff"})").status().limit,
-            "png | png16 | jpeg | exr | npy | npy_linear");
+            "png | png16 | jpeg | webp | exr | npy | npy_linear");
 }
 
 TEST(DecodeFrame, ADifferenceIsFromARevision) {

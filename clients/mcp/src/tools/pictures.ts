@@ -30,7 +30,7 @@ async function draw(service: Service, path: string, request: object, caller: Cal
 }
 
 function look({service, schemas}: Context): Tool {
-  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "jpeg_quality", ...shared_members, ...view_members]);
+  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "lossy_quality", ...shared_members, ...view_members]);
   const format = {enum: ["png", "jpeg"], default: "png"};
   return {
     name: "look", annotations: reads,

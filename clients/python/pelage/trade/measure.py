@@ -52,7 +52,7 @@ class View:
 
     def jpeg(self, knobs: Knobs) -> bytes:
         """As it is shown, over grey."""
-        return self._frame(knobs, format="jpeg", jpeg_quality=84, background=PAPER).bytes
+        return self._frame(knobs, format="jpeg", lossy_quality=84, background=PAPER).bytes
 
     def shoot(self, knobs: Knobs, repeats: int = 1) -> Shot:
         """Each time is the least of so many frames."""

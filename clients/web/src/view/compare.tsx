@@ -86,7 +86,7 @@ class PastLoop {
     const {width, height} = viewport_size.value;
     const ratio = rests ? Math.min(devicePixelRatio || 1, max_ratio) : 1;
     const request: FrameRequest = {
-      ...past_shared.value, ...(rests ? rest_quality.value : {quality: "draft" as const, format: "jpeg" as const, jpeg_quality: 85}),
+      ...past_shared.value, ...(rests ? rest_quality.value : {quality: "draft" as const, format: "jpeg" as const}),
       camera: pinholeOf(orbit.value), view: `${page_id}-past`, revision: compared.value.revision,
       width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)),
     };

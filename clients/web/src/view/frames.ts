@@ -31,7 +31,7 @@ const wanted = signal(0);
 /** Whether what is seen is older than what is to be seen. */
 export const pending = computed(() => shown.value?.state !== wanted.value);
 
-const moving: Partial<FrameRequest> = {format: "jpeg", jpeg_quality: 85};
+const moving: Partial<FrameRequest> = {format: "jpeg"};
 const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
 
 /** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
