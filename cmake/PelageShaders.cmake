@@ -13,7 +13,8 @@ execute_process(COMMAND ${Python3_EXECUTABLE} ${PELAGE_CONSTANTS_PROGRAM} ${PELA
 include_directories(${CMAKE_BINARY_DIR}/generated)
 
 function(pelage_shaders TARGET)
-  file(GLOB SHARED CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/*.glsl)
+  file(GLOB SHARED CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/*.glsl
+       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/shared/*.glsl)
   foreach(SHADER ${ARGN})
     get_filename_component(NAME ${SHADER} NAME)
     string(REPLACE "." "_" SYMBOL ${NAME})

@@ -58,7 +58,7 @@ HWY_INLINE Vec3 out_of_eye_frame(const EyeEntry& eye, Vec3 v) {
 /// What a light brings to a place of the eye.
 HWY_INLINE Arriving light_on_eye(const EyeView& view, int i, Vec3 place) {
   const Vec3 in_world = Vec3(view.eye.position) + out_of_eye_frame(view.eye, place) * view.eye.right.w;
-  const Arriving light = light_at(view.optics, i, in_world);
+  const Arriving light = FrameLight(view.optics).light_at(static_cast<Index>(i), in_world);
   return {in_eye_frame(view.eye, light.to_light), light.radiance};
 }
 

@@ -29,6 +29,7 @@ struct Mask {
 HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
 HWY_INLINE bool any(Mask a) { return !hn::AllFalse(float_tag, a.m); }
+HWY_INLINE bool any_lane(Mask a) { return any(a); }
 HWY_INLINE bool all(Mask a) { return hn::AllTrue(float_tag, a.m); }
 /// Lane i is bit i.
 HWY_INLINE std::uint32_t bits_of(Mask a) {
@@ -179,6 +180,7 @@ HWY_INLINE Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
 HWY_INLINE Vec3 operator*(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 HWY_INLINE Vec3 operator*(Vec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
 HWY_INLINE Vec3 operator*(Real s, Vec3 a) { return a * s; }
+HWY_INLINE Vec3 operator/(Vec3 a, Vec3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 HWY_INLINE Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
 HWY_INLINE Vec3& operator*=(Vec3& a, Vec3 b) { return a = a * b; }
 HWY_INLINE Real dot(Vec3 a, Vec3 b) { return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z)); }
@@ -204,7 +206,19 @@ HWY_INLINE Vec3 max(Vec3 a, Real low) { return {max(a.x, low), max(a.y, low), ma
 HWY_INLINE Vec3 clamp(Vec3 a, Real low, Real high) {
   return {clamp(a.x, low, high), clamp(a.y, low, high), clamp(a.z, low, high)};
 }
+HWY_INLINE Vec3 sqrt(Vec3 a) { return {sqrt(a.x), sqrt(a.y), sqrt(a.z)}; }
+HWY_INLINE Vec3 floor(Vec3 a) { return {floor(a.x), floor(a.y), floor(a.z)}; }
+HWY_INLINE Vec3 exp2(Vec3 a) { return {exp2(a.x), exp2(a.y), exp2(a.z)}; }
+HWY_INLINE Vec3 log2(Vec3 a) { return {log2(a.x), log2(a.y), log2(a.z)}; }
 HWY_INLINE Real luminance(Vec3 linear) { return dot(linear, Vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+struct Vec4 {
+  Real x, y, z, w;
+  HWY_INLINE Vec4(Real a, Real b, Real c, Real d) : x(a), y(b), z(c), w(d) {}
+};
+
+/// Of arrays, in what renderer/shaders/shared writes for lanes and for GLSL.
+using Index = std::size_t;
 
 }  // namespace pelage::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

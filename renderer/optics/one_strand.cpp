@@ -12,30 +12,36 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 /// The same in all lanes.
-HWY_INLINE Scattering lanes_of(const StrandOptics& optics, const LitStrand& strand) {
-  return {Vec3(strand.tangent), Vec3(strand.normal), Vec3(strand.to_camera),
-          Vec3(strand.colour),  strand.number,       shine_of(optics.wetness, strand.wetness)};
+HWY_INLINE Fibre lanes_of(const StrandOptics& optics, const LitStrand& strand) {
+  Fibre fibre{};
+  fibre.tangent = Vec3(strand.tangent), fibre.normal = Vec3(strand.normal), fibre.to_camera = Vec3(strand.to_camera);
+  fibre.colour = Vec3(strand.colour), fibre.number = strand.number;
+  fibre.shine = shine_of(optics.wetness, strand.wetness);
+  return fibre;
 }
 
 HWY_INLINE glm::vec3 first_lane(Vec3 v) { return {hn::GetLane(v.x.v), hn::GetLane(v.y.v), hn::GetLane(v.z.v)}; }
 
 glm::vec3 ScatterStrand(const StrandOptics& optics, const LitStrand& strand) {
-  const Scattering s = lanes_of(optics, strand);
+  const Fibre fibre = lanes_of(optics, strand);
   const Vec3 to_light(strand.to_light);
+  FibreScattering by{optics.scattering, optics.azimuthal};
   FibreEye eye;
-  if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, s);
-  return first_lane(scatter(optics.scattering, optics.azimuthal, optics.model, s, eye, to_light) *
-                    light_behind(optics.model, dot(s.normal, to_light), optics.reach));
+  if (scatters_fibres(optics.model)) eye = by.fibre_eye(fibre);
+  return first_lane(by.scatter(optics.model, fibre, eye, to_light) *
+                    light_behind(optics.model, dot(fibre.normal, to_light), optics.reach));
 }
 
 glm::vec3 ScatterOnce(const StrandOptics& optics, const LitStrand& strand) {
-  const Scattering s = lanes_of(optics, strand);
-  return first_lane(scatter_fibre(optics.scattering, optics.azimuthal, s, fibre_eye(optics.scattering, s),
-                                  Vec3(strand.to_light), optics.model == model_marschner));
+  const Fibre fibre = lanes_of(optics, strand);
+  FibreScattering by{optics.scattering, optics.azimuthal};
+  return first_lane(
+      by.scatter_fibre(fibre, by.fibre_eye(fibre), Vec3(strand.to_light), optics.model == model_marschner));
 }
 
 glm::vec3 ScatterBundle(const StrandOptics& optics, const LitStrand& strand, glm::vec3 once) {
-  return first_lane(scatter_bundle(optics.scattering, lanes_of(optics, strand), Vec3(strand.to_light), Vec3(once)));
+  FibreScattering by{optics.scattering, optics.azimuthal};
+  return first_lane(by.scatter_bundle(lanes_of(optics, strand), Vec3(strand.to_light), Vec3(once)));
 }
 
 }  // namespace pelage::HWY_NAMESPACE

@@ -89,14 +89,16 @@ HWY_INLINE Real light_missing(const RasterScene& scene, Vec3 place) {
   const FrameOptics& optics = scene.optics;
   const FrameBlock& frame = optics.frame;
   const Vec3 crossed = Vec3(frame.ramp_root) * Vec3(frame.colour_above[0]);
-  const Vec3 stopped = stopped_by_strand(crossed, 1.0f, frame.exponents.w);
+  FrameLight from(optics);
+  const Vec3 stopped = from.stopped_by_strand(crossed, 1.0f);
   Real whole = frame.weights.x, missing = frame.weights.x * scene.ground->contact * sky_hidden(*scene.sky, place);
   for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = light_at(optics, i, place);
+    const auto number = static_cast<Index>(i);
+    const Arriving light = from.light_at(number, place);
     const Real arrives = frame.weights.y * max(light.to_light.y, 0.0f) * luminance(light.radiance);
     whole += arrives;
     if (!any(arrives > 0.0f)) continue;
-    const Real past = wide_light_past(scene, static_cast<std::size_t>(i), place, light.to_light, stopped);
+    const Real past = wide_light_past(scene, number, place, light.to_light, stopped);
     missing += arrives * scene.ground->shadow * (1.0f - past);
   }
   return clamp(missing / max(whole, 1e-6f), 0.0f, 1.0f);

@@ -112,16 +112,6 @@ HWY_INLINE Real with_near(const RasterScene& scene, std::size_t light, const Fib
   return mix(crossed, max(near + crossed_at(scene.grid->crossed(light), beyond).strands, 0.0f), nearness);
 }
 
-/// Strands between a fibre and a light less those that are met for sure, as the eye looks past them: the hot spot
-/// (strands_shared of lighting.glsl).
-HWY_INLINE Real strands_not_shared(const Fibre& fibre, const FibreView& view, Vec3 to_light, Real way, Real strands) {
-  Vec3 apart = fibre.to_camera * view.way - to_light * way;
-  apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
-  const Real x = 6.0f * view.widths * length(apart);
-  const Real share = (1.0f + x * 0.16666667f) / (1.0f + x * (0.66666667f + x * 0.16666667f));
-  return max(strands - sqrt(max(view.strands * strands, 0.0f)) * share, 0.0f);
-}
-
 /// What strands share along their length, and their points that are lit.
 struct StrandLanes {
   Vec3 place[LitPoints::max], tangent[LitPoints::max];
@@ -182,7 +172,7 @@ HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& p
   strand.longer = depth.length * part.crowding;
   strand.thin = part.role == StrandRole::coat ? thinness(scene, depth) : Real(0.0f);
   strand.shine = shine_of(optics.wetness, gather(&set.roots[0].wetness, roots));
-  strand.ambient = optics.frame.weights.x * environment_light(optics, strand.normal);
+  strand.ambient = optics.frame.weights.x * FrameLight(optics).environment_light(strand.normal);
   return strand;
 }
 
@@ -194,7 +184,7 @@ HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera
   fibre.to_camera = unit(Vec3(camera.position) - fibre.place);
   fibre.colour = clamp(unpacked_colour(strand.colour[point]), 0.0f, 1.0f);
   fibre.height = strand.height[point];
-  fibre.strand = strand.number, fibre.shine = strand.shine;
+  fibre.number = strand.number, fibre.shine = strand.shine;
   const Int slice = to_int(clamp(fibre.height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
   fibre.above = gather(&frame.depth_above[0].x, slice) * strand.longer;
   fibre.crossed = fibre.colour * colour_above(frame, fibre.height);
@@ -212,34 +202,33 @@ struct SentLight {
 template <bool unshadowed>
 HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, Real thin, Vec3 ambient) {
   const FrameOptics& optics = scene.optics;
-  const FrameBlock& frame = optics.frame;
-  const float self_shadow = frame.exponents.w;
-  const Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f, self_shadow);
+  FrameLight from(optics);
+  FibreScattering by{optics.scattering, *optics.azimuthal};
+  const Vec3 stopped = from.stopped_by_strand(fibre.crossed, 1.0f);
   SentLight sum;
   sum.ambient = fibre.colour * ambient *
-                ambient_share(frame, fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f, self_shadow));
+                from.ambient_share(fibre.height, fibre.above, from.stopped_by_strand(fibre.crossed, 0.6f));
   sum.direct = sum.unshadowed = Vec3(0.0f);
-  const FibreView view = view_of(frame, fibre);
-  const Scattering strand{fibre.tangent, fibre.normal, fibre.to_camera, fibre.colour, fibre.strand, fibre.shine};
+  const FibreView view = from.view_of(fibre);
   FibreEye eye;
-  if (scatters_fibres(optics.model)) eye = fibre_eye(optics.scattering, strand);
+  if (scatters_fibres(optics.model)) eye = by.fibre_eye(fibre);
   const GridPlace& grid = scene.grid->place();
   const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (off_skin * grid.cell));
   const Real near = scene.near && !scene.near->cells().empty() ? nearness(scene, fibre.place) : Real(0.0f);
   const bool is_near = any(near > 0.0f);
   for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = light_at(optics, i, fibre.place);
+    const auto number = static_cast<Index>(i);
+    const Arriving light = from.light_at(number, fibre.place);
     const Real facing = dot(fibre.normal, light.to_light);
-    CrossedLanes crossed = crossed_at(scene.grid->crossed(static_cast<std::size_t>(i)), cells);
-    if (is_near)
-      crossed.strands = with_near(scene, static_cast<std::size_t>(i), fibre, light.to_light, near, crossed.strands);
+    CrossedLanes crossed = crossed_at(scene.grid->crossed(number), cells);
+    if (is_near) crossed.strands = with_near(scene, number, fibre, light.to_light, near, crossed.strands);
     const Real way = way_out(fibre.height, facing);
     const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
     const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
     const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
     const Vec3 through = let_through({strands, crossed.body}, stopped);
-    const Vec3 scattered = scatter(optics.scattering, *optics.azimuthal, optics.model, strand, eye, light.to_light);
-    const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, frame.exponents.z);
+    const Vec3 scattered = by.scatter(optics.model, fibre, eye, light.to_light);
+    const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, optics.frame.exponents.z);
     sum.direct += sent * through;
     if constexpr (unshadowed) sum.unshadowed += sent;
   }

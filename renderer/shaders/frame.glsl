@@ -2,7 +2,7 @@
 #include "luminance.glsl"
 
 // What every pass of a frame knows. Layout std140; renderer/upload/blocks.h mirrors it.
-struct Light {
+struct LightBlock {
   vec4 direction;  // where the light goes, unit; w is 0, or 1 for a light at a position
   vec4 position;   // w: cosine of a spot's cone, -2 for other lights
   vec4 radiance;   // w: cosine at which a spot begins to fade
@@ -21,6 +21,6 @@ layout(std140, binding = frame_binding) uniform FrameBlock {
   vec4 depth_above[slice_count / 4];  // four each: strands over each slice that a ray at 45 degrees crosses
   vec4 colour_above[slice_count];  // of the fur over each slice, over the colour there
   vec4 ramp_root;    // colour at the root
-  Light lights[max_lights];
+  LightBlock lights[max_lights];
   vec4 environment[9];  // irradiance over pi as spherical harmonics
 } frame;

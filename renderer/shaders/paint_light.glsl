@@ -21,8 +21,7 @@ float wetter(float rise) {
 
 vec3 colour_wetted(vec3 colour) {
   if (amounts.z <= 0.0) return colour;
-  shine = wetter(water_shines);
-  sharpness = wetter(water_sharpens);
+  shine = Shine(wetter(water_shines), wetter(water_sharpens));
   return pow(max(colour, 0.0), vec3(wetter(water_darkens)));
 }
 #endif

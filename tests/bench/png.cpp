@@ -1,4 +1,6 @@
 // How long a PNG takes on one thread and on several. usage: bench_png THREADS PICTURE...
+#include "renderer/image/png.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -6,7 +8,6 @@
 #include <iterator>
 
 #include "protocol/base/stopwatch.h"
-#include "renderer/image/png.h"
 #include "renderer/picture_files/picture_files.h"
 
 namespace pelage {

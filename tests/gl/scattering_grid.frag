@@ -13,17 +13,26 @@ layout(location = 0) out vec4 result;
 
 vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 0); }
 
-vec4 lobes(int model, vec3 tangent, vec3 to_light, vec3 to_camera, vec3 colour) {
-  float sine_light = -dot(tangent, to_light), sine_view = -dot(tangent, to_camera), cos_theta = sine_to(sine_view);
-  vec4 m = model == model_marschner ? marschner_longitudinal(sine_light, sine_view, cos_theta)
-                                    : longitudinal_lobes(sine_light, sine_view);
-  return m * azimuthal_lobes(azimuth_between(tangent, to_light, to_camera), cos_theta, absorption_coordinates(colour).r);
+// Without what a bundle adds.
+vec3 once(int model, Fibre fibre, vec3 to_light) {
+  FibreEye eye = fibre_eye(fibre);
+  return scatters_fibres(model) ? scatter_fibre(fibre, eye, to_light, model == model_marschner)
+                                : scatter(model, fibre, eye, to_light);
+}
+
+vec4 lobes(int model, Fibre fibre, vec3 to_light) {
+  FibreEye eye = fibre_eye(fibre);
+  float sine_light = -dot(fibre.tangent, to_light), cos_theta = eye.cosine;
+  if (model == model_marschner) cos_theta = cos_half_difference(sine_light, eye.sine);
+  vec4 m = model == model_marschner ? marschner_lobes(sine_light, eye.sine, cos_theta) : longitudinal_lobes(sine_light, eye);
+  return m * azimuthal_lobes(azimuth_between(fibre.tangent, eye.aside, to_light), cos_theta, eye.absorption.r);
 }
 
 void main() {  // rgb: scattered light, a: B with a reach of a half
   int model = scattering.model.x;
-  vec3 normal = given(1).xyz, to_light = given(2).xyz;
-  result.rgb = scatter(model, given(0).xyz, normal, to_light, given(3).xyz, given(4).rgb, given(4).a);
-  result.a = light_behind(model, dot(normal, to_light), 0.5);
-  if (by_lobe == 1) result = lobes(model, given(0).xyz, to_light, given(3).xyz, given(4).rgb);
+  vec3 none = vec3(0.0), to_light = given(2).xyz;
+  Fibre fibre = Fibre(none, given(1).xyz, given(0).xyz, given(3).xyz, given(4).rgb, none, 0.0, 0.0, given(4).a, shine);
+  result.rgb = once(model, fibre, to_light);
+  result.a = light_behind(model, dot(fibre.normal, to_light), 0.5);
+  if (by_lobe == 1) result = lobes(model, fibre, to_light);
 }

@@ -1,4 +1,4 @@
 #version 450 core
 #include "fur_fragment.glsl"
 
-vec3 light_on(Fibre fibre) { return fibre_light(fibre); }
+vec3 light_on(Fibre fibre, vec4 open) { return fibre_light(fibre, open); }

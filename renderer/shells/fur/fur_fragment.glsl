@@ -37,7 +37,7 @@ float lightness_over(vec3 strand, vec3 mean) {
 }
 #endif
 
-vec3 light_on(Fibre fibre);
+vec3 light_on(Fibre fibre, vec4 open);
 
 // Premultiplied.
 vec4 lit(Slab slab, vec3 normal) {
@@ -71,9 +71,9 @@ vec4 lit(Slab slab, vec3 normal) {
 #else
   vec4 open = vec4(place, 0.0);
 #endif
-  Fibre fibre = Fibre(place, open, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, over, height, above,
-                      strand.a);
-  vec3 light = light_on(fibre);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, colour_crossed(colour, over),
+                      height, above, strand.a, shine);
+  vec3 light = light_on(fibre, open);
   return vec4(light * slab.opacity, slab.opacity);
 }
 

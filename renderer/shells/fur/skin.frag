@@ -63,27 +63,28 @@ void main() {
 #endif
   vec3 coat = colour_crossed(undercoat, colour_above(0.0));
   vec3 colour = mix(bare, mix(coat, undercoat, furred), grown), crossed = mix(bare, coat, furred);
-  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, crossed), covered);
+  vec3 share = mix(vec3(1.0), ambient_share(0.0, above, stopped_by_strand(crossed, 0.6)), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
-  for (int i = 0; i < LIGHTS; ++i) {
-    vec3 to_light, radiance;
-    light_at(i, place, to_light, radiance);
-    float facing = dot(normal, to_light);
+  for (uint i = 0; i < LIGHTS; ++i) {
+    Arriving light = light_at(i, place);
+    float facing = dot(normal, light.to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
-    float to_skin = covered * strands_crossed(above, 0.0, normal, to_light, facing);
+    float to_skin = covered * strands_crossed(above, way_out(0.0, facing), normal, light.to_light);
 #ifdef SHADOW_MAPS
-    to_skin = shell_depth(i, place, open_place, 0.0, facing, to_skin);
-    radiance *= cast_light(i, place, open_place, normal);
+    to_skin = shell_depth(int(i), place, open_place, 0.0, facing, to_skin);
+    light.radiance *= cast_light(int(i), place, open_place, normal);
 #endif
-    sum += radiance * colour * lit * transmittance(to_skin, crossed);
+    sum += light.radiance * colour * lit * transmittance(to_skin, crossed);
   }
 #if defined(BARE_SKIN) || defined(PAINT)
-  Bare region = not_bare;
+  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
 #ifdef PAINT
-  region = painted_bare(bare, amounts.w, amounts.z);
+  Bare region = painted_bare(bare, amounts.w, amounts.z);
+#else
+  Bare region = painted_bare(bare, 0.0, 0.0);
 #endif
 #ifdef BARE_SKIN
-  region = bare_over(region, place, normal);
+  region = bare_over(region, place, normal, pixel);
 #endif
   if (region.share > 0.0) {
 #ifdef SHADOW_MAPS
@@ -91,7 +92,7 @@ void main() {
 #else
     vec4 open = vec4(place, 0.0);
 #endif
-    sum = mix(sum, bare_light(region, place, open, normal), region.share);
+    sum = mix(sum, bare_light(region, place, open, normal, pixel), region.share);
   }
 #endif
   result = known(vec4(sum, 1.0));

@@ -27,7 +27,8 @@ void main() {
   float opacity = 1.0 - exp2(-stored_depth * 1.442695 * shape.a * density_share * scale * float(slice_count) / float(shell_count));
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
-  Fibre fibre = Fibre(place, vec4(place, 0.0), normal, tangent, normalize(frame.viewpoint.xyz - place), fur_colour(texel.rgb * texel.rgb, base_colour, base_uv),
-                      colour_above(height), height, -stored_light * log(max(shape.b, 0.004)) * length_share, texel.a);
-  result = vec4(fibre_light(fibre) * opacity, opacity);
+  vec3 colour = fur_colour(texel.rgb * texel.rgb, base_colour, base_uv);
+  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, colour * colour_above(height),
+                      height, -stored_light * log(max(shape.b, 0.004)) * length_share, texel.a, shine);
+  result = vec4(fibre_light(fibre, vec4(place, 0.0)) * opacity, opacity);
 }

@@ -1,0 +1,48 @@
+// Bare skin: regions with a look of their own (protocol/commands/creature.h), and what is painted bare. Reads the blocks
+// `frame` and `bare_skin`.
+
+// All regions at a place, each over those before it and over what is bare without them. `pixel` is the size of one there.
+FUNCTION Bare bare_over(Bare bare, Vec3 place, Vec3 normal, Real pixel) {
+  for (Index i = 0; i < bare_skin.count.x; ++i) {
+    Vec3 apart = place - Vec3(bare_skin.balls[i]);
+    if (!any_lane(dot(apart, apart) <= bare_skin.balls[i].w)) continue;  // so that most of the body costs little
+    SkinEntry region = bare_skin.regions[i];
+    Real share = bare_share(region, place, normal, pixel);
+    bare.share = 1.0f - (1.0f - bare.share) * (1.0f - share);
+    Real over = share / max(bare.share, 1e-9f);
+    bare.colour = mix(bare.colour, Vec3(region.colour), over);
+    bare.shine = mix(bare.shine, region.colour.w, over);
+    bare.roughness = mix(bare.roughness, region.finish.x, over);
+    bare.wetness = mix(bare.wetness, region.finish.y, over);
+    bare.bump_height = mix(bare.bump_height, region.finish.z, over);
+    bare.bump_size = select(over >= 0.5f, region.finish.w, bare.bump_size);
+    bare.scatter = mix(bare.scatter, region.centre.w, over);
+  }
+  return bare;
+}
+
+// What the surroundings send along a mirrored ray: a soft sky over a darker ground.
+FUNCTION Vec3 mirrored_sky(Vec3 normal, Vec3 to_camera, Real f0, Real roughness) {
+  Real facing = max(dot(normal, to_camera), 0.0f);
+  Vec3 way = 2.0f * facing * normal - to_camera;
+  Real spread = mix(0.25f, 1.5f, roughness), sky = mix(0.25f, 1.15f, smoothstep(-spread, spread, way.y));
+  return frame.weights.x * environment_light(way) * (sky * schlick(f0, max(1.0f - roughness - f0, 0.0f), facing));
+}
+
+// What it sends to the camera of light of radiance 1 from there.
+FUNCTION Vec3 light_on_skin(Bare bare, SkinSurface surface, Vec3 to_light) {
+  Vec3 wrap = bare.scatter * Vec3(0.45f, 0.20f, 0.14f), cosine = Vec3(dot(surface.normal, to_light));
+  Vec3 wrapped = max((cosine + wrap) / (Vec3(1.0f) + wrap), 0.0f);
+  Real skin = skin_highlight(surface.normal, to_light, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
+  Real film = skin_highlight(surface.film, to_light, surface.to_camera, 0.03f, surface.wet_roughness);
+  Vec3 diffuse = frame.weights.y * surface.open * surface.colour * wrapped;
+  return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
+}
+
+// The same of the light from all around.
+FUNCTION Vec3 sky_on_skin(Bare bare, SkinSurface surface) {
+  Vec3 sum = frame.weights.x * surface.open * surface.colour * environment_light(surface.normal);
+  Vec3 dry = mirrored_sky(surface.normal, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
+  Vec3 wet = mirrored_sky(surface.film, surface.to_camera, 0.03f, surface.wet_roughness);
+  return sum + surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
+}
