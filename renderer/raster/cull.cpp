@@ -55,11 +55,7 @@ std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::
 }
 
 float own_colour(const RasterScene& scene, const GrownPart& part) {
-  // Of n independent colours the mean varies 1 / n as much as one does. The mean of a group of g, mixed in by 1 - s,
-  // which each of them is a part of, leaves 1 / g + s^2 (1 - 1 / g).
-  constexpr double of_group = 1.0 / StrandSet::group_size;
-  const double left = kept_share(scene, part) / double{part.wider};
-  return static_cast<float>(std::sqrt(std::max((left - of_group) / (1 - of_group), 0.0)));
+  return static_cast<float>(std::sqrt(kept_share(scene, part) / double{part.wider}));
 }
 
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {

@@ -16,8 +16,8 @@ float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 /// they are thin, all where each is seen by itself.
 std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last);
 
-/// Share of a strand's colour that is its own: the more strands of the whole coat it stands for, the nearer it is to
-/// their mean. [0, 1]
+/// Share of a strand's colour that is its own, (0, 1]; the rest is that of the mean strand in its place. Of n strands
+/// that it stands for the mean varies by 1 / sqrt(n) of what one does.
 float own_colour(const RasterScene& scene, const GrownPart& part);
 
 /// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side

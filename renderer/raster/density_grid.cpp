@@ -58,11 +58,9 @@ StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
   const auto same = [](const auto& one, const auto& other, std::size_t first, std::size_t count) {
     return std::memcmp(&one[first], &other[first], count * sizeof(one[0])) == 0;
   };
-  const bool grouped = !a.group_colours.empty();
   for (std::uint32_t i = 0; i < a.count(); ++i)
     if (!same(a.points, b.points, i * knots, knots) || !same(a.colours, b.colours, i * knots, knots) ||
-        !same(a.roots, b.roots, i, 1) ||
-        (grouped && !same(a.group_colours, b.group_colours, a.group_of(i) * knots, knots)))
+        !same(a.roots, b.roots, i, 1) || (!a.to_mean.empty() && a.to_mean[i] != b.to_mean[i]))
       ids.push_back(i);
   return ids;
 }

@@ -64,7 +64,7 @@ struct LightSources {
   std::span<const std::uint32_t> ids, from;  // own numbers in the part: of each, and of the lit one
   std::span<const std::uint32_t> lit;        // the place of that in these:
   const LitPoints &whole, &rest;             // first those that are drawn from the root on, then the others
-  float own_colour = 1;                      // share of a strand's colour that is its own; the rest is its group's
+  float own_colour = 1;                      // share of a strand's colour that is its own; the rest is the mean's
 };
 /// Writes the light of their knots, by their colours: they are the strands of `placed` from `first` on.
 void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed);

@@ -317,17 +317,12 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
-/// Colours of a strand's knots: as much of its own as `share` says, and else of its group.
+/// Colours of a strand's knots, and what they are multiplied by.
 struct KnotColours {
-  std::span<const std::uint32_t> own, group;
-  float share;
+  std::span<const std::uint32_t> own;
+  Colour factor;
 
-  HWY_INLINE Colour at(std::size_t knot) const {
-    const Colour colour = colour_over_black(own[knot]);
-    if (share >= 1) return colour;
-    const Colour mean = colour_over_black(group[knot]);
-    return hn::MulAdd(hn::Sub(colour, mean), hn::Set(ColourTag(), share), mean);
-  }
+  HWY_INLINE Colour at(std::size_t knot) const { return hn::Mul(colour_over_black(own[knot]), factor); }
 };
 
 /// Light along a strand, from that of the points of the one that is lit, which it is so many times `taller` than: knots
@@ -395,12 +390,13 @@ HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const floa
 }
 
 HWY_INLINE KnotColours knot_colours(const StrandSet& set, std::uint32_t strand, float own) {
+  const ColourTag tag;
   const auto knots = static_cast<std::size_t>(set.segments) + 1;
-  const auto of = [&](const std::vector<std::uint32_t>& colours, std::uint32_t row) {
-    return std::span(colours).subspan(row * knots, knots);
-  };
-  if (own >= 1 || set.group_colours.empty()) return {of(set.colours, strand), {}, 1};
-  return {of(set.colours, strand), of(set.group_colours, set.group_of(strand)), own};
+  const Colour one = hn::Set(tag, 1.0f);
+  Colour factor = one;
+  if (own < 1 && !set.to_mean.empty())
+    factor = hn::MulAdd(hn::Sub(colour_over_black(set.to_mean[strand]), one), hn::Set(tag, 1 - own), one);
+  return {std::span(set.colours).subspan(strand * knots, knots), factor};
 }
 
 template <bool by_colour>

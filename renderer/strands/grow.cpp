@@ -241,7 +241,7 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
     set.points[first + i] = point(piece.opening);
     if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
-  colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots));
+  set.to_mean.push_back(colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots)));
   set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing));
 }
 
@@ -296,8 +296,7 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   even.neighbour.resize(set.count());
   set.neighbour = std::move(even.neighbour);
   set.points.shrink_to_fit(), set.closing.shrink_to_fit();
-  set.colours.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
-  set.find_group_colours();
+  set.colours.shrink_to_fit(), set.to_mean.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
   return set;
 }
 

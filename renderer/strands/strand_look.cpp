@@ -174,13 +174,19 @@ glm::vec3 StrandColours::colour(const Shared& shared, const RootFields& root, gl
   return colour;
 }
 
-void StrandColours::write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const {
+std::uint32_t StrandColours::write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const {
   const Shared shared = shared_at(root);
   const auto reach = static_cast<float>(tile_[strand].length_share);
+  const auto height = [&](int k) { return tile_.along(k) * reach; };
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const int k = static_cast<int>(i);
-    knots[i] = pack_colour(colour(shared, root, tile_.colour(strand, k), tile_.along(k) * reach));
+    knots[i] = pack_colour(colour(shared, root, tile_.colour(strand, k), height(k)));
   }
+  constexpr float black = 0.002f;  // so that it can be divided by
+  const int seen = tile_.seen_knot();
+  const glm::vec3 own = colour(shared, root, tile_.colour(strand, seen), height(seen));
+  const glm::vec3 mean = colour(shared, root, tile_.mean_colour(strand), height(seen));
+  return pack_colour((mean + black) / (own + black));
 }
 
 glm::vec3 StrandColours::under(const RootFields& root) const { return colour(shared_at(root), root, ramp_root_, 0); }

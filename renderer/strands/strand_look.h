@@ -51,8 +51,8 @@ class StrandColours {
   /// All must outlive it.
   StrandColours(const FurModel& model, const GrowRecipe& recipe, const TileStrands& tile);
 
-  /// Linear colours of a strand's knots, packed.
-  void write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const;
+  /// Linear colours of a strand's knots, packed. Gives what leads from there to the mean strand (StrandSet::to_mean).
+  std::uint32_t write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const;
   /// That of the mean strand at its root, which the skin under fur has; linear.
   glm::vec3 under(const RootFields& root) const;
 

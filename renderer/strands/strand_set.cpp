@@ -25,21 +25,8 @@ glm::vec3 unpack_colour(std::uint32_t packed) {
 
 std::size_t StrandSet::bytes() const {
   return (points.size() + closing.size()) * sizeof(StrandPoint) +
-         (colours.size() + group_colours.size() + neighbour.size()) * sizeof(std::uint32_t) +
+         (colours.size() + to_mean.size() + neighbour.size()) * sizeof(std::uint32_t) +
          roots.size() * sizeof(StrandRoot);
-}
-
-void StrandSet::find_group_colours() {
-  const auto knots = static_cast<std::size_t>(segments) + 1;
-  const std::size_t groups = (count() + group_size - 1) / group_size;
-  group_colours.assign(groups * knots, 0);
-  std::vector<glm::vec4> sums(group_colours.size(), glm::vec4(0));  // and what they are weighed by
-  for (std::uint32_t strand = 0; strand < count(); ++strand) {
-    const std::size_t first = strand * knots, sum = group_of(strand) * knots;
-    for (std::size_t k = 0; k < knots; ++k)
-      sums[sum + k] += points[first + k].radius * glm::vec4(unpack_colour(colours[first + k]), 1);
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) group_colours[i] = pack_colour(glm::vec3(sums[i]) / sums[i].w);
 }
 
 namespace {

@@ -43,23 +43,11 @@ struct StrandSet {
   std::vector<StrandRoot> roots;          // of each strand
   std::vector<std::uint32_t> neighbour;   // of each strand an earlier one that lies near; of the first itself
   std::vector<StrandPoint> closing = {};  // where the points are when the shutter closes; empty: they stay
-  // As `colours`, the means of groups: each eight strands that follow each other on the curve of EvenOrder. Each of the
-  // first strands is of a group of its own. Empty: strands are seen one by one.
-  std::vector<std::uint32_t> group_colours = {};
-
-  static constexpr std::uint32_t group_size = 8;
+  // Of each strand what leads from its colour to that of the mean strand in its place, a factor as a pack_colour.
+  // Empty: strands are seen one by one.
+  std::vector<std::uint32_t> to_mean = {};
 
   std::size_t count() const { return roots.size(); }
-  std::uint32_t groups() const {
-    return static_cast<std::uint32_t>(group_colours.size()) / (static_cast<std::uint32_t>(segments) + 1);
-  }
-  /// Of a strand; there are some.
-  std::uint32_t group_of(std::uint32_t strand) const {
-    while (strand >= groups()) strand = neighbour[strand];
-    return strand;
-  }
-  /// Fills in `group_colours` from colours, thickness and neighbours.
-  void find_group_colours();
   std::size_t bytes() const;
 };
 

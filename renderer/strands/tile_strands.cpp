@@ -1,6 +1,7 @@
 #include "renderer/strands/tile_strands.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int min_segments = 6, max_segments = 48;
 constexpr double min_of_turn = 4, max_of_turn = 8;  // segments
+constexpr std::size_t length_bins = 8;              // of strands about as long as each other
 constexpr std::size_t looked_at = 2048;             // strands for a mean: the first ones of a tile lie evenly
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
@@ -54,6 +56,7 @@ TileStrands::TileStrands(const Coat& coat, int segments) : segments_(segments), 
     radii_.push_back(static_cast<float>(0.5 * thickness(coat, q)));
   }
   find_means(coat);
+  find_seen_means();
 }
 
 glm::vec3 TileStrands::colour(std::uint32_t i, int k) const {
@@ -81,6 +84,30 @@ void TileStrands::find_means(const Coat& coat) {
   }
 }
 
+namespace {
+
+std::size_t length_of(const Strand& strand) {
+  return static_cast<std::size_t>(
+      clamped_index(std::floor(strand.length_share * length_bins), 0, int{length_bins} - 1));
+}
+
+}  // namespace
+
+void TileStrands::find_seen_means() {
+  std::array<glm::dvec4, length_bins + 2> sums{};  // and what they are weighed by
+  for (std::uint32_t i = 0; i < std::min(strands_.size(), looked_at); ++i) {
+    const double width = radius(i, seen_knot());
+    const glm::dvec4 sum = width * width * glm::dvec4(glm::dvec3(colour(i, seen_knot())), 1);
+    for (std::size_t beside = 0; beside < 3; ++beside) sums[length_of(strands_[i]) + beside] += sum;
+  }
+  for (std::size_t length = 0; length < length_bins; ++length) {
+    const glm::dvec4& sum = sums[length + 1];
+    seen_means_.push_back(sum.w > 0 ? glm::vec3(glm::dvec3(sum) / sum.w) : glm::vec3(1));
+  }
+}
+
+glm::vec3 TileStrands::mean_colour(std::uint32_t strand) const { return seen_means_[length_of(strands_[strand])]; }
+
 float TileStrands::mean_luminance(float s) const {
   const float at = std::clamp(s, 0.0f, 1.0f) * slice_count;
   const auto low = std::min(static_cast<std::size_t>(at), means_.size() - 2);
@@ -96,6 +123,7 @@ std::uint64_t TileStrands::hash() const {
   hash.add_values(std::span<const glm::vec3>(ramp_));
   hash.add_values(std::span<const float>(radii_));
   hash.add_values(std::span<const float>(means_));
+  hash.add_values(std::span<const glm::vec3>(seen_means_));
   return hash.value();
 }
 

@@ -31,6 +31,10 @@ class TileStrands {
   }
   /// strand_colour() at a knot.
   glm::vec3 colour(std::uint32_t strand, int k) const;
+  /// Where the colour of a strand is seen: below it lies in the fur.
+  int seen_knot() const { return 2 * segments_ / 3; }
+  /// Colour there, in the mean of strands about as long as this one, by what they cover.
+  glm::vec3 mean_colour(std::uint32_t strand) const;
   /// Thickness at a knot, half of it, sizes.
   float radius(std::uint32_t strand, int k) const;
   /// Luminance that strands have in the mean at a height of the fur in [0, 1], by what they cover.
@@ -40,6 +44,7 @@ class TileStrands {
 
  private:
   void find_means(const Coat& coat);
+  void find_seen_means();
 
   int segments_;
   std::vector<Strand> strands_;
@@ -48,6 +53,7 @@ class TileStrands {
   std::vector<glm::vec3> ramp_;         // by knot
   std::vector<float> radii_;            // by knot, of strands of width 1
   std::vector<float> means_;            // by height
+  std::vector<glm::vec3> seen_means_;   // by length
 };
 
 // The strands of the periodic tile by where they stand: which of them fall into a triangle of the plane.

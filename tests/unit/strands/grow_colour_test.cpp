@@ -1,13 +1,13 @@
 // The colours of grown strands beside the formulas of the shaders.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "protocol/base/colour_space.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/image/float_image.h"
 #include "renderer/pattern/pattern.h"
+#include "renderer/strands/tile_strands.h"
 #include "tests/unit/strands/fur_patch.h"
 
 namespace pelage {
@@ -34,31 +34,34 @@ TEST(GrowColour, IsTheStrandsOwn) {
   }
 }
 
-TEST(GrowColour, GroupsHaveTheMeanOfStrandsThatLieTogether) {
+TEST(GrowColour, EachStrandKnowsTheWayToTheMean) {
   Coat coat;
-  coat.count = 4000, coat.ticking.share = 0.3;
+  coat.count = 3000, coat.ticking.share = 0.3, coat.ticking.colour = {0.9f, 0.8f, 0.7f};
+  coat.ramp = {{0, glm::vec3(0.05f)}, {1, {0.5f, 0.2f, 0.1f}}};
+  coat.pattern.kind = PatternKind::spots;
   const StrandSet set = FurPatch(0.2, 4).grow({coat});
-  const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
-  ASSERT_EQ(set.groups(), (set.count() + 7) / 8);
-  std::vector<glm::dvec3> sums(set.groups()), roots(set.groups());
-  std::vector<double> weights(set.groups());
-  std::vector<int> members(set.groups());
+  ASSERT_EQ(set.to_mean.size(), set.count());
+  const int seen = TileStrands(coat, set.segments).seen_knot();
+  glm::dvec3 to_mean(0), own(0);
   for (std::uint32_t i = 0; i < set.count(); ++i) {
-    const std::uint32_t group = set.group_of(i);
-    ASSERT_LT(group, set.groups());
-    const double weight = set.points[i * knots + 3].radius;
-    sums[group] += weight * glm::dvec3(colour_of(set, i, 3)), weights[group] += weight, ++members[group];
-    roots[group] += glm::dvec3(set.points[i * knots].place) / 8.0;
+    const glm::vec3 colour = colour_of(set, i, seen), factor = unpack_colour(set.to_mean[i]);
+    own += colour, to_mean += factor * colour;
   }
-  double apart = 0;
-  int whole = 0;
-  for (std::uint32_t g = 0; g < set.groups(); ++g) {
-    expect_colour(unpack_colour(set.group_colours[g * knots + 3]), glm::vec3(sums[g] / weights[g]));
-    if (members[g] != 8) continue;  // the last on the curve
-    apart += glm::distance(roots[g], glm::dvec3(set.points[g * knots].place)), ++whole;
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(to_mean[k], own[k], 0.05 * own[k]) << "what all show stays";
+}
+
+TEST(GrowColour, MeanStrandsVaryAsTheirPlaceDoes) {
+  Coat coat;
+  coat.count = 3000, coat.ticking.share = 0.3, coat.ticking.colour = {0.9f, 0.8f, 0.7f};
+  coat.ramp = {{0, {0.2f, 0.15f, 0.1f}}, {1, {0.2f, 0.15f, 0.1f}}};
+  const StrandSet set = FurPatch(0.2, 4).grow({coat});
+  const TileStrands tile(coat, set.segments);
+  const auto shown_by = [&](std::uint32_t i) {
+    return unpack_colour(set.to_mean[i]) * colour_of(set, i, tile.seen_knot());
+  };
+  for (std::uint32_t i = 0; i < set.count(); ++i) {
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown_by(i)[k], shown_by(0)[k], 0.1f * shown_by(0)[k]) << i;
   }
-  EXPECT_GE(whole, static_cast<int>(set.groups()) - 1);
-  EXPECT_LT(apart / whole, 0.2 * std::sqrt(8.0 / static_cast<double>(set.count())));
 }
 
 TEST(GrowColour, ModelGivesTheHue) {
