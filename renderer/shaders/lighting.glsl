@@ -1,4 +1,4 @@
-// Light on layers of fur: what a fibre sends to the camera.
+// Light on the fur of shells: what a fibre sends to the camera.
 #include "constants.glsl"
 
 #ifdef SHADOW_MAPS
