@@ -163,7 +163,8 @@ int serve(const Options& options, const HttpOptions& http) {
   StopDeadline deadline;
   YieldGate gate;
   const std::size_t memory = options.memory ? options.memory : default_memory();
-  const auto frames = FrameService::start(options.gl, options.threads, gate, options.device, memory / coat_share);
+  const auto gl = [&options] { return select_context(options.gl, options.threads, options.device); };
+  const auto frames = FrameService::start(gl, options.threads, gate, memory / coat_share);
   if (!frames) return fail(no_gl, frames.status());
   plan_frames(**frames, options);
   const auto scenes = SceneStore::open(options.data, program_folder() + "/pelage-import", limits::undo_bytes, memory);

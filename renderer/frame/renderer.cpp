@@ -30,11 +30,18 @@ FloatImage fitted(const FurFrame& frame, FloatImage light, int threads) {
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererOptions& options) {
-  Result<std::unique_ptr<ShellsRenderer>> shells = ShellsRenderer::create(gl, options.sorted_bytes, options.coats);
-  if (!shells) return shells.status();
   auto renderer = std::make_unique<Renderer>(options);
-  renderer->shells_ = std::move(shells).value();
+  if (Status taken = renderer->take_gl(&gl); !taken.ok()) return taken;
   return renderer;
+}
+
+Status Renderer::take_gl(const Gl* gl) {
+  shells_.reset();
+  if (!gl) return {};
+  Result<std::unique_ptr<ShellsRenderer>> shells = ShellsRenderer::create(*gl, options_.sorted_bytes, options_.coats);
+  if (!shells) return shells.status();
+  shells_ = std::move(shells).value();
+  return {};
 }
 
 UploadCount Renderer::add(const FurModel& model, const FurFields& fields) { return {raster_.add(model, fields)}; }
@@ -89,7 +96,7 @@ Result<Image> Renderer::draw(const FurFrame& frame, DrawTimes* times, const Paus
     if (!is_layered(frame)) return raster_.draw(frame, overlay, taken, pause);
     const Result<FloatImage> light = draw_shells(frame, taken);
     if (!light) return light.status();
-    return finish_picture(frame, {*light, nullptr, threads_});
+    return finish_picture(frame, {*light, nullptr, options_.threads});
   });
 }
 
@@ -99,7 +106,7 @@ Result<Image16> Renderer::draw_deep(const FurFrame& frame, DrawTimes* times, con
                                  if (!is_layered(frame)) return raster_.draw_deep(frame, overlay, taken, pause);
                                  const Result<FloatImage> light = draw_shells(frame, taken);
                                  if (!light) return light.status();
-                                 return finish_picture_deep(frame, {*light, nullptr, threads_});
+                                 return finish_picture_deep(frame, {*light, nullptr, options_.threads});
                                });
 }
 
@@ -110,7 +117,7 @@ Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::
   if (is_layered(frame)) {  // which has beauty and alpha alone
     Result<FloatImage> light = draw_shells(frame, taken);
     if (!light) return light.status();
-    images->assign(aovs.size(), fitted(frame, std::move(light).value(), threads_));
+    images->assign(aovs.size(), fitted(frame, std::move(light).value(), options_.threads));
   } else {
     images = raster_.draw_aovs(frame, aovs, taken, pause);
   }
@@ -131,7 +138,7 @@ Result<Image> Renderer::finish(const FurFrame& frame, const FloatImage& light, D
   assert(light.width == frame.width && light.height == frame.height);
   return with_overlay<Image>(frame, times, {}, [&](const FloatImage* overlay, DrawTimes& taken) -> Result<Image> {
     const DrawClock clock(taken);
-    return finish_picture(frame, {light, overlay, threads_});
+    return finish_picture(frame, {light, overlay, options_.threads});
   });
 }
 
@@ -139,7 +146,7 @@ Result<Image16> Renderer::finish_deep(const FurFrame& frame, const FloatImage& l
   assert(light.width == frame.width && light.height == frame.height);
   return with_overlay<Image16>(frame, times, {}, [&](const FloatImage* overlay, DrawTimes& taken) -> Result<Image16> {
     const DrawClock clock(taken);
-    return finish_picture_deep(frame, {light, overlay, threads_});
+    return finish_picture_deep(frame, {light, overlay, options_.threads});
   });
 }
 

@@ -28,7 +28,12 @@ class Renderer {
   /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
   /// Without shells.
-  explicit Renderer(const RendererOptions& options) : threads_(options.threads), raster_(options.threads) {}
+  explicit Renderer(const RendererOptions& options) : options_(options), raster_(options.threads) {}
+  /// Draws shells by another GL from here on, by none where it is null; what the one before was sent is gone. Fails as
+  /// create, and then has none.
+  Status take_gl(const Gl* gl);
+  /// Whether its GL was reset or does not answer: it draws nothing more.
+  bool lost_gl() const { return shells_ && shells_->lost(); }
 
   bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
@@ -87,7 +92,7 @@ class Renderer {
   Result<Picture> with_overlay(const FurFrame& frame, DrawTimes* times, const Pause& pause, const Draw& draw);
   Result<FloatImage> draw_shells(const FurFrame& frame, DrawTimes& times);
 
-  int threads_;
+  RendererOptions options_;
   RasterRenderer raster_;
   std::unique_ptr<ShellsRenderer> shells_;  // null: there is no GL
 };

@@ -196,6 +196,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Finish, "glFinish");
   get(Flush, "glFlush");
   get(GetError, "glGetError");
+  get(GetGraphicsResetStatus, "glGetGraphicsResetStatus");
   get(GetIntegerv, "glGetIntegerv");
   get(GetNamedBufferSubData, "glGetNamedBufferSubData");
   get(GetProgramInfoLog, "glGetProgramInfoLog");

@@ -61,6 +61,7 @@ struct Gl {
   PFNGLFINISHPROC Finish = nullptr;
   PFNGLFLUSHPROC Flush = nullptr;
   PFNGLGETERRORPROC GetError = nullptr;
+  PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
   PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
   PFNGLGETNAMEDBUFFERSUBDATAPROC GetNamedBufferSubData = nullptr;
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;

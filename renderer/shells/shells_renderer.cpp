@@ -187,6 +187,14 @@ Result<FloatImage> ShellsRenderer::read_back() const {
 }
 
 Result<FloatImage> ShellsRenderer::draw(const FurFrame& frame, FrameCounters& counters) {
+  Result<FloatImage> light = drawn(frame, counters);
+  const bool silent = !light && light.status().code == Code::unavailable;
+  lost_ = lost_ || silent || gl_.GetGraphicsResetStatus() != GL_NO_ERROR;
+  if (lost_ && light) return failure(Code::unavailable, "the GL was reset");
+  return light;
+}
+
+Result<FloatImage> ShellsRenderer::drawn(const FurFrame& frame, FrameCounters& counters) {
   if (!fit_target(frame)) return failure(Code::too_large, "no memory for a frame of this size", "/width");
   ModelBuffers& model = models_.at(frame.model);
   const CoatTextures& coat = textures_of(frame.coat);

@@ -38,9 +38,12 @@ class ShellsRenderer {
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
   /// Premultiplied linear light of a model that it has, in the size that the frame's scale asks for: skin and fur, and
-  /// of what else a frame has nothing. Fails with unavailable when the GL does not answer within a minute, with
+  /// of what else a frame has nothing. Fails with unavailable when the GL was reset or does not answer within a minute:
+  /// it is then lost, and so is all that was sent. With
   /// too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
   Result<FloatImage> draw(const FurFrame& frame, FrameCounters& counters);
+
+  bool lost() const { return lost_; }
 
   /// Whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
   bool misses_coat(const FurFrame& frame) const { return !has(frame.coat); }
@@ -63,6 +66,7 @@ class ShellsRenderer {
   FurDrawing prepare(const FurFrame& frame, ModelBuffers& model, const CoatTextures& coat,
                      ModelBuffers::DrawLists& lists);
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
+  Result<FloatImage> drawn(const FurFrame& frame, FrameCounters& counters);
   Status draw_shells(const FurDrawing& drawing);
   Status draw_sorted(const FurDrawing& drawing);
   Result<FloatImage> read_back() const;
@@ -80,6 +84,7 @@ class ShellsRenderer {
   ScatteringTextures scattering_;
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
+  bool lost_ = false;
   RenderTarget target_;  // kept for the next frame of that size
 };
 

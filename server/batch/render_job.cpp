@@ -40,7 +40,8 @@ JobRenderer::JobRenderer(const JobScene& scene, double fps, const DrawOptions& o
 
 Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, double fps, const DrawOptions& options) {
   auto gate = std::make_unique<YieldGate>();
-  auto frames = FrameService::start(options.gl, options.threads, *gate, options.device);
+  const auto gl = [options] { return select_context(options.gl, options.threads, options.device); };
+  auto frames = FrameService::start(gl, options.threads, *gate);
   if (!frames) return frames.status();
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }

@@ -49,6 +49,7 @@ struct FrameJob {
   bool given_up = false;
   bool overdue = false;  // drawing has taken longer than its request allows
   int restarts = 0;
+  int lost_contexts = 0;
   double paused = 0;  // milliseconds
 
   bool left() const { return abandoned && abandoned(); }

@@ -48,12 +48,15 @@ void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest
 }  // namespace
 
 struct FrameService::Impl {
-  Impl(YieldGate& yield_gate, std::size_t coat_memory, int asked_threads)
-      : gate(yield_gate),
+  Impl(ContextSource source, YieldGate& yield_gate, std::size_t coat_memory, int asked_threads)
+      : contexts(std::move(source)),
+        gate(yield_gate),
         baker(baking_threads(), coat_memory, [this] { wake_up(); }),
         threads(drawing_threads(asked_threads)),
         png(threads) {}
 
+  const ContextSource contexts;
+  std::unique_ptr<Context> context;  // of the render thread; null where there is no GL
   YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
@@ -64,7 +67,7 @@ struct FrameService::Impl {
   bool stopping = false;
   std::string description;
   std::atomic<bool> healthy{true};
-  std::atomic<std::size_t> drawn{0};
+  std::atomic<std::size_t> drawn{0}, lost_contexts{0};
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
@@ -76,7 +79,7 @@ struct FrameService::Impl {
   std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
   std::thread thread;
 
-  void run(GlChoice choice, int asked_threads, std::optional<int> device, std::promise<Status>& started);
+  void run(std::promise<Status>& started);
   void serve(Renderer& renderer);
   /// Waits for something to do and does it; false at the end.
   bool serve_next(Renderer& renderer);
@@ -95,6 +98,8 @@ struct FrameService::Impl {
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
   /// Between the pieces of a job: draws those that wait now and are short beside it. Whether the job goes on.
   bool let_in(Renderer& renderer, FrameJob& job);
+  /// In place of a GL that is lost: another one, or none where none is to be had.
+  void renew_gl(Renderer& renderer);
   /// Running frames of the job's scene that show another revision have to begin anew.
   void mark_outdated(const FrameJob& job);
   void count(double milliseconds, const Status& outcome);
@@ -106,18 +111,28 @@ struct FrameService::Impl {
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);
 };
 
-void FrameService::Impl::run(GlChoice choice, int asked_threads, std::optional<int> device,
-                             std::promise<Status>& started) {
-  Result<std::unique_ptr<Context>> context = select_context(choice, asked_threads, device);
-  if (!context) return started.set_value(context.status());
+void FrameService::Impl::run(std::promise<Status>& started) {
+  Result<std::unique_ptr<Context>> opened = contexts();
+  if (!opened) return started.set_value(opened.status());
+  context = std::move(*opened);
   planner.use(default_calibration(threads));
   Result<std::unique_ptr<Renderer>> renderer =
-      make_renderer(context->get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
+      make_renderer(context.get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
   if (!renderer) return started.set_value(renderer.status());
-  description = drawn_by(context->get());
+  description = drawn_by(context.get());
   started.set_value({});
   serve(**renderer);
-  renderer->reset();  // GL objects before their context
+  renderer->reset(), context.reset();  // GL objects before their context
+}
+
+void FrameService::Impl::renew_gl(Renderer& renderer) {
+  ++lost_contexts;
+  static_cast<void>(renderer.take_gl(nullptr));
+  context.reset();
+  Result<std::unique_ptr<Context>> opened = contexts();
+  if (!opened || !*opened) return;
+  context = std::move(*opened);
+  if (!renderer.take_gl(&context->gl()).ok()) context.reset();
 }
 
 bool FrameService::Impl::has_work() const {
@@ -177,6 +192,10 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
   for (; !frame && job.outdated; ++job.restarts) {
     job.outdated = job.given_up = false;
     frame = drawn_or_status();
+  }
+  for (; renderer.lost_gl(); ++job.lost_contexts) {  // its coat may have to be baked again, so that it waits in between
+    renew_gl(renderer);
+    if (job.lost_contexts == 0) frame = drawn_or_status();
   }
   {
     const std::lock_guard lock(mutex);
@@ -249,7 +268,8 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
       draw_for_format(renderer, shown->fur, job.linear ? linear_request(job.request) : job.request, times,
                       [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown->copy_id);
-  count(passed.milliseconds() - (job.paused - paused), picture ? Status{} : picture.status());
+  const bool of_frame = picture || renderer.lost_gl();  // what is lost comes again
+  count(passed.milliseconds() - (job.paused - paused), of_frame ? Status{} : picture.status());
   if (job.given_up && job.overdue) return too_slow(job.request, frame.cost);
   if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
   ++drawn;
@@ -311,13 +331,12 @@ Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
 
 FrameService::FrameService(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<FrameService>> FrameService::start(GlChoice choice, int threads, YieldGate& gate,
-                                                          std::optional<int> device, std::size_t coat_memory) {
-  auto impl = std::make_unique<Impl>(gate, coat_memory, threads);
+Result<std::unique_ptr<FrameService>> FrameService::start(ContextSource contexts, int threads, YieldGate& gate,
+                                                          std::size_t coat_memory) {
+  auto impl = std::make_unique<Impl>(std::move(contexts), gate, coat_memory, threads);
   std::promise<Status> started;
   std::future<Status> outcome = started.get_future();
-  impl->thread = std::thread(
-      [&started, choice, threads, device, raw = impl.get()] { raw->run(choice, threads, device, started); });
+  impl->thread = std::thread([&started, raw = impl.get()] { raw->run(started); });
   const Status status = outcome.get();
   if (!status.ok()) {
     impl->thread.join();
@@ -468,6 +487,7 @@ int FrameService::threads() const { return impl_->threads; }
 
 const std::string& FrameService::description() const { return impl_->description; }
 bool FrameService::healthy() const { return impl_->healthy; }
+std::size_t FrameService::lost_contexts() const { return impl_->lost_contexts; }
 std::size_t FrameService::frames_drawn() const { return impl_->drawn; }
 double FrameService::seconds_drawing() const { return impl_->seconds; }
 

@@ -51,12 +51,13 @@ struct TraceStart {
 /// Thread-safe. Encoding runs on the caller's thread.
 class FrameService {
  public:
-  /// Starts the render thread, and its context where the choice has one. Fails (unavailable) with what was tried when a
-  /// GL that was asked for does not work. `threads` bounds those that the CPU or a software GL draws on, 0 for all
-  /// cores; `device` as for select_context. What yields at the gate waits while frames are drawn and encoded. Coats
-  /// that are baked at a time take at most `coat_memory` bytes together; one alone is always baked.
-  static Result<std::unique_ptr<FrameService>> start(GlChoice choice, int threads, YieldGate& gate,
-                                                     std::optional<int> device = {},
+  /// Starts the render thread and opens its context there. Fails (unavailable) with what was tried when a GL that was
+  /// asked for does not work. `threads` bounds those that the CPU draws on, 0 for all cores. What yields at the gate
+  /// waits while frames are drawn and encoded. Coats that are baked at a time take at most `coat_memory` bytes
+  /// together; one alone is always baked. A context that is lost is opened again, and its frame drawn again; where that
+  /// fails twice the frame is refused (unavailable), where there is no GL any more the next ones are as by a server
+  /// without one.
+  static Result<std::unique_ptr<FrameService>> start(ContextSource contexts, int threads, YieldGate& gate,
                                                      std::size_t coat_memory = std::numeric_limits<std::size_t>::max());
   ~FrameService();
 
@@ -105,8 +106,10 @@ class FrameService {
 
   /// What draws (drawn_by).
   const std::string& description() const;
-  /// False once a readback has hung or the context is lost; the server is then not ready.
+  /// False once drawing has failed for no reason of the frame's; the server is then not ready.
   bool healthy() const;
+  /// How often the GL was lost.
+  std::size_t lost_contexts() const;
   std::size_t frames_drawn() const;
   double seconds_drawing() const;
 

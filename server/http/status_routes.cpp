@@ -84,6 +84,8 @@ std::string Metrics::text(const Gauges& gauges) const {
   text += single("pelage_coat_memory_bytes", "gauge", "Baked coats, and those that are being baked; part of --memory.",
                  gauges.coat_bytes);
   text += single("pelage_gl_bytes", "gauge", "Storage of GL buffers, textures and targets.", gauges.gl_bytes);
+  text += single("pelage_gl_losses_total", "counter", "Times that the GL was reset or did not answer.",
+                 gauges.lost_contexts);
   text += single("pelage_traces_total", "counter", "Pictures of strands that were begun.", gauges.traces.traces);
   text += single("pelage_trace_passes_total", "counter", "Passes that were traced.", gauges.traces.passes);
   text += single("pelage_trace_seconds_total", "counter", "Time that strands were grown and traced.",
@@ -128,6 +130,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .ready = service.readiness().ok(),
                         .streams = service.streams.held(),
                         .frames_drawn = service.frames.frames_drawn(),
+                        .lost_contexts = service.frames.lost_contexts(),
                         .seconds_drawing = service.frames.seconds_drawing(),
                         .coat_bytes = service.frames.coat_bytes(),
                         .coats_baked = service.frames.coats_baked(),

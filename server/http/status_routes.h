@@ -19,7 +19,7 @@ struct Gauges {
   MemoryUse memory;
   bool ready = false;
   int streams = 0;  // of events
-  std::size_t frames_drawn = 0;
+  std::size_t frames_drawn = 0, lost_contexts = 0;
   double seconds_drawing = 0;
   std::size_t coat_bytes = 0;
   std::uint64_t coats_baked = 0;

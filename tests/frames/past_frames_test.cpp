@@ -10,7 +10,7 @@ class PastFrames : public StoreTest {
  protected:
   void SetUp() override {
     StoreTest::SetUp();
-    frames_ = std::move(FrameService::start(GlChoice::none, 2, gate_)).value();
+    frames_ = std::move(FrameService::start(without_gl, 2, gate_)).value();
   }
   void TearDown() override {
     frames_.reset();

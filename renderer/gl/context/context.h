@@ -1,6 +1,7 @@
 // A headless GL context, chosen at run time. One for the process, current on one thread for its whole life.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,12 @@ class Context {
   Gl gl_;
   std::string description_;
 };
+
+/// Opens a context on the calling thread, each time another; null where there is to be no GL.
+using ContextSource = std::function<Result<std::unique_ptr<Context>>()>;
+
+/// Of what draws without one.
+inline Result<std::unique_ptr<Context>> without_gl() { return std::unique_ptr<Context>(); }
 
 enum class EglPlatform { hardware_device, software_device, surfaceless };
 

@@ -107,16 +107,22 @@ class EglContext final : public Context {
     if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr))
       return refuse(named, "eglInitialize");
     if (!egl_.bind_api(EGL_OPENGL_API)) return refuse(named, "eglBindAPI");  // is for each thread
-    constexpr std::array<EGLint, 7> wanted{
-        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
-    if (context_ == EGL_NO_CONTEXT) return refuse(named, "eglCreateContext (OpenGL 4.5 core)");
+    if (!create(true) && !create(false)) return refuse(named, "eglCreateContext (OpenGL 4.5 core)");
     if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return refuse(named, "eglMakeCurrent");
     return prove(named.name, [this](const char* name) { return reinterpret_cast<void*>(egl_.get(name)); });
   }
 
  private:
+  /// `tells`: a reset of the device is known of (glGetGraphicsResetStatus); not every driver has that.
+  bool create(bool tells) {
+    std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,       4,
+                               EGL_CONTEXT_MINOR_VERSION,       5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (tells) wanted.insert(wanted.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    wanted.push_back(EGL_NONE);
+    context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
+    return context_ != EGL_NO_CONTEXT;
+  }
   Status refuse(const NamedDisplay& named, const char* call) const {
     return failure(Code::unavailable, fmt::format("{}: {} failed (0x{:x})", named.name, call, egl_.error()));
   }
