@@ -1,6 +1,7 @@
 #include "renderer/raster/changed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <mutex>
 #include <vector>
@@ -15,18 +16,44 @@ namespace {
 
 PixelBox whole_of(const RasterScene& scene) { return {0, 0, scene.width, scene.height}; }
 
+using Corners = std::array<glm::vec3, 8>;  // of a block, from the camera: right, up, forward
+
+Corners corners_of(const PictureCamera& camera, const GridBlock& block) {
+  Corners corners;
+  for (int k = 0; k < 8; ++k) {
+    const glm::vec3 apart = glm::mix(block.low, block.high, glm::vec3(k & 1, k >> 1 & 1, k >> 2)) - camera.position;
+    corners[static_cast<std::size_t>(k)] = {glm::dot(apart, camera.right), glm::dot(apart, camera.up),
+                                            glm::dot(apart, camera.forward)};
+  }
+  return corners;
+}
+
+/// Whether a block lies behind the camera, or past one edge of the picture with all that is drawn beside it: by planes
+/// through the camera, which hold for what reaches behind it too.
+bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thickest) {
+  const PictureCamera& camera = scene.camera;
+  const float edge = drawn_beside(scene, 0, 1), wide = drawn_beside(scene, thickest, 1);
+  const auto past = [&](glm::vec2 way, float pixels) {
+    return std::all_of(corners.begin(), corners.end(), [&](glm::vec3 corner) {
+      return camera.scale * glm::dot(way, glm::vec2(corner)) > (pixels + edge) * corner.z + wide;
+    });
+  };
+  return std::all_of(corners.begin(), corners.end(), [](glm::vec3 corner) { return corner.z <= near_distance; }) ||
+         past({1, 0}, static_cast<float>(scene.width) - camera.middle.x) || past({-1, 0}, camera.middle.x) ||
+         past({0, -1}, static_cast<float>(scene.height) - camera.middle.y) || past({0, 1}, camera.middle.y);
+}
+
 /// What strands in a block may be drawn over, or its skin.
 PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickest) {
   const PictureCamera& camera = scene.camera;
+  const Corners corners = corners_of(camera, block);
+  if (is_out_of_view(scene, corners, thickest)) return {};
   glm::vec2 first(1e9f), last(-1e9f);
   float nearest = 1e9f;
-  for (int k = 0; k < 8; ++k) {
-    const glm::vec3 corner = glm::mix(block.low, block.high, glm::vec3(k & 1, k >> 1 & 1, k >> 2)) - camera.position;
-    const float distance = glm::dot(corner, camera.forward);
-    if (!(distance > 2 * near_distance)) return whole_of(scene);  // it reaches behind the camera
-    const glm::vec2 pixel = camera.middle + camera.scale / distance *
-                                                glm::vec2(glm::dot(corner, camera.right), -glm::dot(corner, camera.up));
-    first = glm::min(first, pixel), last = glm::max(last, pixel), nearest = std::min(nearest, distance);
+  for (const glm::vec3& corner : corners) {
+    if (!(corner.z > 2 * near_distance)) return whole_of(scene);  // it reaches behind the camera
+    const glm::vec2 pixel = camera.middle + camera.scale / corner.z * glm::vec2(corner.x, -corner.y);
+    first = glm::min(first, pixel), last = glm::max(last, pixel), nearest = std::min(nearest, corner.z);
   }
   const float beside = block.fur ? drawn_beside(scene, thickest, nearest) : 1;
   const auto held = [](float at, int size) { return clamped_index(std::floor(at), 0, size); };
@@ -49,9 +76,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
     const std::uint32_t id = kept.ids[i];
     const std::uint32_t lit = lit_strand(*part.strands, id, own);
     changed[id] = boxes[i].fur || (lit == id ? boxes[i].light : changed[lit] != 0) ? 1 : 0;
-    if (changed[id] != 0)
-      boxes[i].bounded ? mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom)
-                       : mask.add(whole_of(scene));
+    if (changed[id] != 0) mask.add(boxes[i].left, boxes[i].top, boxes[i].right, boxes[i].bottom);
   }
 }
 
@@ -70,8 +95,7 @@ TileMask changed_since(const RasterScene& scene, std::uint64_t since, int thread
     thickest = std::max(thickest, part.thickest);
     if (part.strands->count() > 0 && grid.changed_in(part.low, part.high, since)) parts.push_back(&part);
   }
-  const bool near = scene.near && !scene.near->cells().empty();
-  const std::vector<std::int32_t> blocks = grid.changed_flags(since, near);
+  const std::vector<std::int32_t> blocks = grid.changed_flags(since);
   std::mutex mutex;
   for_each_in_parallel(
       static_cast<std::uint32_t>(parts.size()),

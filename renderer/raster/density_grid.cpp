@@ -334,18 +334,12 @@ bool DensityGrid::changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since)
   return changed;
 }
 
-std::vector<std::int32_t> DensityGrid::changed_flags(std::uint64_t since, bool near) const {
+std::vector<std::int32_t> DensityGrid::changed_flags(std::uint64_t since) const {
   std::vector<std::int32_t> flags(of_block_.size());
   std::transform(of_block_.begin(), of_block_.end(), fur_of_block_.begin(), flags.begin(),
                  [since](std::uint64_t any, std::uint64_t fur) {
                    return (any > since ? light_changed : 0) | (fur > since ? fur_changed : 0);
                  });
-  if (!near) return flags;
-  each_block(glm::ivec3(0), blocks_ - 1, [&](glm::ivec3 block) {
-    if (!(flags[block_at(block)] & fur_changed)) return;
-    each_block(glm::max(block - 1, glm::ivec3(0)), glm::min(block + 1, blocks_ - 1),
-               [&](glm::ivec3 beside) { flags[block_at(beside)] |= light_changed; });
-  });
   return flags;
 }
 

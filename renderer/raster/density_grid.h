@@ -52,9 +52,8 @@ class DensityGrid {
   /// Whether all may be another since then.
   bool all_changed(std::uint64_t since) const { return since < whole_version_; }
   BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
-  /// Of each block, row by row: bits of BlockChange for what may be another in it or around it as far as that is read;
-  /// `near`: light also where fur has changed in a block beside it.
-  std::vector<std::int32_t> changed_flags(std::uint64_t since, bool near) const;
+  /// Of each block, row by row: bits of BlockChange for what may be another in it or around it as far as that is read.
+  std::vector<std::int32_t> changed_flags(std::uint64_t since) const;
   /// Whether that is so anywhere in a box.
   bool changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since) const;
   /// Blocks in which it is so for skin, or where fur stands or stood that has changed.

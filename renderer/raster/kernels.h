@@ -27,7 +27,6 @@ void place_strands(const RasterScene& scene, const GrownPart& part, const PixelB
 struct StrandBox {
   float left = 0, top = 0, right = 0, bottom = 0;
   bool fur = false, light = false;
-  bool bounded = true;  // not so where it reaches behind the camera: it may cover anything
 };
 /// Of the kept strands of a part, one after the other. `blocks` has bits of BlockChange for each block of the grid.
 void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,

@@ -92,9 +92,8 @@ void NearCells::update(const RasterScene& scene, float cell, std::uint64_t versi
   std::vector<std::uint32_t> parts = near_parts(scene);
   std::vector<std::shared_ptr<const StrandSet>> sets;
   for (const std::uint32_t i : parts) sets.push_back(scene.parts[i].strands);
-  const bool moved = parts != parts_ || cell_ != cell / over_cell;
-  if (!moved && sets == held_) return;
-  if (moved) since_ = version;
+  if (parts == parts_ && cell_ == cell / over_cell && sets == held_) return;
+  since_ = version;
   cell_ = cell / over_cell, parts_ = std::move(parts), held_ = std::move(sets);
   fill(threads);
 }

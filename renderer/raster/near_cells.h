@@ -34,7 +34,8 @@ class NearCells {
   std::span<const std::uint16_t> cells() const { return cells_; }
   /// The mean over all cells: so much of other cells lies in each.
   float mean() const { return mean_; }
-  /// Of the grid, when the parts that are near became those.
+  /// Of the grid, when what is near became as it is: of places that share cells, and of the mean, all may look
+  /// another way since.
   std::uint64_t since() const { return since_; }
   std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
 

@@ -306,23 +306,15 @@ HWY_INLINE void find_all_changed(const RasterScene& scene, const GrownPart& part
       wider[l] = ids[l] < last_whole ? static_cast<float>(deep_of) : 1.0f;
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
-    Mask in_front = load(knots.inverse[0]) > 0.0f;
-    for (int k = 1; k <= set.segments; ++k) in_front = in_front & (load(knots.inverse[k]) > 0.0f);
     const Real beside = drawn_edge + load(wider) * lanes.widest;
     HWY_ALIGN float left[lane_count], top[lane_count], right[lane_count], bottom[lane_count];
     store(lanes.left - beside, left), store(lanes.top - beside, top);
     store(lanes.right + beside, right), store(lanes.bottom + beside, bottom);
     HWY_ALIGN std::int32_t changed[lane_count];
     hn::Store(changed_lanes(scene.grid->blocks(), blocks, set, ids), int_tag, changed);
-    const std::uint32_t bounded = bits_of(in_front);
     for (std::size_t l = 0; l < lane_count && i + l < count; ++l)
-      boxes[i + l] = {left[l],
-                      top[l],
-                      right[l],
-                      bottom[l],
-                      (changed[l] & fur_changed) != 0,
-                      (changed[l] & light_changed) != 0,
-                      (bounded >> l & 1) != 0};
+      boxes[i + l] = {
+          left[l], top[l], right[l], bottom[l], (changed[l] & fur_changed) != 0, (changed[l] & light_changed) != 0};
   }
 }
 

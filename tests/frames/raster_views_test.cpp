@@ -50,6 +50,46 @@ TEST_F(RasterViews, WithoutGroundAndFromAnywhere) {
   expect_same_bits(model);
 }
 
+// Where its light does not come into view, nor near the camera, nothing is drawn again.
+TEST_F(RasterViews, AStrokeBehindTheCameraOrBesideItDrawsLittle) {
+  FurredModel model = furred({Builtin::creature, 20000});
+  model.settings.ground.visible = false;
+  const Mesh& mesh = model.model.surface.mesh();
+  const glm::dvec3 eye(0, 0.3, 0), way = glm::normalize(glm::dvec3(0, -0.5, 1));
+  request.camera.automatic = AutoView::none, request.camera.fov_degrees = 60;
+  request.camera.position = eye * mesh.size + mesh.centre;
+  request.camera.target = (eye + way) * mesh.size + mesh.centre;
+  drawn(model);
+  int changed = 0, little = 0;
+  for (std::uint32_t v = 0; v < mesh.positions.size() && changed < 12; v += 97) {
+    const glm::dvec3 apart = glm::dvec3(mesh.positions[v]) - eye;
+    const double forward = glm::dot(apart, way), aside = glm::length(apart - forward * way);
+    if (forward > 0.02 || aside < 0.1) continue;
+    model.fields.set(Field::direction, v, {0.5f, 0.3f, 0, 0});
+    const Drawn part = drawn(model, {{v, v + 1}});
+    EXPECT_EQ(part.image.rgba, whole(model).rgba) << forward << " " << aside;
+    ++changed, little += part.redrawn < 0.05 ? 1 : 0;
+  }
+  EXPECT_EQ(changed, 12);
+  EXPECT_GE(little, 4);
+}
+
+// Cells of single strands are shared by places far from each other.
+TEST_F(RasterViews, WhatIsNearIsDrawnWholeWhenAnyOfItChanges) {
+  FurredModel model = furred({Builtin::creature, 20000});
+  const Mesh& mesh = model.model.surface.mesh();
+  const glm::dvec3 eye(0, 0.3, 0);
+  request.camera.automatic = AutoView::none, request.camera.fov_degrees = 20;
+  request.camera.position = eye * mesh.size + mesh.centre;
+  request.camera.target = (eye + glm::dvec3(0, -0.5, 1)) * mesh.size + mesh.centre;
+  drawn(model);
+  for (std::uint32_t v = 0; v < 4000; v += 97) {
+    model.fields.set(Field::direction, v, {0.5f, 0.3f, 0, 0});
+    const Drawn part = drawn(model, {{v, v + 1}});
+    EXPECT_EQ(part.image.rgba, whole(model).rgba) << v << ", " << part.redrawn;
+  }
+}
+
 TEST_F(RasterViews, FurThatWasLongIsTakenAway) {
   FurredModel model = furred({Builtin::sphere, 2000}, {.length = 0.01});
   const auto drawn_with = [&](float length) {

@@ -69,7 +69,7 @@ TEST(NearCells, HaveTheSameBitsForAnyThreads) {
   EXPECT_TRUE(std::equal(one.cells().begin(), one.cells().end(), many.cells().begin(), many.cells().end()));
 }
 
-TEST(NearCells, SayWhenOtherPartsAreNear) {
+TEST(NearCells, SayWhenWhatIsNearHasChanged) {
   LawnBelow lawn(0.08f);
   NearCells near;
   near.update(lawn.scene, cell, 5, 2);
@@ -78,11 +78,13 @@ TEST(NearCells, SayWhenOtherPartsAreNear) {
   std::fill(lawn.patch.length.begin(), lawn.patch.length.end(), 0.02f);
   lawn.grow();
   near.update(lawn.scene, cell, 6, 2);
-  EXPECT_EQ(near.since(), 5u) << "the same parts, with other strands";
+  EXPECT_EQ(near.since(), 6u);
+  near.update(lawn.scene, cell, 7, 2);
+  EXPECT_EQ(near.since(), 6u) << "nothing has changed";
   EXPECT_LT(sum_of(near), 0.8 * before);
   lawn.scene.camera.position.x += 0.1f;
-  near.update(lawn.scene, cell, 7, 2);
-  EXPECT_EQ(near.since(), 7u);
+  near.update(lawn.scene, cell, 8, 2);
+  EXPECT_EQ(near.since(), 8u);
 }
 
 }  // namespace
