@@ -13,6 +13,7 @@
 #include "renderer/raster/eyes-inl.h"
 #include "renderer/raster/ground-inl.h"
 #include "renderer/raster/place-inl.h"
+#include "renderer/raster/shared_light-inl.h"
 #include "renderer/raster/skin_light-inl.h"
 #include "renderer/raster/strand_light-inl.h"
 

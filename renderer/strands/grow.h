@@ -49,7 +49,7 @@ struct CoatTables;
 
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +
-/// 40 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
+/// 44 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
 /// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer

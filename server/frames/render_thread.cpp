@@ -1,0 +1,231 @@
+#include "server/frames/render_thread.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "server/frames/frame_file.h"
+
+namespace pelage {
+
+namespace {
+
+constexpr int max_restarts = 2;                       // of a frame whose scene changed meanwhile
+constexpr std::size_t max_running = 4;                // frames that were let in one by another: each holds its picture
+constexpr std::chrono::milliseconds look_again{250};  // at whether clients of frames that wait have left
+
+/// Each bakes on two threads, beside the one that draws.
+int baking_threads() { return std::max(1, default_threads() / 4); }
+
+}  // namespace
+
+FrameService::Impl::Impl(ContextSource source, YieldGate& yield_gate, std::size_t coat_memory, int asked_threads)
+    : contexts(std::move(source)),
+      gate(yield_gate),
+      baker(baking_threads(), coat_memory, [this] { wake_up(); }),
+      threads(drawing_threads(asked_threads)),
+      png(threads) {}
+
+void FrameService::Impl::run(std::promise<Status>& started) {
+  Result<std::unique_ptr<Context>> opened = contexts();
+  if (!opened) return started.set_value(opened.status());
+  context = std::move(*opened);
+  planner.use(default_calibration(threads));
+  Result<std::unique_ptr<Renderer>> renderer =
+      make_renderer(context.get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
+  if (!renderer) return started.set_value(renderer.status());
+  description = drawn_by(context.get());
+  started.set_value({});
+  serve(**renderer);
+  renderer->reset(), context.reset();  // GL objects before their context
+}
+
+void FrameService::Impl::renew_gl(Renderer& renderer) {
+  ++lost_contexts;
+  static_cast<void>(renderer.take_gl(nullptr));
+  context.reset();
+  Result<std::unique_ptr<Context>> opened = contexts();
+  if (!opened || !*opened) return;
+  context = std::move(*opened);
+  if (!renderer.take_gl(&context->gl()).ok()) context.reset();
+}
+
+bool FrameService::Impl::has_work() const {
+  const auto ready = [](const std::unique_ptr<FrameJob>& job) { return job->ready(); };
+  return stopping || jobs.any(ready) || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
+}
+
+void FrameService::Impl::serve(Renderer& renderer) {
+  // What is thrown beside a frame's drawing has lost one job, whose client is told so; the others are served.
+  for (Result<bool> go_on = true; !go_on || *go_on;) go_on = caught([&] { return Result<bool>(serve_next(renderer)); });
+  while (auto job = jobs.take()) job->job->answer.set_value(server_stopping());
+  for (const RenderTask& task : tasks) task(nullptr);
+  tasks.clear();
+}
+
+bool FrameService::Impl::serve_next(Renderer& renderer) {
+  const auto ready = [](const std::unique_ptr<FrameJob>& waiting) { return waiting->ready(); };
+  std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken> job;
+  RenderTask task;
+  bool forgot = false;
+  {
+    std::unique_lock lock(mutex);
+    while (!has_work()) jobs.empty() ? wake.wait(lock) : static_cast<void>(wake.wait_for(lock, look_again));
+    forgot = forget_gone(renderer);
+    if (stopping) return false;
+    job = jobs.take(ready);
+    if (!job && !tasks.empty()) {
+      task = std::move(tasks.front());
+      tasks.pop_front();
+    }
+  }
+  if (forgot) give_memory_back();
+  if (job) finish(renderer, std::move(*job));
+  if (task) task(&renderer);
+  return true;
+}
+
+bool FrameService::Impl::forget_gone(Renderer& renderer) {
+  std::vector<std::uint64_t> gone = past_scenes.take_gone();
+  gone.insert(gone.end(), forgotten.begin(), forgotten.end());
+  forgotten.clear();
+  if (gone.empty()) return false;
+  for (const std::uint64_t model : gone)
+    renderer.forget(model), memory.forget(renderer, model), moved_fur.forget(model);
+  return true;
+}
+
+void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken) {
+  FrameJob& job = *taken.job;
+  job.cost = taken.cost, job.begun = {};
+  {
+    const std::lock_guard lock(mutex);
+    running.push_back(&job);
+  }
+  const auto drawn_or_status = [&] { return caught([&] { return draw(renderer, job); }); };
+  Result<DrawnFrame> frame = drawn_or_status();
+  for (; !frame && job.outdated; ++job.restarts) {
+    job.outdated = job.given_up = false;
+    frame = drawn_or_status();
+  }
+  for (; renderer.lost_gl(); ++job.lost_contexts) {  // its coat may have to be baked again, so that it waits in between
+    renew_gl(renderer);
+    if (job.lost_contexts == 0) frame = drawn_or_status();
+  }
+  {
+    const std::lock_guard lock(mutex);
+    running.pop_back();
+    if (std::exchange(job.put_back, false)) return jobs.put_back(std::move(taken));
+  }
+  job.answer.set_value(std::move(frame));
+}
+
+bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
+  const Stopwatch passed;
+  const auto may = [&](const std::unique_ptr<FrameJob>& other) {
+    return other->ready() && (job.restarts < max_restarts || !other->same_subject(job));
+  };
+  // Once it has taken longer than was expected, others are short beside it.
+  const double taken = job.begun.milliseconds() - job.paused;
+  auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
+    const std::lock_guard lock(mutex);
+    job.given_up = job.given_up || stopping;
+    if (!moment) moment = jobs.moment();
+    if (running.size() >= max_running) return std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken>();
+    return jobs.take_beside(std::max(job.cost, taken), *moment, may);
+  };
+  while (auto other = next()) finish(renderer, std::move(*other));
+  job.overdue = taken > 1e3 * job.request.max_seconds;
+  job.given_up = job.given_up || job.outdated || job.overdue || job.left();
+  const std::lock_guard lock(mutex);
+  job.paused += passed.milliseconds();
+  return !job.given_up;
+}
+
+void FrameService::Impl::mark_outdated(const FrameJob& job) {
+  for (FrameJob* other : running)
+    other->outdated = other->outdated || (other->same_subject(job) && !other->shows_same(job));
+}
+
+void FrameService::Impl::count(double milliseconds, const Status& outcome) {
+  seconds = seconds + milliseconds / 1e3;
+  if (outcome.code == Code::unavailable) healthy = false;
+}
+
+Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
+  const Status left = failure(Code::unavailable, "nobody waits for this frame any more");
+  if (job.left()) return left;
+  DrawnFrame frame;
+  frame.timings.queue = job.asked.milliseconds();
+  const Stopwatch passed;
+  const double paused = job.paused;
+  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, moved_fur, false, true);
+  if (!shown) return shown.status();
+  job.revision = shown->revision, job.moment = shown->moment;
+  mark_outdated(job);
+  frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
+  frame.cost = planner.cost_of(*shown->features, shown->fur);
+  frame.cost.seconds *= job.request.drawn_share();
+  if (const Status can = renderer.can_draw(shown->fur); !can.ok()) return can;
+  if (job.dry_run) return frame;
+  if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
+  if (job.coat && job.coat->failed()) return status_of(job.coat->error());
+  if (waits_for_coat(renderer, shown->fur, job)) return failure(Code::unavailable, "its coat is being baked");
+  {
+    const std::lock_guard lock(mutex);
+    job.expected = 1e3 * frame.cost.seconds;
+  }
+  renderer.grow(shown->fur);
+  frame.revision = shown->revision, frame.placement = shown->placement;
+  frame.timings.upload = passed.milliseconds() - (job.paused - paused);
+  DrawTimes times;
+  Result<DrawnPicture> picture =
+      draw_for_format(renderer, shown->fur, job.linear ? linear_request(job.request) : job.request, times,
+                      [&] { return let_in(renderer, job); });
+  memory.measure(renderer, shown->copy_id);
+  const bool of_frame = picture || renderer.lost_gl();  // what is lost comes again
+  count(passed.milliseconds() - (job.paused - paused), of_frame ? Status{} : picture.status());
+  if (job.given_up && job.overdue) return too_slow(job.request, frame.cost);
+  if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
+  ++drawn;
+  if (!picture) return picture.status();
+  frame.timings.draw = times.draw;
+  frame.timings.cpu = times.cpu;
+  if (frame.estimate && times.counters.redrawn == 1 && !job.request.crop)
+    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.draw);
+  frame.counters = times.counters;
+  frame.picture = std::move(picture).value();
+  frame.frame = std::make_shared<const FurFrame>(std::move(shown->fur));
+  return frame;
+}
+
+bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job) {
+  if (!renderer.misses_coat(frame)) return job.coat = nullptr, false;
+  if (!job.coat || !job.coat->fits(frame.coat)) job.coat = baker.ask(frame.coat);
+  return job.put_back = !job.coat->settled();
+}
+
+void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
+  const std::lock_guard lock(mutex);
+  std::unique_ptr<FrameJob>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
+  if (older) {  // whose turn it takes
+    (*older)->answer.set_value(failure(Code::conflict, "superseded by a newer frame of the same view"));
+    job->coat = std::move((*older)->coat);
+    *older = std::move(job);
+  } else {
+    const double cost = job->dry_run ? 0 : expected_cost(job->request);
+    const Subject subject{std::hash<Scene*>()(job->scene.get()), std::hash<std::string>()(job->request.view)};
+    jobs.add(std::move(job), cost, running_time.milliseconds(), subject);
+  }
+  wake.notify_one();
+}
+
+Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
+  Result<FramePast> past = past_of(*job.scene, job.request, past_scenes);
+  if (!past) return past.status();
+  job.past = std::move(*past);
+  std::future<Result<DrawnFrame>> answer = job.answer.get_future();
+  add(std::make_unique<FrameJob>(std::move(job)));
+  return answer.get();
+}
+
+}  // namespace pelage
