@@ -9,7 +9,8 @@
 
 namespace pelage {
 
-/// One of some neighbours is lit, and hands its light on by their colours. Kept by a thread, for the room of its arrays.
+/// One of some neighbours is lit, and hands its light on by their colours. Kept by a thread, for the room of its
+/// arrays.
 class SharedLight {
  public:
   /// Writes the light of the strands `ids` of a part to their knots, which are those of `placed` from strand `first`
