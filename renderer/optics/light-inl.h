@@ -44,7 +44,8 @@ HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
 #include "renderer/shaders/shared/skin.glsl"
 #undef FUNCTION
 
-/// The blocks of a frame, under the names that the shared code has for them.
+/// The blocks of a frame, under the names that the shared code has for them. Its functions change nothing, but GLSL has
+/// no word to say so: objects are not const.
 struct FrameLight {
   const FrameBlock& frame;
   const SkinBlock& bare_skin;

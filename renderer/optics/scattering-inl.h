@@ -77,7 +77,7 @@ HWY_INLINE AbsorptionCurve azimuthal_curve(const AzimuthalFit& fit, const Vec4& 
   return curve;
 }
 
-/// The blocks of a look, under the names that the shared code has for them.
+/// The blocks of a look, as FrameLight has those of a frame.
 struct FibreScattering {
   const ScatteringBlock& scattering;
   const AzimuthalFit& azimuthal;

@@ -188,7 +188,7 @@ Result<FloatImage> ShellsRenderer::read_back() const {
 
 Result<FloatImage> ShellsRenderer::draw(const FurFrame& frame, FrameCounters& counters) {
   Result<FloatImage> light = drawn(frame, counters);
-  const bool silent = !light && light.status().code == Code::unavailable;
+  const bool silent = !light && light.status().code == Code::unavailable && programs().ok();
   lost_ = lost_ || silent || gl_.GetGraphicsResetStatus() != GL_NO_ERROR;
   if (lost_ && light) return failure(Code::unavailable, "the GL was reset");
   return light;

@@ -49,8 +49,8 @@ struct FrameJob {
   bool given_up = false;
   bool overdue = false;  // drawing has taken longer than its request allows
   int restarts = 0;
-  int lost_contexts = 0;
-  double paused = 0;  // milliseconds
+  int lost_contexts = 0;  // while it was drawn
+  double paused = 0;      // milliseconds
 
   bool left() const { return abandoned && abandoned(); }
   /// Whether the render thread has something to do for it.

@@ -181,7 +181,10 @@ void FrameService::forget(std::uint64_t model_id) {
 void FrameService::plan_by(Calibration calibration) { impl_->planner.use(std::move(calibration)); }
 int FrameService::threads() const { return impl_->threads; }
 
-const std::string& FrameService::description() const { return impl_->description; }
+std::string FrameService::description() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->description;
+}
 bool FrameService::healthy() const { return impl_->healthy; }
 std::size_t FrameService::lost_contexts() const { return impl_->lost_contexts; }
 std::size_t FrameService::frames_drawn() const { return impl_->drawn; }

@@ -66,7 +66,7 @@ class FrameService {
   /// That the CPU draws on.
   int threads() const;
 
-  /// Draws shells and encodes; with a budget or an error with knobs that the planner chooses. Scenes take turns, and
+  /// Draws and encodes; with a budget or an error with knobs that the planner chooses. Scenes take turns, and
   /// short frames of one go before long ones; they are let in between the pieces of one that is drawn. A frame whose
   /// scene changed meanwhile begins anew. A coat that is not there yet is baked beside, once for all who wait for it.
   /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
@@ -104,8 +104,8 @@ class FrameService {
   /// Forgets GPU copies of a model that is gone, and its earlier revisions.
   void forget(std::uint64_t model_id);
 
-  /// What draws (drawn_by).
-  const std::string& description() const;
+  /// What draws now (drawn_by).
+  std::string description() const;
   /// False once drawing has failed for no reason of the frame's; the server is then not ready.
   bool healthy() const;
   /// How often the GL was lost.

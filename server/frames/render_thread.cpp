@@ -43,10 +43,10 @@ void FrameService::Impl::renew_gl(Renderer& renderer) {
   ++lost_contexts;
   static_cast<void>(renderer.take_gl(nullptr));
   context.reset();
-  Result<std::unique_ptr<Context>> opened = contexts();
-  if (!opened || !*opened) return;
-  context = std::move(*opened);
-  if (!renderer.take_gl(&context->gl()).ok()) context.reset();
+  if (Result<std::unique_ptr<Context>> opened = contexts()) context = std::move(*opened);
+  if (context && !renderer.take_gl(&context->gl()).ok()) context.reset();
+  const std::lock_guard lock(mutex);
+  description = drawn_by(context.get());
 }
 
 bool FrameService::Impl::has_work() const {

@@ -102,12 +102,14 @@ TEST_F(LostGl, AFrameThatLosesTwoIsRefusedAndTheNextIsDrawn) {
 
 TEST_F(LostGl, WithoutAnotherStrandsAreDrawnAsBefore) {
   const std::string strands = draw(Method::raster)->bytes;
+  EXPECT_NE(frames_->description().find("shells by OSMesa"), std::string::npos) << frames_->description();
   again_ = false, resets = 1;
   EXPECT_EQ(draw(Method::shells).status().pointer, "/quality/method");
   EXPECT_EQ(draw(Method::raster)->bytes, strands);
   EXPECT_TRUE(frames_->healthy());
   EXPECT_EQ(draw(Method::shells).status().pointer, "/quality/method");
   EXPECT_EQ(opened_, 2);
+  EXPECT_EQ(frames_->description().find("shells"), std::string::npos) << frames_->description();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A headless GL context, chosen at run time. One for the process, current on one thread for its whole life.
+// A headless GL context, chosen at run time. One at a time for the process, current on one thread for its whole life.
 #pragma once
 
 #include <functional>
