@@ -34,7 +34,7 @@ TEST(GrowColour, IsTheStrandsOwn) {
   }
 }
 
-TEST(GrowColour, EachStrandKnowsTheWayToTheMean) {
+TEST(GrowColour, MeansLeaveTheCoatTheColourThatItHas) {
   Coat coat;
   coat.count = 3000, coat.ticking.share = 0.3, coat.ticking.colour = {0.9f, 0.8f, 0.7f};
   coat.ramp = {{0, glm::vec3(0.05f)}, {1, {0.5f, 0.2f, 0.1f}}};
