@@ -14,7 +14,7 @@ include_directories(${CMAKE_BINARY_DIR}/generated)
 
 function(pelage_shaders TARGET)
   file(GLOB SHARED CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/*.glsl
-       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/shared/*.glsl)
+       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../renderer/shaders/shared/*.glsl ${CMAKE_CURRENT_SOURCE_DIR}/*.glsl)
   foreach(SHADER ${ARGN})
     get_filename_component(NAME ${SHADER} NAME)
     string(REPLACE "." "_" SYMBOL ${NAME})

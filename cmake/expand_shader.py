@@ -1,5 +1,5 @@
 """Expands #include lines of a shader and writes it as a C++ string. glslangValidator checks it without, with each and with all of the
-names that it asks for, and with each shading model; other sets of names are compiled when a scene first needs them.
+names that it asks for, with each thing that a picture shows, and with each shading model; other sets of names are compiled when a scene first needs them.
 
 usage: expand_shader.py SOURCE OUTPUT.cpp SYMBOL INCLUDE_DIR...
 """
@@ -33,9 +33,11 @@ SHADING_MODELS = 6  # of renderer/shaders/constants.glsl
 
 def variants(text):
     """Sets of #define lines: none, each name that the text asks for with #ifdef alone, all of them, and with each shading model."""
-    names = [f"{name} 1" for name in sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))]
+    shown = [f"{name} 1" for name in sorted(set(re.findall(r"\bSHOWN_\w+", text)))]  # what a picture shows: one thing
+    asked = sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))
+    names = [f"{name} 1" for name in asked if not name.startswith("SHOWN_")]
     models = [f"SHADING_MODEL {number}" for number in range(SHADING_MODELS)] if "SHADING_MODEL" in text else []
-    return [[], *([name] for name in names), names, *([*names, model] for model in models)]
+    return [[], *([name] for name in [*names, *shown]), names, *([*names, model] for model in models)]
 
 
 def check(source, text):

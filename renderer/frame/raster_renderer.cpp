@@ -15,6 +15,7 @@
 #include "renderer/frame/raster_aovs.h"
 #include "renderer/overlay/field_picture.h"
 #include "renderer/raster/changed.h"
+#include "renderer/raster/gpu/gpu_raster.h"
 #include "renderer/raster/model_copy.h"
 #include "renderer/raster/raster.h"
 #include "renderer/strands/grown_fur.h"
@@ -151,6 +152,18 @@ struct RasterRenderer::Model {
 RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
 RasterRenderer::~RasterRenderer() = default;
 
+void RasterRenderer::take_gl(const Gl* gl) {
+  gpu_.reset(gl ? new GpuRaster(*gl) : nullptr);
+  views_.clear_shown();
+}
+
+bool RasterRenderer::lost_gl() const { return gpu_ && gpu_->lost(); }
+
+bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times) {
+  const DrawClock clock(times);
+  return gpu_ && gpu_->can_draw(grown(frame, growth).fur.parts());
+}
+
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
   return models_.try_emplace(model.id, std::make_unique<Model>(model, fields, threads_, room_))
@@ -212,27 +225,34 @@ RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, 
   return scene;
 }
 
-bool RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times,
-                               const Pause& pause, FloatImage& picture) {
+Status RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times,
+                                 const Pause& pause, FloatImage& picture) {
   FurFrame part = frame;
   part.crop = Crop{area.left, area.top, area.width, area.height};
   RasterCounts counts;
-  const std::vector<PixelBox> boxes = Raster::boxes_of(part);
+  const std::vector<PixelBox> boxes =
+      wanted.by_gpu ? Raster::boxes_of(part, gpu_->box_pixels()) : Raster::boxes_of(part);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (i > 0 && pause && !pause()) return false;
+    if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
     Standing& standing = grown(frame, wanted.growth);  // in the pause others may have drawn it in another coat
-    standing.raster->draw_box(scene_of(standing, frame, wanted), boxes[i], picture, counts);
+    const RasterScene scene = scene_of(standing, frame, wanted);
+    if (!wanted.by_gpu) {
+      standing.raster->draw_box(scene, boxes[i], picture, counts);
+    } else if (Status drawn = gpu_->draw_box(scene, boxes[i], picture, counts); !drawn.ok()) {
+      return drawn;
+    }
   }
-  return true;
+  return {};
 }
 
-Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times,
+Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times,
                                               const Pause& pause) {
+  wanted.by_gpu = draws_on_gpu(frame, wanted.growth, times);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
-  if (!draw_area(frame, whole_area(frame), wanted, times, pause, picture)) return drawing_given_up();
+  if (Status drawn = draw_area(frame, whole_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
   const DrawClock clock(times);
-  darken(frame, grown(frame, wanted.growth), wanted, picture);
+  if (!wanted.by_gpu) darken(frame, grown(frame, wanted.growth), wanted, picture);
   return picture;
 }
 
@@ -334,7 +354,9 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
                                               const Finish& finish) {
   const FurFrame drawn = scaled(frame);
   CachedView view = views_.take(frame, format);
-  const std::optional<ShownFrame> shown = std::exchange(view.shown, {});
+  std::optional<ShownFrame> shown = std::exchange(view.shown, {});
+  const bool by_gpu = draws_on_gpu(drawn, Growth::as_kept, times);
+  if (by_gpu) shown.reset();  // the whole is drawn in less than it takes to find what has changed
   if (!shown) view.light = empty_picture<FloatImage>(drawn.width, drawn.height);
   Area area = whole_area(drawn);
   std::optional<TileMask> tiles;
@@ -344,17 +366,17 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
     const PixelBox box = tiles->bounds();
     area = common_area(area, {box.left, box.top, box.right - box.left, box.bottom - box.top});
   }
-  if (area.pixels() > 0 &&
-      !draw_area(drawn, area, {RasterOutput::light, {}, tiles ? &*tiles : nullptr, Growth::as_kept}, times, pause,
-                 view.light))
-    return drawing_given_up();
+  const Wanted wanted{RasterOutput::light, {}, tiles ? &*tiles : nullptr, Growth::as_kept, by_gpu};
+  if (area.pixels() > 0)
+    if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
   Standing& standing = grown(drawn, Growth::as_kept);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;
-  if (frame.ground) light = view.light, darken(drawn, standing, {RasterOutput::light}, light);
-  Picture picture = finish(view, frame.ground ? light : view.light, area);
+  const bool darkens = frame.ground && !by_gpu;
+  if (darkens) light = view.light, darken(drawn, standing, {RasterOutput::light}, light);
+  Picture picture = finish(view, darkens ? light : view.light, area);
   const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
   times.counters.redrawn = pixels / static_cast<double>(view.pixels());
   views_.keep(std::move(view));

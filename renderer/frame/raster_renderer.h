@@ -27,6 +27,8 @@ using Pause = std::function<bool()>;
 inline Status drawing_given_up() { return failure(Code::conflict, "the drawing was given up"); }
 inline Status no_memory_for_frame() { return failure(Code::too_large, "no memory for a frame of this size", "/width"); }
 
+struct Gl;
+class GpuRaster;
 class RasterRoom;
 enum class RasterOutput;
 struct RasterScene;
@@ -38,6 +40,11 @@ class RasterRenderer {
  public:
   explicit RasterRenderer(int threads);
   ~RasterRenderer();
+  /// Draws by compute shaders of a GL from here on, which outlives that; by the CPU where it is null, or where it has
+  /// no room for a frame's strands.
+  void take_gl(const Gl* gl);
+  /// Whether the GL that draws was reset.
+  bool lost_gl() const;
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
   /// Both give the bytes that were taken over.
@@ -78,14 +85,18 @@ class RasterRenderer {
     std::span<const glm::vec3> field = {};  // of each vertex, where that is shown
     const TileMask* tiles = nullptr;        // null for all
     Growth growth = Growth::all;
+    bool by_gpu = false;
   };
   RasterScene scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const;
-  /// Draws an area of a frame that has the size of its light into a picture; false when it is given up.
-  bool draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times, const Pause& pause,
-                 FloatImage& picture);
+  /// Draws an area of a frame that has the size of its light into a picture, by the GPU with its ground. Fails with
+  /// conflict when it is given up, and as GpuRaster::draw_box.
+  Status draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times, const Pause& pause,
+                   FloatImage& picture);
+  /// Whether the GPU draws a frame's strands, which are grown first.
+  bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
   /// What the ground is seen of, where there is one.
   void darken(const FurFrame& frame, Standing& standing, const Wanted& wanted, FloatImage& picture) const;
-  Result<FloatImage> draw_whole(const FurFrame& frame, const Wanted& wanted, DrawTimes& times, const Pause& pause);
+  Result<FloatImage> draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);
   /// The skin and the eyes alone, in light that nothing stands in the way of.
   FloatImage draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                        RasterOutput shown) const;
@@ -97,6 +108,7 @@ class RasterRenderer {
                                 const Finish& finish);
 
   int threads_;
+  std::unique_ptr<GpuRaster> gpu_;  // null: the CPU draws
   std::shared_ptr<RasterRoom> room_;
   std::map<std::uint64_t, std::unique_ptr<Model>> models_;
   std::uint64_t uses_ = 0;

@@ -18,22 +18,23 @@ struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
   int threads = default_threads();                       // of what is drawn on the CPU
   CoatSource coats = bake_here;                          // where slices come from, for shells
+  bool strands_by_gl = false;                            // rasterized by the GL, where there is one: by a GPU
 };
 
-/// Rasterizes strands on the CPU, and draws shells by a GL where it has one. Of a frame with a crop all pictures have
-/// the crop's size, and the bits that the whole frame has there; light that is to be finished, and backplates, are of
-/// the whole. Belongs to the thread and the context that it was made on.
+/// Rasterizes strands on the CPU or by a GL, and draws shells by a GL where it has one. Of a frame with a crop all
+/// pictures have the crop's size, and the bits that the whole frame has there; light that is to be finished, and
+/// backplates, are of the whole. Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
   /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const RendererOptions& options = {});
   /// Without shells.
   explicit Renderer(const RendererOptions& options) : options_(options), raster_(options.threads) {}
-  /// Draws shells by another GL from here on, by none where it is null; what the one before was sent is gone. Fails as
+  /// Draws by another GL from here on, by none where it is null; what the one before was sent is gone. Fails as
   /// create, and then has none.
   Status take_gl(const Gl* gl);
   /// Whether its GL was reset or does not answer: it draws nothing more.
-  bool lost_gl() const { return shells_ && shells_->lost(); }
+  bool lost_gl() const { return (shells_ && shells_->lost()) || raster_.lost_gl(); }
 
   bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.

@@ -186,6 +186,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(DepthFunc, "glDepthFunc");
   get(DepthMask, "glDepthMask");
   get(Disable, "glDisable");
+  get(DispatchCompute, "glDispatchCompute");
   get(counted_.DrawArrays, "glDrawArrays");
   get(counted_.DrawElements, "glDrawElements");
   get(counted_.DrawElementsInstanced, "glDrawElementsInstanced");
@@ -197,6 +198,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Flush, "glFlush");
   get(GetError, "glGetError");
   get(GetGraphicsResetStatus, "glGetGraphicsResetStatus");
+  get(GetInteger64v, "glGetInteger64v");
   get(GetIntegerv, "glGetIntegerv");
   get(GetNamedBufferSubData, "glGetNamedBufferSubData");
   get(GetProgramInfoLog, "glGetProgramInfoLog");
@@ -225,6 +227,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(Uniform1f, "glUniform1f");
   get(Uniform3f, "glUniform3f");
   get(Uniform1i, "glUniform1i");
+  get(Uniform1ui, "glUniform1ui");
   get(GetUniformLocation, "glGetUniformLocation");
   get(UniformMatrix4fv, "glUniformMatrix4fv");
   get(counted_.UseProgram, "glUseProgram");

@@ -54,6 +54,7 @@ struct Gl {
   PFNGLDEPTHFUNCPROC DepthFunc = nullptr;
   PFNGLDEPTHMASKPROC DepthMask = nullptr;
   PFNGLDISABLEPROC Disable = nullptr;
+  PFNGLDISPATCHCOMPUTEPROC DispatchCompute = nullptr;
   PFNGLENABLEPROC Enable = nullptr;
   PFNGLENDQUERYPROC EndQuery = nullptr;
   PFNGLENABLEVERTEXARRAYATTRIBPROC EnableVertexArrayAttrib = nullptr;
@@ -62,6 +63,7 @@ struct Gl {
   PFNGLFLUSHPROC Flush = nullptr;
   PFNGLGETERRORPROC GetError = nullptr;
   PFNGLGETGRAPHICSRESETSTATUSPROC GetGraphicsResetStatus = nullptr;
+  PFNGLGETINTEGER64VPROC GetInteger64v = nullptr;
   PFNGLGETINTEGERVPROC GetIntegerv = nullptr;
   PFNGLGETNAMEDBUFFERSUBDATAPROC GetNamedBufferSubData = nullptr;
   PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = nullptr;
@@ -82,6 +84,7 @@ struct Gl {
   PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = nullptr;
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
+  PFNGLUNIFORM1UIPROC Uniform1ui = nullptr;
   PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
   PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = nullptr;

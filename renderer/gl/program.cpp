@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
 
 namespace pelage {
 
@@ -27,20 +26,31 @@ GLuint compile(const Gl& gl, GLenum stage, std::string_view source, const std::s
 
 }  // namespace
 
-Program::Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines)
-    : gl_(&gl), handle_(gl) {
-  for (const auto& [stage, source] :
-       {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, {GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
-    const GLuint shader = compile(gl, stage, source, defines, log_);
-    gl.AttachShader(handle_.id(), shader);
-    gl.DeleteShader(shader);  // lives on while attached
-  }
-  gl.LinkProgram(handle_.id());
+Program::Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines) : Program(gl) {
+  add(GL_VERTEX_SHADER, vertex, defines), add(GL_FRAGMENT_SHADER, fragment, defines);
+  link();
+}
+
+Program Program::of_compute(const Gl& gl, const char* source, const std::string& defines) {
+  Program program(gl);
+  program.add(GL_COMPUTE_SHADER, source, defines);
+  program.link();
+  return program;
+}
+
+void Program::add(GLenum stage, const char* source, const std::string& defines) {
+  const GLuint shader = compile(*gl_, stage, source, defines, log_);
+  gl_->AttachShader(handle_.id(), shader);
+  gl_->DeleteShader(shader);  // lives on while attached
+}
+
+void Program::link() {
+  gl_->LinkProgram(handle_.id());
   GLint linked = 0;
-  gl.GetProgramiv(handle_.id(), GL_LINK_STATUS, &linked);
+  gl_->GetProgramiv(handle_.id(), GL_LINK_STATUS, &linked);
   if (linked) return;
   std::array<char, 2048> text{};
-  gl.GetProgramInfoLog(handle_.id(), text.size(), nullptr, text.data());
+  gl_->GetProgramInfoLog(handle_.id(), text.size(), nullptr, text.data());
   log_ += text.data();
   handle_ = {};
 }

@@ -7,16 +7,18 @@
 
 namespace pelage {
 
-/// A linked vertex and fragment shader. Sources were checked by the build, so a failure here is a broken driver:
-/// the program is then empty and `log` says why.
+/// A linked vertex and fragment shader, or a compute shader. Sources were checked by the build, so a failure here is a
+/// broken driver: the program is then empty and `log` says why.
 class Program {
  public:
   Program() = default;
   /// `defines` are lines such as "#define SHADOW_MAPS\n", put after the version of both sources.
   Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines = {});
+  static Program of_compute(const Gl& gl, const char* source, const std::string& defines = {});
 
   void use() const { gl_->UseProgram(handle_.id()); }
   void set(const char* name, int value) const { gl_->Uniform1i(location(name), value); }
+  void set(const char* name, unsigned value) const { gl_->Uniform1ui(location(name), value); }
   void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(location(name), value.x, value.y, value.z); }
   void set(const char* name, float value) const { gl_->Uniform1f(location(name), value); }
   void set(const char* name, const glm::mat4& value) const {
@@ -26,6 +28,9 @@ class Program {
   const std::string& log() const { return log_; }
 
  private:
+  explicit Program(const Gl& gl) : gl_(&gl), handle_(gl) {}
+  void add(GLenum stage, const char* source, const std::string& defines);
+  void link();
   GLint location(const char* name) const { return gl_->GetUniformLocation(handle_.id(), name); }
 
   const Gl* gl_ = nullptr;

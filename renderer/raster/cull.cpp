@@ -47,11 +47,14 @@ float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
   return static_cast<float>(edge + wider * std::max(0.5 * scene.quality.widest(), half));
 }
 
-std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last) {
-  if (part.role == StrandRole::curve || !is_coloured(scene.shown)) return last + 1;
+std::uint32_t strands_of_lit(const RasterScene& scene, const GrownPart& part) {
+  if (part.role == StrandRole::curve || !is_coloured(scene.shown)) return 1;
   const double wide = std::max(width_at(part, pixel_at(scene, part)) / double{part.wider}, 1.0);  // in the whole coat
-  const auto lit_of = static_cast<std::uint32_t>(std::max(scene.quality.lit_of / wide, 1.0));
-  return last / lit_of + 1;
+  return static_cast<std::uint32_t>(std::max(scene.quality.lit_of / wide, 1.0));
+}
+
+std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last) {
+  return last / strands_of_lit(scene, part) + 1;
 }
 
 float own_colour(const RasterScene& scene, const GrownPart& part) {
@@ -78,19 +81,29 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
   return inside && (!scene.drawn || scene.drawn->touches(left, top, right, bottom));
 }
 
+StrandCull strand_cull(const RasterScene& scene, const GrownPart& part) {
+  const auto all = static_cast<double>(part.strands->count());
+  const double share = kept_share(scene, part);
+  StrandCull cull;
+  cull.thins = share < 1, cull.exact = share * all;
+  cull.count = static_cast<std::uint32_t>(std::min(std::ceil(cull.exact), all));
+  cull.whole = cull.thins ? 1 / (share * (1 - fading / 2)) : 1;
+  cull.back = glm::normalize(scene.camera.position - part.middle + glm::vec3(1e-9f));
+  cull.min_facing = min_facing(part);
+  return cull;
+}
+
+float StrandCull::widened(std::uint32_t strand) const {
+  const double left = thins ? std::min((exact - strand) / (fading * exact), 1.0) : 1;
+  return static_cast<float>(whole * left);
+}
+
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept) {
   kept.ids.clear(), kept.widened.clear();
   const StrandSet& set = *part.strands;
-  const double share = kept_share(scene, part), exact = share * static_cast<double>(set.count());
-  const auto count = static_cast<std::uint32_t>(std::min(std::ceil(exact), static_cast<double>(set.count())));
-  const double whole = share < 1 ? 1 / (share * (1 - fading / 2)) : 1;
-  const float smallest = min_facing(part);
-  const glm::vec3 back = glm::normalize(scene.camera.position - part.middle + glm::vec3(1e-9f));
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (glm::dot(set.roots[i].normal, back) < smallest) continue;
-    const double left = share < 1 ? std::min((exact - i) / (fading * exact), 1.0) : 1;
-    kept.ids.push_back(i), kept.widened.push_back(static_cast<float>(whole * left));
-  }
+  const StrandCull cull = strand_cull(scene, part);
+  for (std::uint32_t i = 0; i < cull.count; ++i)
+    if (cull.faces(set.roots[i])) kept.ids.push_back(i), kept.widened.push_back(cull.widened(i));
 }
 
 }  // namespace pelage

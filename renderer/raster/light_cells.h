@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
 
@@ -71,7 +72,7 @@ struct CellDensity {
 /// What lies between a cell's middle and a light, in fixed point: what a change far away adds is rounded away, so that
 /// cells that differ lie near it.
 struct Crossed {
-  static constexpr float one = 1024;
+  static constexpr float one = crossed_one;
   static constexpr std::uint16_t max_strands = 65535, max_body = 32767;  // more are as many: nothing gets through
   static constexpr float dark = 6;                                       // depth of a body that light ends at
   std::uint16_t strands = 0;                                             // that the light crosses on average

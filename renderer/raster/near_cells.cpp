@@ -28,7 +28,8 @@ bool is_near(const RasterScene& scene, const GrownPart& part) {
   const glm::vec3 apart = part.middle - camera.position;
   const float distance = distance_of(scene, part), reach = part.radius + around_part;
   const auto across = static_cast<float>(std::max(scene.width, scene.height));
-  if (distance < -reach || std::max(distance - reach, 0.0f) * across > NearCells::no_view * camera.scale) return false;
+  if (distance < -reach || std::max(distance - reach, 0.0f) * across > static_cast<float>(near_no_view) * camera.scale)
+    return false;
   if (distance < 2 * reach) return true;
   const float pixels = 1.5f * reach * camera.scale / distance;  // more than it reaches, as seen aslant
   const glm::vec2 off = camera.scale / distance * glm::vec2(glm::dot(apart, camera.right), glm::dot(apart, camera.up));
@@ -51,7 +52,8 @@ std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
 
 std::uint32_t index_of(glm::vec3 cells) {
   const auto whole = [](float v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v))); };
-  return (whole(cells.x) * NearCells::of_x ^ whole(cells.y) * NearCells::of_y ^ whole(cells.z) * NearCells::of_z) &
+  return (whole(cells.x) * std::uint32_t{near_of_x} ^ whole(cells.y) * std::uint32_t{near_of_y} ^
+          whole(cells.z) * std::uint32_t{near_of_z}) &
          (NearCells::count - 1);
 }
 

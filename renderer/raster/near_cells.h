@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/shaders/constants.h"
 #include "renderer/strands/grown_fur.h"
 
 namespace pelage {
@@ -16,13 +17,8 @@ struct RasterScene;
 /// Cells by a hash of their coordinates (Teschner et al. 2003): most of the space around fur is empty.
 class NearCells {
  public:
-  static constexpr std::uint32_t count = 1 << 23;  // places for cells; a few share one
-  static constexpr std::uint32_t of_x = 73856093, of_y = 19349663, of_z = 83492791;
-  static constexpr float one = 256;
-  /// Sizes that the whole picture shows across at a place's distance: up to the first one single strands are looked
-  /// for, beyond the second one not.
-  static constexpr float whole_view = 0.1f, no_view = 0.2f;
-  static constexpr int steps = 8;  // cells that are looked at on the way to a light
+  static constexpr std::uint32_t count = near_places;  // for cells; a few share one
+  static constexpr float one = near_one;
 
   /// Holds the strands of all parts that the picture shows from near, in cells that are a fraction of `cell` wide.
   /// `version` is that of the density grid. Deterministic for any number of threads.

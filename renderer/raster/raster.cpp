@@ -21,7 +21,6 @@ namespace pelage {
 
 namespace {
 
-constexpr int box_pixels = 1 << 20;      // of a part of a picture that is drawn at once
 constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same for any number of threads
 
 /// A strand by its number in the whole coat, from 1 on.
@@ -286,12 +285,12 @@ PixelBox whole_tiles(const PixelBox& box, int width, int height) {
           up(box.bottom, height)};
 }
 
-std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame) {
+std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame, int pixels) {
   PixelBox all{0, 0, frame.width, frame.height};
   if (const std::optional<Crop>& crop = frame.crop)
     all = whole_tiles({crop->left, crop->top, crop->left + crop->width, crop->top + crop->height}, frame.width,
                       frame.height);
-  const int rows = std::max(box_pixels / (all.right - all.left) / tile_side, 1) * tile_side;
+  const int rows = std::max(pixels / (all.right - all.left) / tile_side, 1) * tile_side;
   std::vector<PixelBox> boxes;
   for (int top = all.top; top < all.bottom; top += rows)
     boxes.push_back({all.left, top, all.right, std::min(top + rows, all.bottom)});

@@ -53,8 +53,9 @@ class Raster {
   /// Of what was drawn, for changed_since.
   std::uint64_t version() const;
 
-  /// The same in boxes of whole tiles, for who has other things to do in between: those of a frame, row by row.
-  static std::vector<PixelBox> boxes_of(const FurFrame& frame);
+  /// The same in boxes of whole tiles, for who has other things to do in between: those of a frame, row by row, of
+  /// about so many pixels at most.
+  static std::vector<PixelBox> boxes_of(const FurFrame& frame, int pixels = 1 << 20);
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);

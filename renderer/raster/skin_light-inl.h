@@ -36,11 +36,7 @@ struct PieceCorners {
 
 /// The skin where it is seen.
 struct SkinLanes {
-  Vec3 place, normal, to_camera;
-  Vec3 colour;  // of what no fur hides
-  Vec3 under;   // under fur
-  Real grown, bare, wetness;
-  Real pixel;  // size of one that is seen there, sizes
+  SceneLight::SkinPlace at;
   PieceCorners corners;
 };
 
@@ -83,7 +79,7 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   }
   const Vec3 way = ray_through(scene.camera, load(seen.x + at), load(seen.y + at));
   const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(way);
-  SkinLanes skin;
+  SceneLight::SkinPlace skin;
   skin.place = Vec3(scene.camera.position) + way * distance, skin.to_camera = way * (-1.0f / size);
   skin.pixel = scene.optics.frame.viewpoint.w * scene.oversampling * distance * size;
   const Vec3 across = cross(place[1] - place[0], place[2] - place[0]);
@@ -97,71 +93,7 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   const float* look = &scene.skin[0][0].under.x;
   skin.under = corners.mix3(look, look_stride), skin.grown = corners.mix(look + 3, look_stride);
   skin.bare = corners.mix(look + 4, look_stride), skin.wetness = corners.mix(look + 5, look_stride);
-  skin.corners = corners;
-  return skin;
-}
-
-/// What of the skin grows fur, and what is bare.
-struct SkinLooks {
-  Vec3 furred;  // colour
-  Bare bare;
-
-  HWY_INLINE Vec3 albedo() const { return mix(furred, bare.colour, bare.share); }
-};
-
-HWY_INLINE SkinLooks skin_looks(const FrameOptics& optics, const SkinLanes& skin) {
-  SkinLooks looks{mix(skin.colour, skin.under, skin.grown), painted_bare(skin.colour, skin.bare, skin.wetness)};
-  if (optics.skin.count.x > 0)
-    looks.bare = FrameLight(optics).bare_over(looks.bare, skin.place, skin.normal, skin.pixel);
-  return looks;
-}
-
-/// Of a light, what strands and the body let through to each lane's place.
-class WayToSkin {
- public:
-  HWY_INLINE WayToSkin(const RasterScene& scene, const SkinLanes& skin, Vec3 stopped)
-      : grid_(scene.grid), stopped_(stopped) {
-    if (!grid_) return;
-    const GridPlace& place = grid_->place();
-    cells_ = grid_lanes(place, skin.place + skin.normal * (off_skin * place.cell));
-  }
-  HWY_INLINE Vec3 through(int light) const {
-    if (!grid_) return Vec3(1.0f);
-    return let_through(crossed_at(grid_->crossed(static_cast<std::size_t>(light)), cells_), stopped_);
-  }
-
- private:
-  const DensityGrid* grid_;
-  Vec3 stopped_;
-  GridLanes cells_;
-};
-
-template <bool unshadowed>
-HWY_INLINE SentLight skin_light(const RasterScene& scene, const SkinLanes& skin, const SkinLooks& looks) {
-  const FrameOptics& optics = scene.optics;
-  const FrameBlock& frame = optics.frame;
-  FrameLight from(optics);
-  const Bare& bare = looks.bare;
-  const bool shows_bare = any(bare.share > 0.0f);
-  const SkinSurface surface = skin_surface(bare, skin.place, skin.normal, skin.to_camera, skin.pixel);
-  const Real above = frame.depth_above[0].x;
-  const Vec3 crossed = looks.furred * Vec3(frame.colour_above[0]);
-  const Vec3 stopped = from.stopped_by_strand(crossed, 1.0f);
-  SentLight sum;
-  sum.ambient = frame.weights.x * looks.furred * from.environment_light(skin.normal);
-  if (scene.grid) sum.ambient *= from.ambient_share(0.0f, above, from.stopped_by_strand(crossed, 0.6f));
-  sum.direct = sum.unshadowed = Vec3(0.0f);
-  if (shows_bare) sum.ambient = mix(sum.ambient, from.sky_on_skin(bare, surface), bare.share);
-  const WayToSkin way(scene, skin, stopped);
-  for (int i = 0; i < optics.lights; ++i) {
-    const Arriving light = from.light_at(static_cast<Index>(i), skin.place);
-    const Vec3 through = way.through(i);
-    Vec3 sent = looks.furred * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
-    if (shows_bare) sent = mix(sent, from.light_on_skin(bare, surface, light.to_light), bare.share);
-    sum.direct += light.radiance * sent * through;
-    if constexpr (unshadowed) sum.unshadowed += light.radiance * sent;
-  }
-  return sum;
+  return {skin, corners};
 }
 
 /// What the scene shows of the skin.
@@ -170,7 +102,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
   switch (scene.shown) {
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
-    case RasterOutput::normal: return skin.normal;
+    case RasterOutput::normal: return skin.at.normal;
     case RasterOutput::piece: return {to_real(skin.corners.piece), none, none};
     case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
     case RasterOutput::tangent:
@@ -178,14 +110,15 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
     case RasterOutput::strand: return Vec3(none);
     default: break;
   }
-  const SkinLooks looks = skin_looks(scene.optics, skin);
+  SceneLight from(scene);
+  const SceneLight::SkinLooks looks = from.skin_looks(skin.at);
   switch (scene.shown) {
-    case RasterOutput::albedo: return looks.albedo();
-    case RasterOutput::direct: return skin_light<false>(scene, skin, looks).direct;
-    case RasterOutput::shadow: return skin_light<true>(scene, skin, looks).shadow();
+    case RasterOutput::albedo: return from.skin_albedo(looks);
+    case RasterOutput::direct: return from.skin_light(skin.at, looks, false).direct;
+    case RasterOutput::shadow: return shadow_of(from.skin_light(skin.at, looks, true));
     default: break;
   }
-  const SentLight light = skin_light<false>(scene, skin, looks);
+  const SceneLight::SentLight light = from.skin_light(skin.at, looks, false);
   return light.ambient + light.direct;
 }
 

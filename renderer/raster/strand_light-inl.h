@@ -9,15 +9,12 @@
 #include <cstddef>
 
 #include "renderer/coat/strand_tile.h"
-#include "renderer/optics/light-inl.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/raster/place-inl.h"
+#include "renderer/raster/scene_light-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
-
-/// Cells above a place by which its shadow is read: as its own cell holds what lies below it too.
-inline constexpr float off_skin = 0.25f;
 
 /// pack_colour, undone.
 HWY_INLINE Vec3 unpacked_colour(Int word) {
@@ -30,87 +27,6 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
 
 /// Added to colours, so that black can be divided by.
 inline constexpr float over_black = 0.002f;
-
-/// Where a place lies among the cells of a grid.
-struct GridLanes {
-  Int first;
-  Real weight[8];
-  int step[8];
-};
-
-HWY_INLINE GridLanes grid_lanes(const GridPlace& grid, Vec3 place) {
-  const auto along = [](Real at, int size) HWY_ATTR { return clamp(at, 0.0f, static_cast<float>(size) - 1.001f); };
-  const Vec3 off = (place - Vec3(grid.low)) * (1 / grid.cell) - Vec3(0.5f);
-  const Vec3 at{along(off.x, grid.size.x), along(off.y, grid.size.y), along(off.z, grid.size.z)};
-  const Vec3 low{floor(at.x), floor(at.y), floor(at.z)}, part = at - low;
-  GridLanes lanes;
-  lanes.first = hn::Add(hn::Mul(hn::Add(hn::Mul(to_int(low.z), whole(grid.size.y)), to_int(low.y)), whole(grid.size.x)),
-                        to_int(low.x));
-  for (int k = 0; k < 8; ++k) {
-    lanes.weight[k] =
-        (k & 1 ? part.x : 1.0f - part.x) * (k & 2 ? part.y : 1.0f - part.y) * (k & 4 ? part.z : 1.0f - part.z);
-    lanes.step[k] = (k & 1) + (k & 2 ? grid.size.x : 0) + (k & 4 ? grid.size.x * grid.size.y : 0);
-  }
-  return lanes;
-}
-
-/// What lies between a place and a light.
-struct CrossedLanes {
-  Real strands, body;
-};
-
-HWY_INLINE CrossedLanes crossed_at(std::span<const Crossed> cells, const GridLanes& lanes) {
-  const auto* words = reinterpret_cast<const std::int32_t*>(cells.data());
-  Real strands = 0.0f, body = 0.0f;
-  for (int k = 0; k < 8; ++k) {
-    const Int word = gather(words + lanes.step[k], lanes.first);
-    strands = mul_add(lanes.weight[k], to_real(hn::And(word, whole(0xffff))), strands);
-    body = mul_add(lanes.weight[k], to_real(hn::ShiftRight<16>(word)), body);
-  }
-  return {strands * (1 / Crossed::one), body * (1 / Crossed::one)};
-}
-
-/// How much single strands count at a place for the picture, [0, 1]: it shows little across from near.
-HWY_INLINE Real nearness(const RasterScene& scene, Vec3 place) {
-  const Real distance = dot(place - Vec3(scene.camera.position), Vec3(scene.camera.forward));
-  const Real view = distance * (static_cast<float>(std::max(scene.width, scene.height)) / scene.camera.scale);
-  return 1.0f - smoothstep(NearCells::whole_view, NearCells::no_view, view);
-}
-
-/// Of a light, what gets past strands that each stop so much of it, and past the body.
-HWY_INLINE Vec3 let_through(const CrossedLanes& crossed, Vec3 stopped) {
-  const Real strands = crossed.strands, body = crossed.body;
-  return each(stopped, [=](Real s) HWY_ATTR { return exp2(-1.442695f * mul_add(strands, s, body)); });
-}
-
-/// Strands that light crosses in near cells on its last way to a fibre.
-HWY_INLINE Real near_strands(const NearCells& near, Vec3 place, Vec3 tangent, Vec3 to_light) {
-  const auto* cells = reinterpret_cast<const std::int32_t*>(near.cells().data());
-  const Vec3 at = place * (1 / near.cell());
-  const auto part = [](Real along, std::uint32_t factor)
-                        HWY_ATTR { return hn::Mul(to_int(floor(along)), whole(static_cast<int>(factor))); };
-  Real sum = 0.0f;
-  for (int k = 0; k < NearCells::steps; ++k) {
-    const Vec3 there = at + to_light * (static_cast<float>(k) + 0.5f);
-    const Int hashed =
-        hn::Xor3(part(there.x, NearCells::of_x), part(there.y, NearCells::of_y), part(there.z, NearCells::of_z));
-    const Int index = hn::And(hashed, whole(NearCells::count - 1));
-    const Int pair = gather(cells, hn::ShiftRight<1>(index));
-    sum += to_real(hn::And(hn::Shr(pair, hn::ShiftLeft<4>(hn::And(index, whole(1)))), whole(0xffff)));
-  }
-  const Real own = sum - NearCells::steps * near.mean();
-  return strands_crossed(own * (1 / NearCells::one), 1.0f, tangent, to_light);
-}
-
-/// The strands to a light: near a fibre single ones, from where their cells end what the grid has.
-HWY_INLINE Real with_near(const RasterScene& scene, std::size_t light, const Fibre& fibre, Vec3 to_light, Real nearness,
-                          Real crossed) {
-  const GridPlace& grid = scene.grid->place();
-  const float way = scene.near->cell() * NearCells::steps;
-  const GridLanes beyond = grid_lanes(grid, fibre.place + to_light * way + fibre.normal * (off_skin * grid.cell));
-  const Real near = near_strands(*scene.near, fibre.place, fibre.tangent, to_light);
-  return mix(crossed, max(near + crossed_at(scene.grid->crossed(light), beyond).strands, 0.0f), nearness);
-}
 
 /// What strands share along their length, and their points that are lit.
 struct StrandLanes {
@@ -191,48 +107,9 @@ HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera
   return fibre;
 }
 
-/// Light that a fibre or a place of the skin sends to the camera.
-struct SentLight {
-  Vec3 ambient, direct;
-  Vec3 unshadowed;  // `direct` as if nothing stopped it; where it is asked for
-
-  HWY_INLINE Vec3 shadow() const { return {luminance(direct), luminance(unshadowed), 0.0f}; }
-};
-
-template <bool unshadowed>
-HWY_INLINE SentLight strand_light(const RasterScene& scene, const Fibre& fibre, Real thin, Vec3 ambient) {
-  const FrameOptics& optics = scene.optics;
-  FrameLight from(optics);
-  FibreScattering by{optics.scattering, *optics.azimuthal};
-  const Vec3 stopped = from.stopped_by_strand(fibre.crossed, 1.0f);
-  SentLight sum;
-  sum.ambient = fibre.colour * ambient *
-                from.ambient_share(fibre.height, fibre.above, from.stopped_by_strand(fibre.crossed, 0.6f));
-  sum.direct = sum.unshadowed = Vec3(0.0f);
-  const FibreView view = from.view_of(fibre);
-  FibreEye eye;
-  if (scatters_fibres(optics.model)) eye = by.fibre_eye(fibre);
-  const GridPlace& grid = scene.grid->place();
-  const GridLanes cells = grid_lanes(grid, fibre.place + fibre.normal * (off_skin * grid.cell));
-  const Real near = scene.near && !scene.near->cells().empty() ? nearness(scene, fibre.place) : Real(0.0f);
-  const bool is_near = any(near > 0.0f);
-  for (int i = 0; i < optics.lights; ++i) {
-    const auto number = static_cast<Index>(i);
-    const Arriving light = from.light_at(number, fibre.place);
-    const Real facing = dot(fibre.normal, light.to_light);
-    CrossedLanes crossed = crossed_at(scene.grid->crossed(number), cells);
-    if (is_near) crossed.strands = with_near(scene, number, fibre, light.to_light, near, crossed.strands);
-    const Real way = way_out(fibre.height, facing);
-    const Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
-    const Real between = mix(crossed.strands, min(crossed.strands, known), thin);
-    const Real strands = strands_not_shared(fibre, view, light.to_light, way, between);
-    const Vec3 through = let_through({strands, crossed.body}, stopped);
-    const Vec3 scattered = by.scatter(optics.model, fibre, eye, light.to_light);
-    const Vec3 sent = light.radiance * scattered * light_behind(optics.model, facing, optics.frame.exponents.z);
-    sum.direct += sent * through;
-    if constexpr (unshadowed) sum.unshadowed += sent;
-  }
-  return sum;
+/// Luminance of what arrives, and of what would without shadows.
+HWY_INLINE Vec3 shadow_of(const SceneLight::SentLight& sent) {
+  return {luminance(sent.direct), luminance(sent.unshadowed), 0.0f};
 }
 
 /// What a field is on a piece of the model, by the shares of its second and third corner.
@@ -261,22 +138,23 @@ HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, c
 }
 
 /// What the scene shows of a fibre.
-HWY_INLINE Vec3 shown_of(const RasterScene& scene, const Fibre& fibre, Real thin, Vec3 ambient) {
-  switch (scene.shown) {
+HWY_INLINE Vec3 shown_of(SceneLight& from, const Fibre& fibre, Real thin, Vec3 ambient) {
+  switch (from.scene.shown) {
     case RasterOutput::albedo: return fibre.colour;
     case RasterOutput::normal: return fibre.normal;
     case RasterOutput::tangent: return fibre.tangent;
-    case RasterOutput::direct: return strand_light<false>(scene, fibre, thin, ambient).direct;
-    case RasterOutput::shadow: return strand_light<true>(scene, fibre, thin, ambient).shadow();
+    case RasterOutput::direct: return from.strand_light(fibre, thin, ambient, false).direct;
+    case RasterOutput::shadow: return shadow_of(from.strand_light(fibre, thin, ambient, true));
     default: break;
   }
-  const SentLight light = strand_light<false>(scene, fibre, thin, ambient);
+  const SceneLight::SentLight light = from.strand_light(fibre, thin, ambient, false);
   return light.ambient + light.direct;
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
                           bool whole_strand, LitPoints& light) {
   const LitKnots lit(part.strands->segments, whole_strand);
+  SceneLight from(scene);
   light.by_colour = is_coloured(scene.shown);
   light.from = static_cast<float>(lit.first) / static_cast<float>(lit.segments), light.count = lit.count;
   const auto stride = static_cast<std::size_t>(lit.count);
@@ -290,7 +168,7 @@ HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
     for (std::size_t p = 0; p < stride; ++p) {
       Vec3 sent = is_field ? field
-                           : shown_of(scene, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
+                           : shown_of(from, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
                                       strand.thin, strand.ambient);
       if (light.by_colour)
         sent = sent * each(unpacked_colour(strand.colour[p]), [](Real c) HWY_ATTR { return 1.0f / (c + over_black); });

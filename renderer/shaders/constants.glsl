@@ -9,11 +9,35 @@ const int scattering_binding = 3;
 const int skin_binding = 5;
 const int paint_binding = 6;
 const int tuft_binding = 7;
+const int raster_binding = 8;
 
 // Storage buffers.
 const int fragment_lists_storage = 1;
 const int fragment_links_storage = 2;
 const int fragment_colours_storage = 3;
+
+// The same of the stages that rasterize strands: no two of one number in a stage, which has eight.
+const int points_storage = 0;
+const int sums_storage = 0;
+const int skin_pixels_storage = 1;
+const int vertices_storage = 2;
+const int corners_storage = 3;
+const int looks_storage = 4;
+const int sky_storage = 1;
+const int texels_storage = 6;
+const int words_storage = 1;
+const int plan_storage = 2;
+const int strand_points_storage = 3;
+const int lit_points_storage = 4;
+const int crossed_storage = 5;
+const int hidden_storage = 5;
+const int near_storage = 6;
+const int strand_knots_storage = 6;
+const int field_storage = 6;
+const int azimuthal_storage = 7;
+const int knots_storage = 7;
+const int triangles_storage = 7;
+const int max_strand_groups = 65536;   // of 64 strands of one part
 
 // Textures.
 const int shapes_unit = 0;
@@ -63,6 +87,18 @@ const int model_energy_conserving = 2;
 const int model_scheuermann = 3;
 const int model_kajiya_kay = 4;
 const int model_marschner = 5;
+
+// What rasterized strands stand in each other's light by (renderer/raster).
+const float crossed_one = 1024.0;      // strand that a light crosses, in whole numbers
+const float near_one = 256.0;          // strand in a near cell
+const int near_cell_steps = 8;              // near cells that are looked at on the way to a light
+const int near_places = 8388608;       // for near cells; a few share one
+const int near_of_x = 73856093;        // factors of their hash (Teschner et al. 2003)
+const int near_of_y = 19349663;
+const int near_of_z = 83492791;
+const float near_whole_view = 0.1;     // sizes that the picture shows across: up to it single strands are looked for,
+const float near_no_view = 0.2;        // from here on not
+const int ground_light_taps = 8;       // over the disc of a wide light
 
 // Eyes.
 const int iris_map_height = 256;     // rows from the pupil to the limbus

@@ -1,20 +1,6 @@
-// What the shading models of shared/scattering.glsl read; tests/gl compares them with renderer/shading on a grid. The caller binds ScatteringBlock of renderer/shading/scattering_table.h and, for the two fibre models, the table of
-// scattering_table.h as a 3D texture of RGBA32F, linear, clamped to its edges.
-#include "constants.glsl"
-#include "dialect.glsl"
-#include "shared/strand.glsl"
-layout(std140, binding = scattering_binding) uniform ScatteringBlock {
-  ivec4 model;       // by number; 1 where the absorption is given
-  vec4 weights;      // diffuse, specular, secondary specular, shift spread
-  vec4 exponents;    // diffuse, specular, secondary; colour to absorption coordinate
-  vec4 shifts;       // primary, secondary
-  vec4 absorption;   // absorption coordinates where they are given
-  vec4 tilt_sine;    // for each lobe: R, TT, TRT, the rest
-  vec4 tilt_cosine;
-  vec4 centre;       // theta_h of the peak
-  vec4 over_variance;
-  vec4 normaliser;
-} scattering;
+// The shading models of shared/scattering.glsl for shells; tests/gl compares them with renderer/shading on a grid. The caller
+// binds, for the two fibre models, the table of scattering_table.h as a 3D texture of RGBA32F, linear, clamped to its edges.
+#include "scattering_block.glsl"
 
 layout(binding = scattering_unit) uniform sampler3D azimuthal_table;  // azimuth coordinate, cos theta, absorption; R, TT, TRT, the rest
 

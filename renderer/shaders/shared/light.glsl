@@ -1,6 +1,11 @@
 // Light on fur: what arrives, and what gets through. Reads the block `frame`; far_lights and white_surroundings are the
 // includer's.
 
+// What lies between a place and a light: how many strands, and the optical depth of the body.
+struct Crossing {
+  Real strands, body;
+};
+
 FUNCTION Arriving light_at(Index i, Vec3 place) {
   LightBlock light = frame.lights[i];
   Arriving arriving;

@@ -1,0 +1,77 @@
+#version 450 core
+// Puts segments of strands into tiles: first counts those of each, then writes them (renderer/raster/bins.cpp).
+#include "../../shaders/constants.glsl"
+#include "scene.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer StrandKnots { uint first_knots[]; };
+layout(std430, binding = 1) readonly buffer Knots { uvec2 knots[]; };
+layout(std430, binding = 2) readonly buffer Furthest { float furthest[]; };  // of each tile, one over the distance
+layout(std430, binding = 3) buffer TileCounts { uint tile_counts[]; };       // of each tile, while counting
+layout(std430, binding = 4) buffer TileEntries { uint tile_entries[]; };     // first of each tile, while writing
+layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };   // key, knot
+uniform bool writing;
+
+struct Knot {
+  vec2 at;
+  float inverse, thickness;
+};
+Knot read_knot(uint knot) {
+  vec2 more = uintBitsToFloat(knots[3 * knot + 1]);
+  return Knot(uintBitsToFloat(knots[3 * knot]), more.x, more.y);
+}
+
+// Below 2^16, nearest first: DistanceKeys of renderer/raster/raster_scene.h.
+uint key_of(float inverse) {
+  uint bits = floatBitsToUint(inverse);
+  return 65535 - min((bits - min(key_furthest, bits)) >> key_shift, 65535);
+}
+
+// Of a segment what lies nearest to the middle of a tile, but half a tile off its ends.
+float inverse_near(Knot a, Knot b, vec2 middle) {
+  vec2 way = b.at - a.at;
+  float squared = max(dot(way, way), 1e-6), along = dot(middle - a.at, way) / squared;
+  float end = min(0.5 * float(tile_side) / sqrt(squared), 0.5);
+  return a.inverse + (b.inverse - a.inverse) * clamp(along, end, 1.0 - end);
+}
+
+// Whether a segment passes a tile by, though its box does not.
+bool passes_by(Knot a, Knot b, vec2 middle, float wide) {
+  const float corner = 0.71 * float(tile_side);  // from the middle
+  vec2 way = b.at - a.at, off = middle - a.at;
+  return abs(off.x * way.y - off.y * way.x) > (corner + wide) * length(way);
+}
+
+void enter(uint tile, uint knot, float inverse) {
+  uint number = atomicAdd(tile_counts[tile], 1);
+  if (!writing) return;
+  uint at = tile_entries[tile] + number;
+  if (at < entry_room) entries[at] = uvec2(key_of(inverse), knot);
+}
+
+void enter_segment(uint knot) {
+  Knot a = read_knot(knot), b = read_knot(knot + 1);
+  if (!(a.inverse > 0.0 && b.inverse > 0.0)) return;
+  float wide = max(max(a.thickness, b.thickness), 1.0) + 0.5;
+  vec2 corner = vec2(box.xy), low = min(a.at, b.at) - wide - corner, high = max(a.at, b.at) + wide - corner;
+  if (any(lessThanEqual(high, vec2(0.0))) || any(greaterThanEqual(low, vec2(box.zw) - corner))) return;
+  ivec2 first = ivec2(clamp(low / float(tile_side), vec2(0.0), vec2(tiles - 1)));
+  ivec2 last = ivec2(clamp(high / float(tile_side), vec2(0.0), vec2(tiles - 1)));
+  float nearest = max(a.inverse, b.inverse);
+  bool one = floor(low / float(tile_side)) == floor(high / float(tile_side));
+  for (int y = first.y; y <= last.y; ++y) {
+    for (int x = first.x; x <= last.x; ++x) {
+      uint tile = uint(y * tiles.x + x);
+      if (!(nearest > furthest[tile])) continue;
+      vec2 middle = corner + (vec2(x, y) + 0.5) * float(tile_side);
+      if (!one && passes_by(a, b, middle, wide)) continue;
+      enter(tile, knot, one ? 0.5 * (a.inverse + b.inverse) : inverse_near(a, b, middle));
+    }
+  }
+}
+
+void main() {
+  if (group_number() * strand_group >= strand_count) return;
+  uint lane = lane_number(), first = first_knots[lane], end = first_knots[lane + 1];
+  if (end > knot_room) return;
+  for (uint knot = first; knot + 1 < end; ++knot) enter_segment(knot);
+}

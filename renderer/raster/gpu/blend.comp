@@ -1,0 +1,97 @@
+#version 450 core
+// Blends a tile's segments front to back, by what they cover of each pixel: renderer/raster/blend-inl.h, a pixel a lane.
+#include "../../shaders/constants.glsl"
+#include "scene.glsl"
+#include "shown.glsl"
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; };
+layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
+layout(std430, binding = 2) readonly buffer Knots { uvec2 knots[]; };
+layout(std430, binding = 3) readonly buffer Ends { float ends[]; };
+layout(std430, binding = 4) writeonly buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
+
+const float min_through = 0.01;  // of a pixel's light: what is less lets nothing through
+const uint together = 64;        // segments that are read at a time
+
+// A segment over the tile: pixels from its corner.
+struct FlatSegment {
+  vec2 at, way;  // from where, and unit
+  float over_reach, reach, thickness, more_thickness;
+  float inverse, more_inverse, sharpness;
+  uint knot;
+  vec3 light, more_light;
+};
+shared FlatSegment segments[together];
+shared uint still_open;
+
+FlatSegment flat_segment(uint knot, vec2 corner) {
+  vec2 a = uintBitsToFloat(knots[3 * knot]), b = uintBitsToFloat(knots[3 * knot + 3]);
+  vec2 of_a = uintBitsToFloat(knots[3 * knot + 1]), of_b = uintBitsToFloat(knots[3 * knot + 4]);
+  uvec2 light_a = knots[3 * knot + 2], light_b = knots[3 * knot + 5];
+  FlatSegment flattened;
+  flattened.reach = sqrt(max(dot(b - a, b - a), 1e-8));
+  flattened.over_reach = 1.0 / flattened.reach;
+  flattened.at = a - corner;
+  flattened.way = (b - a) * flattened.over_reach;
+  flattened.thickness = of_a.y;
+  flattened.more_thickness = of_b.y - of_a.y;
+  flattened.inverse = of_a.x;
+  flattened.more_inverse = of_b.x - of_a.x;
+  flattened.sharpness = clamp(8.0 * max(of_a.y, of_b.y) - 3.0, 1.0, 8.0);
+  flattened.light = vec3(unpackHalf2x16(light_a.x), unpackHalf2x16(light_a.y).x);
+  flattened.more_light = vec3(unpackHalf2x16(light_b.x), unpackHalf2x16(light_b.y).x) - flattened.light;
+  flattened.knot = knot;
+  return flattened;
+}
+
+// What of a pixel a segment covers, and where on it.
+float covered_by(FlatSegment s, vec2 off, out float share) {
+  float along = dot(off, s.way), beside = abs(off.y * s.way.x - off.x * s.way.y);
+  share = clamp(along * s.over_reach, 0.0, 1.0);
+  float thickness = share * s.more_thickness + s.thickness, drawn = max(thickness, 1.0);
+  float covered = clamp(drawn - beside + 0.5, 0.0, 1.0) - clamp(0.5 - drawn - beside, 0.0, 1.0);
+  float within = clamp(along * s.sharpness + 0.5, 0.0, 1.0) - clamp((along - s.reach) * s.sharpness + 0.5, 0.0, 1.0);
+  return min(covered * within * min(thickness, 1.0), 1.0);
+}
+
+// What is added to sums for a segment, by its weight of what got through so far.
+vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
+#if defined SHOWN_STRAND  // knot of the one that covers most, where on it, how much
+  return weight > sum.z ? vec3(uintBitsToFloat(s.knot + 1), share, weight) : sum;
+#elif defined SHOWN_DISTANCE
+  return sum + vec3(weight / max(share * s.more_inverse + s.inverse, 1e-12), 0.0, 0.0);
+#elif defined SHOWN_COUNT
+  return sum + vec3(weight > 0.0 ? 1.0 : 0.0, 0.0, 0.0);
+#elif defined SHOWN_DEPTH
+  bool first = through >= 0.5 && through - weight < 0.5;
+  return first ? vec3(share * s.more_inverse + s.inverse, sum.yz) : sum;
+#else
+  return sum + weight * (share * s.more_light + s.light);
+#endif
+}
+
+void main() {
+  uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, lane = gl_LocalInvocationIndex;
+  uint first = tile_entries[tile], end = min(tile_entries[tile + 1], entry_room);
+  vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side), at = vec2(gl_LocalInvocationID.xy) + 0.5;
+  float behind = ends[tile * tile_pixels + lane], through = 1.0;
+  vec3 sum = vec3(0.0);
+  for (uint begin = first; begin < end; begin += together) {
+    uint count = min(together, end - begin);
+    if (lane < count) segments[lane] = flat_segment(entries[begin + lane].y, corner);
+    if (lane == 0) still_open = 0;
+    barrier();
+    for (uint i = 0; i < count; ++i) {
+      float share, alpha = covered_by(segments[i], at - segments[i].at, share);
+      float inverse = share * segments[i].more_inverse + segments[i].inverse;
+      float weight = inverse > behind ? alpha * through : 0.0;
+      sum = added(sum, segments[i], share, weight, through);
+      through -= weight;
+    }
+    if (through > min_through) still_open = 1;
+    barrier();
+    if (still_open == 0) break;
+    barrier();
+  }
+  sums[tile * tile_pixels + lane] = vec4(sum, through);
+}

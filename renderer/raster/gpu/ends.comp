@@ -1,0 +1,32 @@
+#version 450 core
+// What ends the view of strands in each pixel: the skin, or an eye before it; and behind what nothing shows of a tile, or of
+// a block.
+#include "../../shaders/constants.glsl"
+#include "scene.glsl"
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = 0) readonly buffer SkinPixels { uint skin_pixels[]; };
+layout(std430, binding = 1) writeonly buffer Ends { float ends[]; };  // one over the distance, 0 for nothing
+layout(std430, binding = 2) writeonly buffer Furthest { float furthest[]; };
+layout(std430, binding = 3) writeonly buffer Blocks { float blocks[]; };
+layout(std430, binding = 4) readonly buffer DrawnTiles { uint drawn_tiles[]; };
+
+shared uint of_tile, of_block[16];
+
+void main() {
+  uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x;
+  uvec2 off = gl_LocalInvocationID.xy;
+  uint pixel = tile * tile_pixels + off.y * tile_side + off.x, block = off.y / 4 * 4 + off.x / 4;
+  if (gl_LocalInvocationIndex == 0) of_tile = 0xffffffffu;
+  if (gl_LocalInvocationIndex < 16) of_block[gl_LocalInvocationIndex] = 0xffffffffu;
+  barrier();
+  uint end = skin_pixels[2 * pixel];  // floats above 0 stand in the order of their bits
+  ends[pixel] = uintBitsToFloat(end);
+  atomicMin(of_tile, end);
+  atomicMin(of_block[block], end);
+  barrier();
+  if (gl_LocalInvocationIndex < 16) {
+    uvec2 at = 4 * gl_WorkGroupID.xy + uvec2(gl_LocalInvocationIndex % 4, gl_LocalInvocationIndex / 4);
+    blocks[at.y * uint(4 * tiles.x) + at.x] = uintBitsToFloat(of_block[gl_LocalInvocationIndex]);
+  }
+  if (gl_LocalInvocationIndex == 0) furthest[tile] = drawn_tiles[tile] != 0 ? uintBitsToFloat(of_tile) : 3.4e38;
+}

@@ -1,0 +1,38 @@
+// A model's surface on the GPU, and the light of its grid: sent where they are others.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/raster/gpu/storage.h"
+#include "renderer/raster/raster_scene.h"
+
+namespace pelage {
+
+class GpuModel {
+ public:
+  explicit GpuModel(const Gl& gl)
+      : vertices(gl), triangles(gl), corners(gl), looks(gl), texels(gl), field(gl), crossed(gl), near(gl), sky(gl) {}
+
+  void update(const RasterScene& scene);
+
+  // As the stages read them.
+  Storage vertices, triangles, corners, looks, texels, field, crossed, near, sky;
+
+ private:
+  void send_shape(const FurModel& model);
+  void send_looks(const RasterScene& scene);
+  void send_texels(const BaseImages& images);
+  void send_grid(const RasterScene& scene);
+
+  std::uint64_t model_ = 0;
+  const BaseImages* images_ = nullptr;
+  std::vector<std::array<SkinLook, 3>> held_looks_;
+  const DensityGrid* grid_ = nullptr;
+  std::uint64_t grid_version_ = 0;
+  const NearCells* near_ = nullptr;
+  std::uint64_t near_since_ = 0;
+};
+
+}  // namespace pelage

@@ -1,0 +1,41 @@
+// Strands drawn by compute shaders of OpenGL 4.5: the same stages as Raster's, and the same picture but for rounding.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "protocol/base/status.h"
+#include "renderer/gl/functions.h"
+#include "renderer/image/float_image.h"
+#include "renderer/raster/raster.h"
+
+namespace pelage {
+
+/// Belongs to the thread of its GL. A box is one submission: nothing waits for the GPU but who reads the picture. Of the
+/// same scene it draws the same bits.
+class GpuRaster {
+ public:
+  /// The GL outlives it.
+  explicit GpuRaster(const Gl& gl);
+  ~GpuRaster();
+
+  /// Whether these strands can be drawn: they lie in a buffer of this GL.
+  bool can_draw(std::span<const GrownPart> parts) const;
+  /// Of a box that it draws at once.
+  int box_pixels() const;
+
+  /// As Raster::draw_box and Raster::darken_box. Fails with unavailable where a shader cannot be built, or where the GL
+  /// was lost: what it drew is not there then.
+  Status draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
+  /// Whether the GL was reset: it draws nothing more.
+  bool lost() const { return lost_; }
+
+ private:
+  Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
+
+  struct Held;
+  std::unique_ptr<Held> held_;
+  bool lost_ = false;
+};
+
+}  // namespace pelage

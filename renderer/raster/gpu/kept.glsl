@@ -1,0 +1,18 @@
+// The strand of a lane: keep_strands of renderer/raster/cull.cpp.
+struct KeptStrand {
+  uint part, strand;
+  bool there;     // it is kept
+  float widened;  // by what it stands for
+};
+
+KeptStrand kept_strand(uint group, uint lane) {
+  KeptStrand kept;
+  kept.part = groups[group].x;
+  kept.strand = groups[group].y + lane;
+  Part part = parts[kept.part];
+  kept.there = kept.strand < part.kept &&
+               dot(root_normal(part, min(kept.strand, part.count - 1)), part.back) >= part.min_facing;
+  float left = part.exact < float(part.count) ? min((part.exact - float(kept.strand)) / (0.125 * part.exact), 1.0) : 1.0;
+  kept.widened = part.whole * left;
+  return kept;
+}

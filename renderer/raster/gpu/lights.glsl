@@ -1,0 +1,13 @@
+// Light on strands, skin and ground: the code that is shared with the lanes of the CPU, and what it reads.
+const bool white_surroundings = false;
+#include "../../shaders/shared/light.glsl"
+
+layout(std430, binding = crossed_storage) readonly buffer CrossedCells { uint crossed_cells[]; };  // a light after another
+
+Crossing crossed_cell(uint light, float first, int further) {
+  uint cells = uint(grid_size.x * grid_size.y * grid_size.z);
+  uint word = crossed_cells[light * cells + uint(first) + uint(further)];
+  return Crossing(float(word & 0xffff), float(word >> 16));
+}
+
+#include "../../shaders/shared/grid_shadow.glsl"

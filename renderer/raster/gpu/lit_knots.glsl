@@ -1,0 +1,23 @@
+// Points of a strand that are lit: LitKnots of renderer/raster/strand_light-inl.h.
+const int max_points = 16;
+
+struct LitKnots {
+  int first, count;
+};
+
+LitKnots lit_knots(int segments, bool whole) {
+  LitKnots lit = LitKnots(0, segments > 8 ? min(segments / 4 + 1, max_points) : 4);
+  if (!whole) lit = LitKnots(segments / 3, max(lit.count - lit.count / 4, 2));
+  return lit;
+}
+int lit_knot(LitKnots lit, int segments, int point) {
+  return lit.first + point * (segments - lit.first) / (lit.count - 1);
+}
+
+const float over_black = 0.002;  // added to colours, so that black can be divided by
+
+// pack_colour, undone.
+vec3 unpacked_colour(uint word) {
+  vec3 share = vec3(word & 1023, word >> 10 & 1023, word >> 20 & 1023) * (1.0 / 1023.0);
+  return 4.0 * share * share;
+}

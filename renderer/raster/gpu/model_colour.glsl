@@ -1,0 +1,55 @@
+// The model's own colour: renderer/optics/colours-inl.h.
+layout(std430, binding = corners_storage) readonly buffer Corners { float corners[]; };  // FurCorner
+layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[]; };  // width, height, first of each level; texels
+
+const uint corner_floats = 15;
+
+struct PieceCorners {
+  uint piece;
+  float b, c;  // shares of the second and the third corner
+};
+
+float mixed_corner(PieceCorners at, uint number) {
+  uint first = 3 * corner_floats * at.piece + number;
+  float a = corners[first];
+  return a + at.b * (corners[first + corner_floats] - a) + at.c * (corners[first + 2 * corner_floats] - a);
+}
+
+vec3 linear_texel(uint word) {
+  vec3 stored = unpackUnorm4x8(word).rgb;
+  return mix(pow((stored + 0.055) / 1.055, vec3(2.4)), stored / 12.92, lessThanEqual(stored, vec3(0.04045)));
+}
+
+int wrapped(int at, int side) { return at < 0 ? at + side : at < side ? at : at - side; }
+
+// At a place (v up), between four texels of a level: the nearest for so much of the picture's side as a pixel sees.
+vec3 image_colour(vec3 uv, float pixel) {
+  if (uv.z < -0.5) return vec3(1.0);
+  float largest = float(max(texels[0], texels[1])), lod = clamp(log2(pixel * largest) + 0.5, 0.0, float(texel_levels - 1));
+  uint level = 3 * uint(lod);
+  ivec2 size = ivec2(texels[level], texels[level + 1]);
+  vec2 at = fract(vec2(uv.x, 1.0 - uv.y)) * vec2(size) - 0.5, share = at - floor(at);
+  ivec2 low = ivec2(floor(at));
+  uint start = 3 * texel_levels + texels[level + 2] + uint(size.x * size.y) * uint(max(uv.z, 0.0) + 0.5);
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < 4; ++k) {
+    ivec2 off = ivec2(k & 1, k >> 1), texel = ivec2(wrapped(low.x + off.x, size.x), wrapped(low.y + off.y, size.y));
+    vec2 part = mix(1.0 - share, share, vec2(off));
+    sum += part.x * part.y * linear_texel(texels[start + uint(texel.y * size.x + texel.x)]);
+  }
+  return sum;
+}
+
+// `pixel` is the size of one there, sizes, and `area` twice that of the piece.
+vec3 model_colour(PieceCorners at, float pixel, float area) {
+  if (!model_colours) return frame.skin.rgb;
+  vec3 colour = max(vec3(mixed_corner(at, 7), mixed_corner(at, 8), mixed_corner(at, 9)), 0.0);
+  if (texel_levels == 0) return colour;
+  uint first = 3 * corner_floats * at.piece + 5;
+  vec2 uv[3];
+  for (uint k = 0; k < 3; ++k) uv[k] = vec2(corners[first + k * corner_floats], corners[first + k * corner_floats + 1]);
+  vec2 side = uv[1] - uv[0], other = uv[2] - uv[0];
+  float on_image = abs(side.x * other.y - side.y * other.x);
+  vec3 where = vec3(mixed_corner(at, 5), mixed_corner(at, 6), float(floatBitsToInt(corners[first + 5])));
+  return colour * image_colour(where, pixel * sqrt(on_image / max(area, 1e-20)));
+}

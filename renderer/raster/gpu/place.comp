@@ -1,0 +1,129 @@
+#version 450 core
+// Places strands on the picture: first counts the knots that each is drawn with, then writes them.
+#include "../../shaders/constants.glsl"
+#include "../../shaders/frame.glsl"
+#include "../../shaders/dialect.glsl"
+#include "../../shaders/shared/strand.glsl"
+#include "scene.glsl"
+#include "plan.glsl"
+#include "pools.glsl"
+#include "kept.glsl"
+#include "strand.glsl"
+layout(local_size_x = 64) in;
+
+layout(std430, binding = hidden_storage) readonly buffer Hidden { float hidden[]; };       // of each block of pixels
+layout(std430, binding = strand_knots_storage) buffer StrandKnots { uint first_knots[]; };  // of each lane; counts first
+layout(std430, binding = knots_storage) buffer Knots { uvec2 knots[]; };                     // three of each
+uniform bool writing;
+
+// Whether a strand touches the box and may show in it: seen_lanes of renderer/raster/place-inl.h.
+bool is_seen(Part part, KeptStrand kept, PlacedStrand placed, float wider) {
+  float beside = drawn_edge + (wider - 1.0) * placed.widest;
+  if (any(lessThanEqual(placed.high, vec2(box.xy) - beside)) || any(greaterThanEqual(placed.low, vec2(box.zw) + beside)))
+    return false;
+  if (2.0 * placed.longest + wider * placed.widest > hidden_around - drawn_edge) return true;
+  int across = tiles.x * int(tile_side) / hiding_side;
+  for (int k = part.segments; k >= 0; --k) {
+    Knot knot = knot_of(part, kept.strand, k, kept.widened);
+    if (any(lessThan(knot.at, vec2(box.xy))) || any(greaterThanEqual(knot.at, vec2(box.zw)))) return true;
+    ivec2 block = ivec2(knot.at - vec2(box.xy)) / hiding_side;
+    if (knot.inverse > hidden[block.y * across + block.x]) return true;
+  }
+  return false;
+}
+
+// How a strand is drawn.
+struct DrawnStrand {
+  int first, deep;  // its first knot, and the last one that only gaps between strands show
+  int count;        // segments that are drawn
+  float packing;
+};
+
+DrawnStrand drawn_strand(Part part, KeptStrand kept, PlacedStrand placed, bool from_root) {
+  StrandDepth depth = strand_depth(part, kept.strand, placed.root, placed.tip, placed.size);
+  DrawnStrand drawn;
+  drawn.deep = hidden_knot(part, depth);
+  drawn.first = from_root ? 0 : drawn.deep;
+  int rest = part.segments - drawn.first;
+  float wanted = placed.way / min_segment * float(rest) / float(part.segments);
+  drawn.count = min(rest, max(2, int(min(wanted, 64.0))));
+  float more = kept.widened * camera_scale;
+  drawn.packing = packing_of(part, depth) / (more * more);
+  return drawn;
+}
+
+int knot_number(DrawnStrand drawn, int segments, int at) {
+  float step = float(segments - drawn.first) / float(drawn.count);
+  return drawn.first + int(float(at) * step + 0.01);
+}
+
+// Strands do not stand in each other: packed_half of renderer/raster/place-inl.h. Deep ones are wider, but not so wide that
+// they would show beside the fur above them.
+Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, int number) {
+  Knot knot = knot_of(part, kept.strand, number, kept.widened);
+  float thin = knot.thickness, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
+  float crowded = thin / (1.0 - unresolved * min(max_packed, drawn.packing * over * over));
+  float above = placed.reach * (1.0 - float(number) / float(part.segments));
+  knot.thickness = number < drawn.deep ? clamp(0.5 * above, crowded, max(crowded, float(deep_of) * thin)) : crowded;
+  return knot;
+}
+
+// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
+vec2 rounded_tip(Knot tip, Knot before, float wider) {
+  float more = 0.785 * tip.thickness / (wider * max(length(tip.at - before.at), 1e-3));
+  return tip.at + more * (tip.at - before.at);
+}
+
+// Turns of a curl that are too small to be drawn cover as much when what is drawn of them is wider.
+float wider_for_curls(float thickness, float more, float step) {
+  return more < 1.1 ? thickness : min(thickness * more, thickness + min(step, 1.0));
+}
+
+void write_strand(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, uint first) {
+  Knot knot = drawn_knot(part, kept, placed, drawn, drawn.first), before;
+  vec2 tip;
+  float way = 0.0;
+  for (int i = 1; i <= drawn.count; ++i) {
+    before = knot;
+    knot = drawn_knot(part, kept, placed, drawn, knot_number(drawn, part.segments, i));
+    tip = i == drawn.count ? rounded_tip(knot, before, part.wider * kept.widened) : knot.at;
+    way += length(tip - before.at);
+  }
+  int rest = part.segments - drawn.first;
+  float over = 1.0 / float(part.segments);
+  float more = drawn.count < rest ? placed.way * float(rest) * over / max(way, 1e-3) : 1.0;
+  for (int i = 0; i <= drawn.count; ++i) {
+    int number = knot_number(drawn, part.segments, i);
+    knot = drawn_knot(part, kept, placed, drawn, number);
+    if (i == drawn.count) knot.at = tip;
+    knot.thickness = wider_for_curls(knot.thickness, more, placed.way * over);
+    uint at = 3 * (first + uint(i));
+    knots[at] = floatBitsToUint(knot.at);
+    knots[at + 1] = floatBitsToUint(vec2(knot.inverse, knot.thickness));
+    knots[at + 2] = uvec2(0, packHalf2x16(vec2(0.0, float(number) * over)));
+  }
+}
+
+void main() {
+  if (group_number() * strand_group >= strand_count) return;
+  uint lane = lane_number();
+  KeptStrand kept = kept_strand(group_number(), gl_LocalInvocationIndex);
+  uint count = 0;
+  if (writing) {
+    uint end = first_knots[lane + 1];
+    if (end == first_knots[lane] || end > knot_room) return;
+  } else if (!kept.there) {
+    first_knots[lane] = 0;
+    return;
+  }
+  Part part = parts[kept.part];
+  bool from_root = kept.strand < whole_strands(part);
+  PlacedStrand placed = place_strand(part, kept.strand, kept.widened);
+  if (!writing && !is_seen(part, kept, placed, from_root ? float(deep_of) : 1.0)) {
+    first_knots[lane] = 0;
+    return;
+  }
+  DrawnStrand drawn = drawn_strand(part, kept, placed, from_root);
+  if (writing) write_strand(part, kept, placed, drawn, first_knots[lane]);
+  else first_knots[lane] = uint(drawn.count) + 1;
+}

@@ -1,0 +1,33 @@
+// Which strands a frame may keep of which parts; gpu_plan.h mirrors it. Strands lie in groups of one part.
+struct Part {
+  vec3 back;         // from the middle of its skin to the camera, unit
+  float min_facing;  // cosine to it of a root's normal from which on its strand is kept
+  uint points, words;  // in the pools: first point, first word of its colours
+  uint count;          // strands, of which
+  uint kept;           // the first so many may be drawn
+  float exact, whole;  // how many are kept, how much wider each is
+  uint first;          // lane of its first strand
+  uint number;         // of its first strand in the whole coat
+  int segments;
+  bool is_curve, has_mean;
+  uint last;  // strands that face the camera, with all before the last of them; found by keep.comp
+  uint lit_of;
+  float own_colour;
+  float wider, packing;
+  float crowding;
+  float unused[3];
+};
+
+layout(std430, binding = plan_storage) buffer Plan {
+  uvec2 groups[max_strand_groups];  // part, first strand in it
+  Part parts[];
+};
+
+const uint deep_of = 8;  // strands that one stands for where gaps alone show them
+
+// The first ones are drawn down to their roots.
+uint whole_strands(Part part) { return (part.last - 1) / deep_of + 1; }
+// The first ones are lit, and hand it on.
+uint lit_strands(Part part) { return (part.last - 1) / part.lit_of + 1; }
+// Of lit strands the first so many are lit from the root on.
+uint lit_whole(Part part) { return part.is_curve ? lit_strands(part) : whole_strands(part); }

@@ -1,0 +1,63 @@
+// What every stage knows of the scene (renderer/raster/raster_scene.h). Layout std140; scene_block.h mirrors it.
+layout(std140, binding = raster_binding) uniform RasterBlock {
+  vec3 camera_position;
+  float camera_scale;  // pixels of a size at distance 1
+  vec3 camera_right;
+  float oversampling;
+  vec3 camera_up;
+  float over_view;
+  vec3 camera_forward;
+  float wetness;  // of the coat
+  vec2 camera_middle;
+  ivec2 tiles;  // across and down the box
+  ivec4 box;    // left, top, right, bottom, pixels
+  vec3 grid_low;
+  float grid_cell;
+  ivec3 grid_size;
+  bool grid_there;
+  float near_cell;
+  float near_mean;
+  bool near_there;
+  bool far_lights;
+  int shading_model;
+  uint light_count;
+  uint key_furthest;
+  int key_shift;
+  uint triangle_count;
+  uint strand_count;  // that may be kept, in whole groups of strand_group
+  uint knot_room;
+  uint entry_room;
+  uint point_room;
+  uint texel_levels;  // of the model's pictures; 0 for none
+  bool model_colours;
+  int eye_count;
+  float ground_height;
+  float ground_contact;
+  float ground_shadow;
+  float sky_cell;
+  vec2 sky_low;
+  ivec2 sky_size;
+  int eye_steps;
+  vec4 light_widths[max_lights];  // radius, or the tangent of half the angle of a far one; 1 for a far one
+};
+
+const uint tile_side = 16, tile_pixels = 256;
+const uint strand_group = 64;  // of strands of one part
+const float near_distance = 1e-4;
+const float min_shown = 1e-3;  // what shows less of a pixel shows nothing
+
+// Through a place of the picture; 1 along the view.
+vec3 ray_through(vec2 pixel) {
+  vec2 off = (pixel - camera_middle) * (1.0 / camera_scale);
+  return camera_forward + off.x * camera_right - off.y * camera_up;
+}
+
+// In a dispatch of rows of groups, of strand_group lanes each.
+uint group_number() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
+uint lane_number() { return group_number() * strand_group + gl_LocalInvocationIndex; }
+
+// Pixels lie tile by tile, in a tile row by row. From the corner of the box:
+uint pixel_index(ivec2 at) {
+  uvec2 pixel = uvec2(at), tile = pixel / tile_side, off = pixel % tile_side;
+  return (tile.y * uint(tiles.x) + tile.x) * tile_pixels + off.y * tile_side + off.x;
+}

@@ -1,0 +1,54 @@
+// Uniforms that all stages share: renderer/raster/gpu/scene.glsl, laid out as std140 wants it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "renderer/raster/raster_scene.h"
+#include "renderer/shaders/constants.h"
+
+namespace pelage {
+
+/// How much stages may write.
+struct StageRooms {
+  std::uint32_t knots = 0, points = 0, entries = 0;
+  bool operator==(const StageRooms&) const = default;
+};
+
+struct SceneBlock {
+  glm::vec3 camera_position{0};
+  float camera_scale = 1;
+  glm::vec3 camera_right{0};
+  float oversampling = 1;
+  glm::vec3 camera_up{0};
+  float over_view = 1;
+  glm::vec3 camera_forward{0};
+  float wetness = 0;
+  glm::vec2 camera_middle{0};
+  glm::ivec2 tiles{0};
+  glm::ivec4 box{0};
+  glm::vec3 grid_low{0};
+  float grid_cell = 1;
+  glm::ivec3 grid_size{2};
+  std::uint32_t grid_there = 0;
+  float near_cell = 1, near_mean = 0;
+  std::uint32_t near_there = 0, far_lights = 0;
+  std::int32_t shading_model = 0;
+  std::uint32_t light_count = 0, key_furthest = 0;
+  std::int32_t key_shift = 0;
+  std::uint32_t triangle_count = 0, strand_count = 0, knot_room = 0, entry_room = 0;
+  std::uint32_t point_room = 0, texel_levels = 0, model_colours = 0;
+  std::int32_t eye_count = 0;
+  float ground_height = 0, ground_contact = 0, ground_shadow = 0, sky_cell = 1;
+  glm::vec2 sky_low{0};
+  glm::ivec2 sky_size{0};
+  std::int32_t eye_steps = 0;
+  std::array<std::int32_t, 3> unused{};
+  std::array<glm::vec4, max_lights> light_widths{};
+};
+static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights));
+
+SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms);
+
+}  // namespace pelage

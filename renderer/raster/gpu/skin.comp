@@ -1,0 +1,92 @@
+#version 450 core
+// Which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, eight lanes a triangle. First
+// one over the distance, then the first triangle that lies as near.
+#include "../../shaders/constants.glsl"
+#include "scene.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };  // place and normal of each
+layout(std430, binding = 1) readonly buffer Triangles { uint triangles[]; };
+layout(std430, binding = 2) buffer SkinPixels { uint skin_pixels[]; };  // of each pixel bits of one over the distance, piece
+uniform bool naming;
+
+const uint lanes_a_triangle = 8;
+
+// A corner on the picture, in double: those of near triangles lie millions of pixels away.
+struct FlatCorner {
+  dvec2 at;
+  double inverse;
+};
+
+dvec3 in_view(uint vertex) {
+  dvec3 apart = dvec3(vec3(vertices[6 * vertex], vertices[6 * vertex + 1], vertices[6 * vertex + 2]) - camera_position);
+  return dvec3(dot(apart, dvec3(camera_right)), dot(apart, dvec3(camera_up)), dot(apart, dvec3(camera_forward)));
+}
+
+FlatCorner flat_corner(dvec3 corner) {
+  double inverse = 1.0lf / corner.z, scale = inverse * double(camera_scale);
+  return FlatCorner(dvec2(camera_middle) + dvec2(corner.x, -corner.y) * scale, inverse);
+}
+
+void meet(ivec2 pixel, double inverse, uint piece) {
+  float found = float(inverse);
+  if (!(found > 0.0)) return;
+  uint at = 2 * pixel_index(pixel), bits = floatBitsToUint(found);
+  if (!naming) atomicMax(skin_pixels[at], bits);
+  else if (skin_pixels[at] == bits) atomicMin(skin_pixels[at + 1], piece);
+}
+
+void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ivec2 columns, uint piece) {
+  const double overlap = 1e-3lf;  // pixels: neighbours overlap, so that none is missed between two
+  dvec2 from[3] = dvec2[3](b.at, c.at, a.at), to[3] = dvec2[3](c.at, a.at, b.at);
+  dvec3 inverses = dvec3(a.inverse, b.inverse, c.inverse), at, across;
+  double low = double(columns.x), high = double(columns.y);
+  dvec2 first = dvec2(box.xy) + dvec2(0.5lf, double(y) + 0.5lf);
+  for (int i = 0; i < 3; ++i) {
+    dvec2 way = (to[i] - from[i]) / area, off = first - from[i];
+    at[i] = way.x * off.y - way.y * off.x;
+    across[i] = -way.y;
+    if (across[i] > 0.0lf) low = max(low, -at[i] / across[i]);
+    if (across[i] < 0.0lf) high = min(high, -at[i] / across[i]);
+    if (across[i] == 0.0lf && at[i] < 0.0lf) return;
+  }
+  if (!(low <= high + overlap)) return;
+  int begin = max(int(ceil(low - overlap)), columns.x), end = min(int(floor(high + overlap)), columns.y);
+  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), dot(at + across * double(x), inverses), piece);
+}
+
+void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece) {
+  dvec2 low = min(min(a.at, b.at), c.at) - dvec2(box.xy), high = max(max(a.at, b.at), c.at) - dvec2(box.xy);
+  dvec2 size = dvec2(box.zw - box.xy);
+  if (!(high.x > 0.0lf && low.x < size.x && high.y > 0.0lf && low.y < size.y)) return;
+  dvec2 ab = b.at - a.at, ac = c.at - a.at;
+  double area = ab.x * ac.y - ab.y * ac.x;
+  if (!(abs(area) > 1e-12lf)) return;
+  ivec2 first = ivec2(clamp(floor(low), dvec2(0.0lf), size - 1.0lf));
+  ivec2 last = ivec2(clamp(floor(high), dvec2(0.0lf), size - 1.0lf));
+  for (int y = first.y + int(gl_LocalInvocationIndex % lanes_a_triangle); y <= last.y; y += int(lanes_a_triangle))
+    cover_row(a, b, c, area, y, ivec2(first.x, last.x), piece);
+}
+
+// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): a fan of up to two.
+void clip_and_cover(dvec3 corners[3], uint piece) {
+  const double least = double(near_distance);
+  FlatCorner kept[4];
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    dvec3 a = corners[i], b = corners[(i + 1) % 3];
+    if (a.z >= least) kept[count++] = flat_corner(a);
+    if ((a.z >= least) != (b.z >= least)) {
+      dvec3 between = a + (b - a) * ((least - a.z) / (b.z - a.z));
+      kept[count++] = flat_corner(dvec3(between.xy, least));
+    }
+  }
+  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], piece);
+}
+
+void main() {
+  uint piece = lane_number() / lanes_a_triangle;
+  if (piece >= triangle_count) return;
+  dvec3 corners[3];
+  for (uint k = 0; k < 3; ++k) corners[k] = in_view(triangles[3 * piece + k]);
+  clip_and_cover(corners, piece);
+}

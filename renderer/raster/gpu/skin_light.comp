@@ -1,0 +1,119 @@
+#version 450 core
+// Light of the skin, where it gets through the strands: renderer/raster/skin_light-inl.h, a pixel a lane.
+#include "../../shaders/constants.glsl"
+#include "../../shaders/frame.glsl"
+#include "../../shaders/dialect.glsl"
+#include "scene.glsl"
+#include "shown.glsl"
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
+layout(std430, binding = skin_pixels_storage) readonly buffer SkinPixels { uint skin_pixels[]; };
+layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // place and normal of each
+layout(std430, binding = looks_storage) readonly buffer Looks { float looks[]; };           // SkinLook of each corner
+
+#ifdef SHOWN_FIELD
+struct PieceCorners {
+  uint piece;
+  float b, c;
+};
+#include "field.glsl"
+#else
+layout(std430, binding = triangles_storage) readonly buffer Triangles { uint triangles[]; };
+#include "../../shaders/shared/strand.glsl"
+#include "lights.glsl"
+#include "../../shaders/bare_skin_block.glsl"
+#include "../../shaders/shared/skin_light.glsl"
+#include "model_colour.glsl"
+
+float mixed_look(PieceCorners at, uint number) {
+  uint first = 18 * at.piece + number;
+  return looks[first] + at.b * (looks[first + 6] - looks[first]) + at.c * (looks[first + 12] - looks[first]);
+}
+#endif
+
+vec3 vertex_at(uint vertex, uint number) {
+  return vec3(vertices[6 * vertex + number], vertices[6 * vertex + number + 1], vertices[6 * vertex + number + 2]);
+}
+
+#ifndef SHOWN_FIELD
+vec3 normal_of(uint piece, uint k) {
+  uint at = 3 * corner_floats * piece + k * corner_floats + 11;
+  vec3 other = vec3(corners[at], corners[at + 1], corners[at + 2]);
+  return dot(other, other) > 0.0 ? other : vertex_at(triangles[3 * piece + k], 3);
+}
+
+SkinPlace skin_place(PieceCorners at, vec3 place, vec3 way, float distance, vec3 across) {
+  float size = length(way);
+  vec3 first = normal_of(at.piece, 0);
+  SkinPlace skin;
+  skin.place = place;
+  skin.to_camera = way * (-1.0 / size);
+  skin.pixel = frame.viewpoint.w * oversampling * distance * size;
+  skin.normal = unit(first + at.b * (normal_of(at.piece, 1) - first) + at.c * (normal_of(at.piece, 2) - first));
+  if (dot(across, way) > 0.0) skin.normal = -skin.normal;
+  skin.colour = model_colour(at, skin.pixel, length(across));
+  skin.under = vec3(mixed_look(at, 0), mixed_look(at, 1), mixed_look(at, 2));
+  skin.grown = mixed_look(at, 3);
+  skin.bare = mixed_look(at, 4);
+  skin.wetness = mixed_look(at, 5);
+  return skin;
+}
+
+vec3 light_of(SkinPlace skin) {
+  SkinLooks looks = skin_looks(skin);
+#if defined SHOWN_ALBEDO
+  return skin_albedo(looks);
+#elif defined SHOWN_DIRECT
+  return skin_light(skin, looks, false).direct;
+#elif defined SHOWN_SHADOW
+  SentLight sent = skin_light(skin, looks, true);
+  return vec3(luminance(sent.direct), luminance(sent.unshadowed), 0.0);
+#else
+  SentLight sent = skin_light(skin, looks, false);
+  return sent.ambient + sent.direct;
+#endif
+}
+#endif
+
+vec3 shown_of(uint piece, vec2 pixel, float inverse) {
+#if defined SHOWN_DISTANCE
+  return vec3(1.0 / max(inverse, 1e-12), 0.0, 0.0);
+#elif defined SHOWN_DEPTH
+  return vec3(inverse, 0.0, 0.0);
+#elif defined SHOWN_PIECE
+  return vec3(float(piece), 0.0, 0.0);
+#elif defined SHOWN_TANGENT || defined SHOWN_COUNT || defined SHOWN_STRAND
+  return vec3(0.0);
+#else
+  vec3 corner[3];
+  for (uint k = 0; k < 3; ++k) corner[k] = vertex_at(triangles[3 * piece + k], 0);
+  vec3 way = ray_through(pixel);
+  float distance = 1.0 / max(inverse, 1e-20);
+  vec3 place = camera_position + way * distance, side = corner[1] - corner[0], other = corner[2] - corner[0];
+  vec3 across = cross(side, other);
+  float square = max(dot(across, across), 1e-30);
+  PieceCorners at;
+  at.piece = piece;
+  at.b = clamp(dot(cross(place - corner[0], other), across) / square, 0.0, 1.0);
+  at.c = clamp(dot(cross(side, place - corner[0]), across) / square, 0.0, 1.0 - at.b);
+#if defined SHOWN_FIELD
+  return field_at(piece, at.b, at.c);
+#elif defined SHOWN_NORMAL
+  return skin_place(at, place, way, distance, across).normal;
+#else
+  return light_of(skin_place(at, place, way, distance, across));
+#endif
+#endif
+}
+
+void main() {
+  uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, at = tile * tile_pixels + gl_LocalInvocationIndex;
+  vec4 sum = sums[at];
+  float inverse = uintBitsToFloat(skin_pixels[2 * at]), through = sum.a;
+  if (!(inverse > 0.0 && through > min_shown)) return;
+  vec2 pixel = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side) + vec2(gl_LocalInvocationID.xy) + 0.5;
+#ifdef SHOWN_DEPTH
+  through = through >= 0.5 ? 1.0 : 0.0;
+#endif
+  sums[at] = vec4(sum.rgb + through * shown_of(skin_pixels[2 * at + 1], pixel, inverse), 0.0);
+}

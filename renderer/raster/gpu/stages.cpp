@@ -1,0 +1,105 @@
+#include "renderer/raster/gpu/stages.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace pelage {
+
+namespace shaders {
+extern const char* const bins_comp;
+extern const char* const blend_comp;
+extern const char* const ends_comp;
+extern const char* const ground_comp;
+extern const char* const hand_on_comp;
+extern const char* const hidden_comp;
+extern const char* const keep_comp;
+extern const char* const light_comp;
+extern const char* const mark_comp;
+extern const char* const name_comp;
+extern const char* const place_comp;
+extern const char* const resolve_comp;
+extern const char* const scan_comp;
+extern const char* const skin_comp;
+extern const char* const skin_light_comp;
+extern const char* const sort_comp;
+}  // namespace shaders
+
+namespace {
+
+const char* source_of(Stage stage) {
+  switch (stage) {
+    case Stage::skin: return shaders::skin_comp;
+    case Stage::ends: return shaders::ends_comp;
+    case Stage::hidden: return shaders::hidden_comp;
+    case Stage::keep: return shaders::keep_comp;
+    case Stage::place: return shaders::place_comp;
+    case Stage::mark: return shaders::mark_comp;
+    case Stage::light: return shaders::light_comp;
+    case Stage::hand_on: return shaders::hand_on_comp;
+    case Stage::bins: return shaders::bins_comp;
+    case Stage::scan: return shaders::scan_comp;
+    case Stage::sort: return shaders::sort_comp;
+    case Stage::blend: return shaders::blend_comp;
+    case Stage::name: return shaders::name_comp;
+    case Stage::skin_light: return shaders::skin_light_comp;
+    case Stage::ground: return shaders::ground_comp;
+    case Stage::resolve: return shaders::resolve_comp;
+  }
+  return nullptr;
+}
+
+/// The name that a shader has for what is shown; none for light.
+std::string name_of(RasterOutput shown) {
+  switch (shown) {
+    case RasterOutput::light: return {};
+    case RasterOutput::albedo: return "SHOWN_ALBEDO";
+    case RasterOutput::normal: return "SHOWN_NORMAL";
+    case RasterOutput::tangent: return "SHOWN_TANGENT";
+    case RasterOutput::direct: return "SHOWN_DIRECT";
+    case RasterOutput::piece: return "SHOWN_PIECE";
+    case RasterOutput::field: return "SHOWN_FIELD";
+    case RasterOutput::shadow: return "SHOWN_SHADOW";
+    case RasterOutput::distance: return "SHOWN_DISTANCE";
+    case RasterOutput::depth: return "SHOWN_DEPTH";
+    case RasterOutput::count: return "SHOWN_COUNT";
+    case RasterOutput::strand: return "SHOWN_STRAND";
+  }
+  return {};
+}
+
+/// Whether a source asks for a name, or for one that has the same answer for all that it does not name.
+std::string define_of(const char* source, RasterOutput shown) {
+  const std::string name = name_of(shown);
+  return name.empty() || std::string_view(source).find(name) == std::string_view::npos ? std::string() : "#define " + name + "\n";
+}
+
+}  // namespace
+
+const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage) {
+  const char* source = source_of(stage);
+  const std::string define = define_of(source, shown);
+  const auto [found, is_new] = programs_.try_emplace({stage, define});
+  Program& program = found->second;
+  if (is_new) program = Program::of_compute(gl_, source, define);
+  if (program.id() == 0) {
+    failure_ = pelage::failure(Code::unavailable, "a shader of the rasterizer cannot be built: " + program.log());
+    return nullptr;
+  }
+  program.use();
+  for (const auto& [binding, of] : storage)
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), of->id());
+  return &program;
+}
+
+void Stages::run(std::size_t groups) const {
+  constexpr std::size_t across = 32768;  // GL promises 65535
+  if (groups == 0) return;
+  run({std::min(groups, across), (groups + across - 1) / across});
+}
+
+void Stages::run(glm::ivec2 groups) const {
+  gl_.DispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace pelage

@@ -1,0 +1,62 @@
+// The compute shaders of the rasterizer, each built when it is first needed.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "protocol/base/status.h"
+#include "renderer/gl/program.h"
+#include "renderer/raster/gpu/storage.h"
+#include "renderer/raster/raster_scene.h"
+
+namespace pelage {
+
+/// What a stage reads and writes: binding of a storage buffer, and the buffer.
+struct StageStorage {
+  int binding;
+  const Storage* storage;
+};
+
+enum class Stage {
+  skin,
+  ends,
+  hidden,
+  keep,
+  place,
+  mark,
+  light,
+  hand_on,
+  bins,
+  scan,
+  sort,
+  blend,
+  name,
+  skin_light,
+  ground,
+  resolve
+};
+
+class Stages {
+ public:
+  explicit Stages(const Gl& gl) : gl_(gl) {}
+
+  /// In use from here on, with its storage; of what depends on what is shown, that one. Null where it cannot be built:
+  /// `failure` says why.
+  const Program* begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage);
+  /// Runs so many groups of the stage that was begun, in a row or in rows below each other; what it wrote is there for
+  /// the next one.
+  void run(std::size_t groups) const;
+  void run(glm::ivec2 groups) const;
+
+  const Status& failure() const { return failure_; }
+
+ private:
+  const Gl& gl_;
+  std::map<std::pair<Stage, std::string>, Program> programs_;
+  Status failure_;
+};
+
+}  // namespace pelage

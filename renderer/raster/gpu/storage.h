@@ -1,0 +1,49 @@
+// Arrays on the GPU, which stages read and write.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "renderer/gl/handles.h"
+
+namespace pelage {
+
+/// A buffer that grows.
+class Storage {
+ public:
+  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) {}
+
+  GLuint id() const { return buffer_.id(); }
+  std::size_t bytes() const { return bytes_; }
+
+  /// Room for so many bytes at least; what was in it may be lost.
+  void reserve(std::size_t bytes) {
+    if (bytes <= bytes_) return;
+    bytes_ = bytes;
+    gl_->NamedBufferData(buffer_.id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
+  }
+  /// All of it becomes these.
+  template <class T>
+  void send(std::span<const T> values) {
+    reserve(std::max<std::size_t>(values.size_bytes(), 16));
+    send_at(0, values);
+  }
+  template <class T>
+  void send_at(std::size_t byte, std::span<const T> values) {
+    if (!values.empty())
+      gl_->NamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte), static_cast<GLsizeiptr>(values.size_bytes()),
+                              values.data());
+  }
+  void clear(GLuint value) { gl_->ClearNamedBufferData(buffer_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value); }
+  void read(std::size_t byte, std::span<float> values) const {
+    gl_->GetNamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte),
+                               static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+  }
+
+ private:
+  const Gl* gl_;
+  Buffer buffer_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace pelage

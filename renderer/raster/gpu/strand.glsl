@@ -1,0 +1,111 @@
+// Where strands lie on the picture: renderer/raster/place-inl.h, a strand a lane.
+const float min_segment = 3.0;    // pixels: knots nearer than that are left out
+const float seen_depth = 4.0;     // strands in front of what is left out as hidden
+const float drawn_edge = 2.75;    // pixels beside a strand that it is drawn over
+const float hidden_around = 8.0;  // pixels about a block that its number holds for
+const int hiding_side = 4;        // pixels of a block
+const float max_packed = 0.5;
+const float curl_in_shadow = 0.3;  // renderer/raster/density_grid.h
+
+// A knot on the picture.
+struct Knot {
+  vec2 at;         // pixels
+  float inverse;   // one over the distance along the view; 0 for what is too near to be drawn
+  float thickness; // half of it, pixels
+};
+
+Knot knot_of(Part part, uint strand, int number, float widened) {
+  vec4 point = point_of(part, strand, number);
+  vec3 apart = point.xyz - camera_position;
+  float distance = dot(apart, camera_forward), inverse = 1.0 / max(distance, near_distance);
+  float scale = inverse * camera_scale;
+  Knot knot;
+  knot.at = camera_middle + vec2(dot(apart, camera_right), -dot(apart, camera_up)) * scale;
+  knot.inverse = distance > near_distance ? inverse : 0.0;
+  knot.thickness = point.w * inverse * widened * camera_scale;
+  return knot;
+}
+
+// Where a strand lies on the picture.
+struct PlacedStrand {
+  vec2 low, high;
+  float way;      // pixels along the strand
+  float reach;    // pixels from its root to its tip, as the eye sees it
+  float longest;  // of its segments, pixels
+  float widest;   // half of it, pixels
+  float size;     // its length, sizes
+  vec3 root, tip;
+};
+
+PlacedStrand place_strand(Part part, uint strand, float widened) {
+  PlacedStrand placed;
+  placed.low = vec2(1e30);
+  placed.high = vec2(-1e30);
+  placed.way = placed.longest = placed.widest = placed.size = 0.0;
+  vec2 first, before;
+  for (int k = 0; k <= part.segments; ++k) {
+    Knot knot = knot_of(part, strand, k, widened);
+    vec3 place = point_of(part, strand, k).xyz;
+    if (k == 0) {
+      placed.root = place;
+      first = knot.at;
+    } else {
+      float segment = length(knot.at - before);
+      placed.way += segment;
+      placed.longest = max(placed.longest, segment);
+      placed.size += length(place - placed.tip);
+    }
+    placed.widest = max(placed.widest, knot.thickness);
+    before = knot.at;
+    placed.tip = place;
+    if (!(knot.inverse > 0.0)) continue;
+    placed.low = min(placed.low, knot.at - knot.thickness);
+    placed.high = max(placed.high, knot.at + knot.thickness);
+  }
+  placed.reach = length(before - first);
+  return placed;
+}
+
+// What says how deep in the fur an eye sees a strand.
+struct StrandDepth {
+  vec3 root, tip, normal;
+  float reach, over;  // of the fur that it stands in, over nominal_length
+};
+
+StrandDepth strand_depth(Part part, uint strand, vec3 root, vec3 tip, float way) {
+  StrandDepth depth;
+  depth.root = root;
+  depth.tip = tip;
+  depth.normal = root_normal(part, strand);
+  depth.reach = root_reach(part, strand);
+  float straight = max(length(tip - root), 0.02 * way + 1e-9);
+  float in_the_open = way / (1.0 + curl_in_shadow * max(way / straight - 1.0, 0.0));
+  depth.over = in_the_open / max(depth.reach, 0.01) / nominal_length;
+  return depth;
+}
+
+int slice_at(float height) { return int(clamp(height * float(slice_count), 0.0, float(slice_count) - 1.0)); }
+float depth_above(float height) {
+  int slice = slice_at(height);
+  return frame.depth_above[slice / 4][slice % 4];
+}
+
+// The last knot that so many strands stand in front of that nothing is seen of it; 0 for none.
+int hidden_knot(Part part, StrandDepth strand) {
+  vec3 to_camera = unit(camera_position - strand.root), along = unit(strand.tip - strand.root);
+  float facing = dot(strand.normal, to_camera);
+  int hidden = 0;
+  for (int k = 1; k < part.segments; ++k) {
+    float height = strand.reach * (float(k) / float(part.segments));
+    float above = depth_above(height) * strand.over * part.crowding;
+    if (!(strands_crossed(above, way_out(height, facing), along, to_camera) >= seen_depth)) break;
+    hidden = k;
+  }
+  return hidden;
+}
+
+// Share of the skin that strands of radius 1 would fill: the more the flatter they lie.
+float packing_of(Part part, StrandDepth depth) {
+  float upright = max(dot(unit(depth.tip - depth.root), depth.normal), 0.2);
+  return 0.7 * part.packing / (part.wider * part.wider) / upright;
+}

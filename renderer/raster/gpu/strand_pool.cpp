@@ -1,0 +1,68 @@
+#include "renderer/raster/gpu/strand_pool.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace pelage {
+
+namespace {
+
+std::size_t words_of(const StrandSet& set) {
+  return set.colours.size() + set.neighbour.size() + set.roots.size() * (sizeof(StrandRoot) / sizeof(std::uint32_t)) +
+         set.to_mean.size();
+}
+
+/// Room for what a stroke may add.
+std::size_t with_room(std::size_t count) { return count + count / 8 + 16; }
+
+}  // namespace
+
+std::size_t StrandPool::bytes_for(std::span<const GrownPart> parts) {
+  std::size_t points = 0, words = 0;
+  for (const GrownPart& part : parts)
+    points += with_room(part.strands->points.size()), words += with_room(words_of(*part.strands));
+  return std::max(points * sizeof(StrandPoint), words * sizeof(std::uint32_t));
+}
+
+void StrandPool::update(std::span<const GrownPart> parts) {
+  const auto fits = [&](std::size_t i) {
+    return parts[i].strands->points.size() <= places_[i].point_room &&
+           words_of(*parts[i].strands) <= places_[i].word_room;
+  };
+  bool whole = places_.size() == parts.size();
+  for (std::size_t i = 0; i < parts.size() && whole; ++i) whole = fits(i);
+  if (!whole) divide(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (places_[i].strands != parts[i].strands) send(parts[i], places_[i]);
+}
+
+void StrandPool::divide(std::span<const GrownPart> parts) {
+  std::size_t points = 0, words = 0;
+  places_.assign(parts.size(), {});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Place& place = places_[i];
+    place.at = {static_cast<std::uint32_t>(points), static_cast<std::uint32_t>(words)};
+    place.point_room = with_room(parts[i].strands->points.size());
+    place.word_room = with_room(words_of(*parts[i].strands));
+    points += place.point_room, words += place.word_room;
+  }
+  points_.reserve(std::max<std::size_t>(points, 1) * sizeof(StrandPoint));
+  words_.reserve(std::max<std::size_t>(words, 1) * sizeof(std::uint32_t));
+}
+
+void StrandPool::send(const GrownPart& part, Place& place) {
+  const StrandSet& set = *part.strands;
+  std::vector<std::uint32_t> words(words_of(set));
+  std::uint32_t* to = words.data();
+  const auto append = [&](const auto& values) {
+    const std::size_t bytes = values.size() * sizeof(values[0]);
+    if (bytes > 0) std::memcpy(to, values.data(), bytes);
+    to += bytes / sizeof(std::uint32_t);
+  };
+  append(set.colours), append(set.neighbour), append(set.roots), append(set.to_mean);
+  points_.send_at(place.at.points * sizeof(StrandPoint), std::span<const StrandPoint>(set.points));
+  words_.send_at(place.at.words * sizeof(std::uint32_t), std::span<const std::uint32_t>(words));
+  place.strands = part.strands;
+}
+
+}  // namespace pelage

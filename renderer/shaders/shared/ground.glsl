@@ -1,0 +1,98 @@
+// How much darker the ground behind a model is for the light that is missing there. Reads what grid_shadow.glsl does, and of
+// the scene ground_height, ground_contact, ground_shadow, light_radius, is_far_light and disc_tap, and the map of the sky over
+// the ground: sky_low, sky_cell, sky_size and the read sky_hidden_at.
+
+// Of the map, between its four nearest places.
+FUNCTION Real sky_hidden(Vec3 place) {
+  if (sky_size.x == 0) return Real(0.0f);
+  Real x = (place.x - sky_low.x) * (1.0f / sky_cell), y = (place.z - sky_low.y) * (1.0f / sky_cell);
+  float width = float(sky_size.x), height = float(sky_size.y);
+  Real left = clamp(floor(x), 0.0f, width - 2.0f), top = clamp(floor(y), 0.0f, height - 2.0f);
+  Real across = clamp(x - left, 0.0f, 1.0f), down = clamp(y - top, 0.0f, 1.0f);
+  Real at = mul_add(top, width, left);
+  Real above = mix(sky_hidden_at(at, 0), sky_hidden_at(at, 1), across);
+  Real below = mix(sky_hidden_at(at, sky_size.x), sky_hidden_at(at, sky_size.x + 1), across);
+  Mask inside = both(both(x >= 0.0f, y >= 0.0f), both(x <= width - 1.0f, y <= height - 1.0f));
+  return select(inside, mix(above, below, down), 0.0f);
+}
+
+// Where the way from a place to a light comes into the grid, if it does: what it crosses is known there.
+struct GridEntry {
+  Vec3 place;
+  Mask there;
+};
+
+// From where to where a way lies between two planes.
+struct WayBetween {
+  Real begin, end;
+};
+
+FUNCTION WayBetween between_planes(WayBetween way, Real at, Real step, float low, float high) {
+  Real over = 1.0f / select(abs(step) > 1e-6f, step, 1e-6f);
+  Real first = (Real(low) - at) * over, last = (Real(high) - at) * over;
+  way.begin = max(way.begin, min(first, last));
+  way.end = min(way.end, max(first, last));
+  return way;
+}
+
+FUNCTION GridEntry grid_entry(Vec3 from, Vec3 way) {
+  WayBetween inside;
+  inside.begin = Real(0.0f);
+  inside.end = Real(1e9f);
+  inside = between_planes(inside, from.x, way.x, grid_low.x, grid_low.x + grid_cell * float(grid_size.x));
+  inside = between_planes(inside, from.y, way.y, grid_low.y, grid_low.y + grid_cell * float(grid_size.y));
+  inside = between_planes(inside, from.z, way.z, grid_low.z, grid_low.z + grid_cell * float(grid_size.z));
+  GridEntry entry;
+  entry.place = from + way * inside.begin;
+  entry.there = inside.begin < inside.end;
+  return entry;
+}
+
+// Share of a light that gets to a place of the ground past fur of that darkness and the body.
+FUNCTION Real light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
+  GridEntry entry = grid_entry(place, to_light);
+  if (!any_lane(entry.there)) return Real(1.0f);
+  Crossing crossed = crossed_at(light, grid_cells(entry.place));
+  return select(entry.there, luminance(let_through(crossed, stopped)), 1.0f);
+}
+
+// The same of all of a light that is wide, by taps over its disc. Its radius is in sizes; of a far one it is the tangent of
+// half its angle.
+FUNCTION Real wide_light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
+  float radius = light_radius(light);
+  if (!(radius > 0.0f)) return light_past(light, place, to_light, stopped);
+  Real spread = Real(radius);
+  if (!is_far_light(light)) spread = spread / max(length(Vec3(frame.lights[light].position) - place), 1e-3f);
+  Vec3 across = unit(cross(to_light, Vec3(1.0f, 0.0f, 0.0f))), up = cross(across, to_light);  // it is above
+  Real sum = Real(0.0f);
+  for (int tap = 0; tap < ground_light_taps; ++tap) {
+    Vec3 off = disc_tap(tap).x * across + disc_tap(tap).y * up;
+    sum += light_past(light, place, unit(to_light + spread * off), stopped);
+  }
+  return sum * (1.0f / float(ground_light_taps));
+}
+
+// Share of the ground's light that is missing at a place, as the tracer adds it up.
+FUNCTION Real light_missing(Vec3 place) {
+  Vec3 crossed = Vec3(frame.ramp_root) * Vec3(frame.colour_above[0]), stopped = stopped_by_strand(crossed, 1.0f);
+  Real whole = Real(frame.weights.x), missing = frame.weights.x * ground_contact * sky_hidden(place);
+  for (Index i = 0; i < light_count; ++i) {
+    Arriving light = light_at(i, place);
+    Real arrives = frame.weights.y * max(light.to_light.y, 0.0f) * luminance(light.radiance);
+    whole += arrives;
+    if (!any_lane(arrives > 0.0f)) continue;
+    missing += arrives * ground_shadow * (1.0f - wide_light_past(i, place, light.to_light, stopped));
+  }
+  return clamp(missing / max(whole, 1e-6f), 0.0f, 1.0f);
+}
+
+// How dark the ground is where rays from the camera meet it: it fades away from the middle.
+FUNCTION Real ground_dark(Vec3 way) {
+  float faded_from = 1.0f, faded_to = 3.5f;  // sizes from the middle
+  Real distance = (ground_height - camera_position.y) / min(way.y, -1e-9f);
+  Vec3 place = Vec3(camera_position) + way * distance;
+  Real from_middle = length(Vec3(place.x, Real(0.0f), place.z));
+  Mask there = both(way.y < -1e-9f, from_middle < faded_to);
+  if (!any_lane(there)) return Real(0.0f);
+  return select(there, light_missing(place) * (1.0f - smoothstep(faded_from, faded_to, from_middle)), 0.0f);
+}

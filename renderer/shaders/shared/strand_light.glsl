@@ -1,0 +1,54 @@
+// Light that a fibre of the fur sends to the camera. Of the includer: near_there, near_cell, near_mean, over_view and
+// near_count, what single strands are known by near the camera; shading_model and light_count of the frame.
+
+// How much single strands count at a place for the picture, [0, 1]: it shows little across from near.
+FUNCTION Real nearness(Vec3 place) {
+  Real view = dot(place - Vec3(camera_position), Vec3(camera_forward)) * over_view;
+  return 1.0f - smoothstep(float(near_whole_view), float(near_no_view), view);
+}
+
+// Strands that light crosses in near cells on its last way to a fibre.
+FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
+  Vec3 at = place * (1.0f / near_cell);
+  Real sum = Real(0.0f);
+  for (int k = 0; k < near_cell_steps; ++k) sum += near_count(floor(at + to_light * (float(k) + 0.5f)));
+  Real own = sum - float(near_cell_steps) * near_mean;
+  return strands_crossed(own * float(1.0f / near_one), Real(1.0f), tangent, to_light);
+}
+
+// The strands to a light: near a fibre single ones, from where their cells end what the grid has.
+FUNCTION Real with_near(Index light, Fibre fibre, Vec3 to_light, Real near, Real crossed) {
+  float way = near_cell * float(near_cell_steps);
+  GridCells beyond = cells_off_skin(fibre.place + to_light * way, fibre.normal);
+  Real single = near_strands(fibre.place, fibre.tangent, to_light);
+  return mix(crossed, max(single + crossed_at(light, beyond).strands, 0.0f), near);
+}
+
+// `thin`: share of the coat that lies within a few cells of the grid, which sees it too thick, [0, 1].
+FUNCTION SentLight strand_light(Fibre fibre, Real thin, Vec3 ambient, bool unshadowed) {
+  Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f);
+  SentLight sum;
+  sum.ambient =
+      fibre.colour * ambient * ambient_share(fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f));
+  sum.direct = sum.unshadowed = Vec3(0.0f);
+  FibreView view = view_of(fibre);
+  FibreEye eye;
+  if (scatters_fibres(shading_model)) eye = fibre_eye(fibre);
+  GridCells cells = cells_off_skin(fibre.place, fibre.normal);
+  Real near = near_there ? nearness(fibre.place) : Real(0.0f);
+  bool is_near = any_lane(near > 0.0f);
+  for (Index i = 0; i < light_count; ++i) {
+    Arriving light = light_at(i, fibre.place);
+    Real facing = dot(fibre.normal, light.to_light), way = way_out(fibre.height, facing);
+    Crossing crossed = crossed_at(i, cells);
+    if (is_near) crossed.strands = with_near(i, fibre, light.to_light, near, crossed.strands);
+    Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
+    Real between = mix(crossed.strands, min(crossed.strands, known), thin);
+    crossed.strands = strands_not_shared(fibre, view, light.to_light, way, between);
+    Vec3 scattered = scatter(shading_model, fibre, eye, light.to_light);
+    Vec3 sent = light.radiance * scattered * light_behind(shading_model, facing, frame.exponents.z);
+    sum.direct += sent * let_through(crossed, stopped);
+    if (unshadowed) sum.unshadowed += sent;
+  }
+  return sum;
+}
