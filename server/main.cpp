@@ -73,8 +73,10 @@ void declare(CLI::App& app, Options& options) {
   add_choice(
       app, "--gl", options.gl,
       {{"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}},
-      "what draws shells: auto (a GPU where there is one), none, egl or osmesa [auto]; strands are drawn on the CPU");
-  app.add_option("--device", options.device, "Number of the EGL device that draws shells, where there are several GPUs")
+      "what draws beside the CPU: auto (a GPU where there is one), none, egl or osmesa [auto]; a software GL draws "
+      "shells "
+      "alone");
+  app.add_option("--device", options.device, "Number of the EGL device that draws, where there are several GPUs")
       ->check(CLI::Range(0, 31));
   app.add_option("--threads", options.threads, "Threads that draw, and as many that trace; 0 for all cores")
       ->check(CLI::Range(0, 1024));

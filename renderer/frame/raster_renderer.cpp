@@ -153,8 +153,10 @@ RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make
 RasterRenderer::~RasterRenderer() = default;
 
 void RasterRenderer::take_gl(const Gl* gl) {
-  gpu_.reset(gl ? new GpuRaster(*gl) : nullptr);
+  gpu_.reset();
   views_.clear_shown();
+  if (!gl) return;
+  if (Result<std::unique_ptr<GpuRaster>> made = GpuRaster::create(*gl)) gpu_ = std::move(made).value();
 }
 
 bool RasterRenderer::lost_gl() const { return gpu_ && gpu_->lost(); }

@@ -40,9 +40,10 @@ class RasterRenderer {
  public:
   explicit RasterRenderer(int threads);
   ~RasterRenderer();
-  /// Draws by compute shaders of a GL from here on, which outlives that; by the CPU where it is null, or where it has
-  /// no room for a frame's strands.
+  /// Draws by compute shaders of a GL from here on, which outlives that; by the CPU where it is null, cannot build
+  /// them, or has no room for a frame's strands.
   void take_gl(const Gl* gl);
+  bool has_gl() const { return gpu_ != nullptr; }
   /// Whether the GL that draws was reset.
   bool lost_gl() const;
 

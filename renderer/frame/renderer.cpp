@@ -37,7 +37,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Gl& gl, const RendererO
 
 Status Renderer::take_gl(const Gl* gl) {
   shells_.reset();
-  raster_.take_gl(options_.strands_by_gl ? gl : nullptr);
+  raster_.take_gl(gl && (options_.software_gl_draws_strands || !gl->is_software()) ? gl : nullptr);
   if (!gl) return {};
   Result<std::unique_ptr<ShellsRenderer>> shells = ShellsRenderer::create(*gl, options_.sorted_bytes, options_.coats);
   if (!shells) return shells.status();

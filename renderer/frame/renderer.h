@@ -18,12 +18,12 @@ struct RendererOptions {
   std::size_t sorted_bytes = SortedPass::default_bytes;  // fragments that a sorted frame keeps at a time (SortedPass)
   int threads = default_threads();                       // of what is drawn on the CPU
   CoatSource coats = bake_here;                          // where slices come from, for shells
-  bool strands_by_gl = false;                            // rasterized by the GL, where there is one: by a GPU
+  bool software_gl_draws_strands = false;                // slower than the CPU does: for tests
 };
 
-/// Rasterizes strands on the CPU or by a GL, and draws shells by a GL where it has one. Of a frame with a crop all
-/// pictures have the crop's size, and the bits that the whole frame has there; light that is to be finished, and
-/// backplates, are of the whole. Belongs to the thread and the context that it was made on.
+/// Rasterizes strands on a GPU where its GL has one, else on the CPU; draws shells by a GL where it has one. Of a frame
+/// with a crop all pictures have the crop's size, and the bits that the whole frame has there; light that is to be
+/// finished, and backplates, are of the whole. Belongs to the thread and the context that it was made on.
 class Renderer {
  public:
   /// With a GL, which outlives it. Fails (unavailable) when a program cannot be built.
@@ -35,6 +35,9 @@ class Renderer {
   Status take_gl(const Gl* gl);
   /// Whether its GL was reset or does not answer: it draws nothing more.
   bool lost_gl() const { return (shells_ && shells_->lost()) || raster_.lost_gl(); }
+
+  /// Whether its GL rasterizes strands.
+  bool strands_by_gl() const { return raster_.has_gl(); }
 
   bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.

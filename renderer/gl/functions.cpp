@@ -1,6 +1,7 @@
 #include "renderer/gl/functions.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace pelage {
 
@@ -142,6 +143,12 @@ void Gl::TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint 
 void Gl::UseProgram(GLuint program) const {
   ++counts_.programs;
   counted_.UseProgram(program);
+}
+
+bool Gl::is_software() const {
+  const GLubyte* text = GetString(GL_RENDERER);
+  const std::string_view name = text ? reinterpret_cast<const char*>(text) : "";
+  return name.find("llvmpipe") != name.npos || name.find("softpipe") != name.npos || name.find("SWR") != name.npos;
 }
 
 std::string Gl::load(const LoadFunction& find) {

@@ -83,7 +83,7 @@ struct SceneLight : FrameLight, FibreScattering {
 #include "renderer/shaders/shared/skin_light.glsl"
 #include "renderer/shaders/shared/strand_light.glsl"
 #undef FUNCTION
-// clang-format on
+  // clang-format on
 };
 
 }  // namespace pelage::HWY_NAMESPACE

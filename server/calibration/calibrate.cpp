@@ -56,13 +56,13 @@ Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   const int used = drawing_threads(threads);
   const Result<std::unique_ptr<Renderer>> renderer = make_renderer(context->get(), used);
   if (!renderer) return renderer.status();
-  fmt::print(stderr, "Calibrating {}\n", drawn_by(context->get()));
+  fmt::print(stderr, "Calibrating {}\n", drawn_by(context->get(), (*renderer)->strands_by_gl()));
   const Result<double> price = measure_price(**renderer);
   if (!price) return price.status();
   std::error_code error;
   if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
     std::filesystem::create_directories(folder, error);
-  const Calibration measured{today(), drawn_by(context->get()), used, *price};
+  const Calibration measured{today(), drawn_by(context->get(), (*renderer)->strands_by_gl()), used, *price};
   if (Status written = write_calibration(file, measured); !written.ok()) return written;
   fmt::print(stderr, "Stored in {}; a server reads it when it starts. Frames take {:.2f} times the defaults.\n", file,
              *price / default_calibration(used).price);

@@ -15,9 +15,10 @@ Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int thre
   return Renderer::create(context->gl(), options);
 }
 
-std::string drawn_by(const Context* context) {
-  const std::string strands = std::string(instruction_set()) + " on the CPU";
-  return context ? strands + ", shells by " + context->description() : strands;
+std::string drawn_by(const Context* context, bool strands_by_gl) {
+  const std::string cpu = std::string(instruction_set()) + " on the CPU";
+  if (!context) return cpu;
+  return strands_by_gl ? context->description() : cpu + ", shells by " + context->description();
 }
 
 double expected_cost(const FrameRequest& request) {

@@ -24,10 +24,11 @@ namespace pelage {
 /// Threads that the CPU draws on; `asked` as of select_context: 0 for all cores.
 int drawing_threads(int asked);
 
-/// With shells where there is a context. Fails as Renderer::create does.
+/// With a GL where there is a context. Fails as Renderer::create does.
 Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats = bake_here);
-/// What draws: "AVX2 on the CPU", with a context "AVX2 on the CPU, shells by EGL device, NVIDIA ..., OpenGL 4.5".
-std::string drawn_by(const Context* context);
+/// What draws: "AVX2 on the CPU", with a GPU "EGL device 0, NVIDIA ..., OpenGL 4.5", with a software GL, which draws
+/// shells alone, "AVX2 on the CPU, shells by OSMesa, ...".
+std::string drawn_by(const Context* context, bool strands_by_gl);
 
 /// Milliseconds that a frame may take, above 0: a guess before its view is known, to order requests by.
 double expected_cost(const FrameRequest& request);

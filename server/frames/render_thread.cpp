@@ -33,7 +33,7 @@ void FrameService::Impl::run(std::promise<Status>& started) {
   Result<std::unique_ptr<Renderer>> renderer =
       make_renderer(context.get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
   if (!renderer) return started.set_value(renderer.status());
-  description = drawn_by(context.get());
+  description = drawn_by(context.get(), (*renderer)->strands_by_gl());
   started.set_value({});
   serve(**renderer);
   renderer->reset(), context.reset();  // GL objects before their context
@@ -46,7 +46,7 @@ void FrameService::Impl::renew_gl(Renderer& renderer) {
   if (Result<std::unique_ptr<Context>> opened = contexts()) context = std::move(*opened);
   if (context && !renderer.take_gl(&context->gl()).ok()) context.reset();
   const std::lock_guard lock(mutex);
-  description = drawn_by(context.get());
+  description = drawn_by(context.get(), renderer.strands_by_gl());
 }
 
 bool FrameService::Impl::has_work() const {

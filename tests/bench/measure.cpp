@@ -13,7 +13,7 @@ BenchRenderer open_renderer(GlChoice gl, const RendererOptions& options) {
   Result<std::unique_ptr<Renderer>> renderer =
       *context ? Renderer::create((*context)->gl(), options) : std::make_unique<Renderer>(options);
   if (!renderer) return std::fprintf(stderr, "%s\n", renderer.status().message.c_str()), BenchRenderer{};
-  std::printf("%s\n", drawn_by(context->get()).c_str());
+  std::printf("%s\n", drawn_by(context->get(), (*renderer)->strands_by_gl()).c_str());
   return {std::move(context).value(), std::move(renderer).value()};
 }
 

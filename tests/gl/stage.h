@@ -67,17 +67,31 @@ class Stage : public ::testing::Environment {
     return renderer_.get();
   }
 
+  /// The same, by which the GL draws strands too.
+  Result<Renderer*> strands_renderer(Backend backend) {
+    const Result<Context*> context = this->context(backend);
+    if (!context) return context.status();
+    if (!strands_) {
+      Result<std::unique_ptr<Renderer>> made =
+          Renderer::create((*context)->gl(), {.threads = 2, .software_gl_draws_strands = true});
+      if (!made) return made.status();
+      strands_ = std::move(made).value();
+    }
+    strands_->forget_all();
+    return strands_.get();
+  }
+
   void TearDown() override { close(); }
 
  private:
   void close() {
-    renderer_.reset();
+    renderer_.reset(), strands_.reset();
     context_.reset();
   }
 
   Backend backend_ = Backend::egl_device;
   std::unique_ptr<Context> context_;
-  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<Renderer> renderer_, strands_;
 };
 
 /// GoogleTest owns it, and closes it after the last test.

@@ -3,7 +3,7 @@
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "shown.glsl"
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; };
 layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 2) readonly buffer Knots { uvec2 knots[]; };
@@ -18,11 +18,28 @@ struct FlatSegment {
   vec2 at, way;  // from where, and unit
   float over_reach, reach, thickness, more_thickness;
   float inverse, more_inverse, sharpness;
-  uint knot;
+  uint knot, blocks;  // bit of each block of the tile that it may touch
   vec3 light, more_light;
 };
 shared FlatSegment segments[together];
 shared uint still_open;
+
+// Lanes that go on together have a block of eight by four pixels, so that they leave out what is elsewhere.
+uvec2 pixel_of(uint lane) {
+  uint block = lane / 32, in_block = lane % 32;
+  return uvec2(block % 2 * 8 + in_block % 8, block / 2 * 4 + in_block / 8);
+}
+
+uint touched_blocks(vec2 a, vec2 b, float thickness) {
+  float wide = max(thickness, 1.0) + 0.6;
+  vec2 low = min(a, b) - wide, high = max(a, b) + wide;
+  if (any(lessThanEqual(high, vec2(0.0))) || any(greaterThanEqual(low, vec2(tile_side)))) return 0;
+  uvec2 first = uvec2(max(low, 0.0)) / uvec2(8, 4), last = uvec2(min(high, float(tile_side) - 1.0)) / uvec2(8, 4);
+  uint blocks = 0;
+  for (uint y = first.y; y <= last.y; ++y)
+    for (uint x = first.x; x <= last.x; ++x) blocks |= 1u << (2 * y + x);
+  return blocks;
+}
 
 FlatSegment flat_segment(uint knot, vec2 corner) {
   vec2 a = uintBitsToFloat(knots[3 * knot]), b = uintBitsToFloat(knots[3 * knot + 3]);
@@ -41,6 +58,7 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
   flattened.light = vec3(unpackHalf2x16(light_a.x), unpackHalf2x16(light_a.y).x);
   flattened.more_light = vec3(unpackHalf2x16(light_b.x), unpackHalf2x16(light_b.y).x) - flattened.light;
   flattened.knot = knot;
+  flattened.blocks = touched_blocks(a - corner, b - corner, max(of_a.y, of_b.y));
   return flattened;
 }
 
@@ -73,8 +91,10 @@ vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
 void main() {
   uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, lane = gl_LocalInvocationIndex;
   uint first = tile_entries[tile], end = min(tile_entries[tile + 1], entry_room);
-  vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side), at = vec2(gl_LocalInvocationID.xy) + 0.5;
-  float behind = ends[tile * tile_pixels + lane], through = 1.0;
+  uvec2 pixel = pixel_of(lane);
+  vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side), at = vec2(pixel) + 0.5;
+  uint own_block = 1u << lane / 32, place = tile * tile_pixels + pixel.y * tile_side + pixel.x;
+  float behind = ends[place], through = 1.0;
   vec3 sum = vec3(0.0);
   for (uint begin = first; begin < end; begin += together) {
     uint count = min(together, end - begin);
@@ -82,6 +102,7 @@ void main() {
     if (lane == 0) still_open = 0;
     barrier();
     for (uint i = 0; i < count; ++i) {
+      if ((segments[i].blocks & own_block) == 0) continue;
       float share, alpha = covered_by(segments[i], at - segments[i].at, share);
       float inverse = share * segments[i].more_inverse + segments[i].inverse;
       float weight = inverse > behind ? alpha * through : 0.0;
@@ -93,5 +114,5 @@ void main() {
     if (still_open == 0) break;
     barrier();
   }
-  sums[tile * tile_pixels + lane] = vec4(sum, through);
+  sums[place] = vec4(sum, through);
 }

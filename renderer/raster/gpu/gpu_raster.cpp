@@ -150,7 +150,8 @@ void GpuRaster::Held::send_plan(const StrandPlan& strands) {
 
 void GpuRaster::Held::send_scene(const Box& box) {
   const RasterScene& scene = box.scene;
-  frame_block.send(frame_binding, scene.optics.frame), scattering_block.send(scattering_binding, scene.optics.scattering);
+  frame_block.send(frame_binding, scene.optics.frame),
+      scattering_block.send(scattering_binding, scene.optics.scattering);
   skin_block.send(skin_binding, scene.optics.skin);
   model.update(scene), send_azimuthal(*scene.optics.azimuthal), send_plan(box.strands);
   std::vector<std::uint32_t> shown(static_cast<std::size_t>(box.tiles.count()), 1);
@@ -194,7 +195,8 @@ bool GpuRaster::Held::find_skin(const Box& box) {
     current->set("naming", naming);
     stages.run((box.scene.model->triangles.size() + 7) / 8);
   }
-  if (!begin(Stage::ends, box, {{0, &skin_pixels}, {1, &ends}, {2, &furthest}, {3, &blocks}, {4, &drawn}})) return false;
+  if (!begin(Stage::ends, box, {{0, &skin_pixels}, {1, &ends}, {2, &furthest}, {3, &blocks}, {4, &drawn}}))
+    return false;
   stages.run(box.grid());
   if (!begin(Stage::hidden, box, {{0, &blocks}, {1, &hidden}})) return false;
   stages.run((4 * box.grid() + 15) / 16);
@@ -310,7 +312,8 @@ bool GpuRaster::Held::blend(const Box& box) {
     return false;
   stages.run(box.grid());
   if (box.scene.ground && box.scene.shown == RasterOutput::light) {
-    if (!begin(Stage::ground, box, {{sums_storage, &sums}, {sky_storage, &model.sky}, {crossed_storage, &model.crossed}}))
+    if (!begin(Stage::ground, box,
+               {{sums_storage, &sums}, {sky_storage, &model.sky}, {crossed_storage, &model.crossed}}))
       return false;
     stages.run(box.grid());
   }
@@ -352,12 +355,21 @@ void GpuRaster::Held::read(const Box& box, FloatImage& picture) {
     for (int x = 0; x < width; x += tile_side) {
       const int column = box.pixels.left + x, row = box.pixels.top + y, count = std::min(tile_side, width - x);
       if (box.scene.drawn && !box.scene.drawn->has(column, row)) continue;
-      const auto from = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+      const auto from =
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
       const auto to = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
                            static_cast<std::size_t>(column));
       std::copy_n(&pixels[from], 4 * count, &picture.rgba[to]);
     }
   }
+}
+
+Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl) {
+  std::unique_ptr<GpuRaster> raster(new GpuRaster(gl));
+  for (const Stage stage : all_stages)
+    if (stage != Stage::name && !raster->held_->stages.begin(stage, RasterOutput::light, {}))
+      return raster->held_->stages.failure();
+  return raster;
 }
 
 GpuRaster::GpuRaster(const Gl& gl) : held_(std::make_unique<Held>(gl)) {}
@@ -368,6 +380,8 @@ bool GpuRaster::can_draw(std::span<const GrownPart> parts) const {
   for (const GrownPart& part : parts) groups += (part.strands->count() + strand_group - 1) / strand_group;
   return groups <= max_strand_groups && StrandPool::bytes_for(parts) <= held_->max_bytes;
 }
+
+void GpuRaster::measure(StageTimes* times) { held_->stages.measure(times); }
 
 int GpuRaster::box_pixels() const {
   constexpr std::size_t most = 1 << 24;

@@ -1,6 +1,7 @@
 // Strands drawn by compute shaders of OpenGL 4.5: the same stages as Raster's, and the same picture but for rounding.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 
@@ -11,12 +12,15 @@
 
 namespace pelage {
 
-/// Belongs to the thread of its GL. A box is one submission: nothing waits for the GPU but who reads the picture. Of the
-/// same scene it draws the same bits.
+enum class Stage;
+
+/// Belongs to the thread of its GL. A box is one submission: nothing waits for the GPU but who reads the picture. Of
+/// the same scene it draws the same bits.
 class GpuRaster {
  public:
-  /// The GL outlives it.
-  explicit GpuRaster(const Gl& gl);
+  /// Builds what light is drawn by; the rest when it is first asked for. The GL outlives it. Fails with unavailable
+  /// where a shader cannot be built.
+  static Result<std::unique_ptr<GpuRaster>> create(const Gl& gl);
   ~GpuRaster();
 
   /// Whether these strands can be drawn: they lie in a buffer of this GL.
@@ -27,10 +31,13 @@ class GpuRaster {
   /// As Raster::draw_box and Raster::darken_box. Fails with unavailable where a shader cannot be built, or where the GL
   /// was lost: what it drew is not there then.
   Status draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
+  /// Adds the milliseconds of each stage to `times` from here on, for who measures; null for no more.
+  void measure(std::map<Stage, double>* times);
   /// Whether the GL was reset: it draws nothing more.
   bool lost() const { return lost_; }
 
  private:
+  explicit GpuRaster(const Gl& gl);
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
 
   struct Held;

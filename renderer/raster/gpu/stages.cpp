@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "protocol/base/stopwatch.h"
+
 namespace pelage {
 
 namespace shaders {
@@ -26,26 +28,30 @@ extern const char* const sort_comp;
 
 namespace {
 
-const char* source_of(Stage stage) {
+struct StageSource {
+  const char *name, *source;
+};
+
+StageSource source_of(Stage stage) {
   switch (stage) {
-    case Stage::skin: return shaders::skin_comp;
-    case Stage::ends: return shaders::ends_comp;
-    case Stage::hidden: return shaders::hidden_comp;
-    case Stage::keep: return shaders::keep_comp;
-    case Stage::place: return shaders::place_comp;
-    case Stage::mark: return shaders::mark_comp;
-    case Stage::light: return shaders::light_comp;
-    case Stage::hand_on: return shaders::hand_on_comp;
-    case Stage::bins: return shaders::bins_comp;
-    case Stage::scan: return shaders::scan_comp;
-    case Stage::sort: return shaders::sort_comp;
-    case Stage::blend: return shaders::blend_comp;
-    case Stage::name: return shaders::name_comp;
-    case Stage::skin_light: return shaders::skin_light_comp;
-    case Stage::ground: return shaders::ground_comp;
-    case Stage::resolve: return shaders::resolve_comp;
+    case Stage::skin: return {"skin", shaders::skin_comp};
+    case Stage::ends: return {"ends", shaders::ends_comp};
+    case Stage::hidden: return {"hidden", shaders::hidden_comp};
+    case Stage::keep: return {"keep", shaders::keep_comp};
+    case Stage::place: return {"place", shaders::place_comp};
+    case Stage::mark: return {"mark", shaders::mark_comp};
+    case Stage::light: return {"light", shaders::light_comp};
+    case Stage::hand_on: return {"hand_on", shaders::hand_on_comp};
+    case Stage::bins: return {"bins", shaders::bins_comp};
+    case Stage::scan: return {"scan", shaders::scan_comp};
+    case Stage::sort: return {"sort", shaders::sort_comp};
+    case Stage::blend: return {"blend", shaders::blend_comp};
+    case Stage::name: return {"name", shaders::name_comp};
+    case Stage::skin_light: return {"skin_light", shaders::skin_light_comp};
+    case Stage::ground: return {"ground", shaders::ground_comp};
+    case Stage::resolve: return {"resolve", shaders::resolve_comp};
   }
-  return nullptr;
+  return {"", nullptr};
 }
 
 /// The name that a shader has for what is shown; none for light.
@@ -70,13 +76,16 @@ std::string name_of(RasterOutput shown) {
 /// Whether a source asks for a name, or for one that has the same answer for all that it does not name.
 std::string define_of(const char* source, RasterOutput shown) {
   const std::string name = name_of(shown);
-  return name.empty() || std::string_view(source).find(name) == std::string_view::npos ? std::string() : "#define " + name + "\n";
+  return name.empty() || std::string_view(source).find(name) == std::string_view::npos ? std::string()
+                                                                                       : "#define " + name + "\n";
 }
 
 }  // namespace
 
+const char* name_of(Stage stage) { return source_of(stage).name; }
+
 const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage) {
-  const char* source = source_of(stage);
+  const char* source = source_of(stage).source;
   const std::string define = define_of(source, shown);
   const auto [found, is_new] = programs_.try_emplace({stage, define});
   Program& program = found->second;
@@ -86,6 +95,7 @@ const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_l
     return nullptr;
   }
   program.use();
+  current_ = stage;
   for (const auto& [binding, of] : storage)
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), of->id());
   return &program;
@@ -98,6 +108,20 @@ void Stages::run(std::size_t groups) const {
 }
 
 void Stages::run(glm::ivec2 groups) const {
+  if (!times_) return dispatch(groups);
+  gl_.Finish();
+  const Stopwatch passed;
+  gl_.BeginQuery(GL_TIME_ELAPSED, timer_.id());
+  dispatch(groups);
+  gl_.EndQuery(GL_TIME_ELAPSED);
+  gl_.Finish();
+  GLuint64 nanoseconds = 0;
+  gl_.GetQueryObjectui64v(timer_.id(), GL_QUERY_RESULT, &nanoseconds);
+  // llvmpipe's clock does not run while it computes.
+  (*times_)[current_] += gl_.is_software() ? passed.milliseconds() : 1e-6 * static_cast<double>(nanoseconds);
+}
+
+void Stages::dispatch(glm::ivec2 groups) const {
   gl_.DispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y), 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }

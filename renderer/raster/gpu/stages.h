@@ -1,6 +1,7 @@
 // The compute shaders of the rasterizer, each built when it is first needed.
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <map>
 #include <span>
@@ -38,10 +39,19 @@ enum class Stage {
   ground,
   resolve
 };
+inline constexpr std::array all_stages{Stage::skin,  Stage::ends,       Stage::hidden, Stage::keep,
+                                       Stage::place, Stage::mark,       Stage::light,  Stage::hand_on,
+                                       Stage::bins,  Stage::scan,       Stage::sort,   Stage::blend,
+                                       Stage::name,  Stage::skin_light, Stage::ground, Stage::resolve};
+
+/// Milliseconds of each stage on the GPU.
+using StageTimes = std::map<Stage, double>;
+/// As its file is called.
+const char* name_of(Stage stage);
 
 class Stages {
  public:
-  explicit Stages(const Gl& gl) : gl_(gl) {}
+  explicit Stages(const Gl& gl) : gl_(gl), timer_(gl, GL_TIME_ELAPSED) {}
 
   /// In use from here on, with its storage; of what depends on what is shown, that one. Null where it cannot be built:
   /// `failure` says why.
@@ -53,8 +63,16 @@ class Stages {
 
   const Status& failure() const { return failure_; }
 
+  /// Adds what each run takes, and waits for it, for who measures; null for no more.
+  void measure(StageTimes* times) { times_ = times; }
+
  private:
+  void dispatch(glm::ivec2 groups) const;
+
   const Gl& gl_;
+  QueryObject timer_;
+  StageTimes* times_ = nullptr;
+  Stage current_ = Stage::skin;
   std::map<std::pair<Stage, std::string>, Program> programs_;
   Status failure_;
 };

@@ -34,10 +34,12 @@ class Storage {
       gl_->NamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte), static_cast<GLsizeiptr>(values.size_bytes()),
                               values.data());
   }
-  void clear(GLuint value) { gl_->ClearNamedBufferData(buffer_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value); }
+  void clear(GLuint value) {
+    gl_->ClearNamedBufferData(buffer_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
+  }
   void read(std::size_t byte, std::span<float> values) const {
-    gl_->GetNamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte),
-                               static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+    gl_->GetNamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte), static_cast<GLsizeiptr>(values.size_bytes()),
+                               values.data());
   }
 
  private:
