@@ -8,8 +8,6 @@
 
 namespace pelage {
 
-inline constexpr int iris_map_width = 1024;  // around the axis; the left edge joins the right one
-
 /// RGBA, 8 bits. Red: how much light the tissue scatters. Green: its height. Blue: how much of the inner colour it has.
 /// Alpha: vessels in the sclera, rows from the limbus to the back of the eye. Deterministic.
 std::vector<std::uint8_t> make_iris_map();

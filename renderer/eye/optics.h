@@ -52,14 +52,12 @@ double luminance_at(const FurEye& eye, const FurFrame& frame);
 
 // Light that a cornea gathers on the iris behind it.
 
-inline constexpr int caustic_texels = 48;  // across the iris, from -iris_radius to iris_radius
-
 /// For each angle, row by row, the irradiance on the plane of the iris over that of a surface which faces the light.
 /// The light comes from +X. What comes through the cornea and reaches the iris is all there: the sum over texels times
 /// a texel's area is the flux (science.md 5).
 std::vector<float> gather_caustics(const EyeShape& shape);
 
-// The eyes of a frame, as renderer/optics reads them.
+// The eyes of a frame, as renderer/optics and, std430, renderer/shaders/eyes.glsl read them.
 
 struct EyeEntry {
   glm::vec4 right{0}, up{0}, forward{0}, position{0}, cornea{0}, iris{0}, inner{0}, pupil{0}, sclera{0};

@@ -15,10 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 /// Four bytes, in [0, 1].
-struct Texel {
-  Real x, y, z, w;
-};
-HWY_INLINE Texel texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
+HWY_INLINE Vec4 texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
 
 /// A whole number of texels, on a periodic side.
 HWY_INLINE Int wrapped(Int at, Int side) {

@@ -12,7 +12,6 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_shapes = 4 * max_eyes;
-constexpr float lid_radius = 1.07f;  // as in iris-inl.h
 
 /// The next level: the mean of two by two texels.
 std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int width, int height) {
@@ -46,7 +45,8 @@ TissueLevels tissue_levels() {
 
 /// Pixels that the box around an eye may touch; all where it reaches the near plane.
 PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 size) {
-  const float side = 1.02f * lid_radius, top = 1.02f * std::max(lid_radius, eye.cornea.x + eye.cornea.y);
+  constexpr auto lids = static_cast<float>(lid_radius);
+  const float side = 1.02f * lids, top = 1.02f * std::max(lids, eye.cornea.x + eye.cornea.y);
   glm::vec2 low(1e9f), high(-1e9f);
   for (int k = 0; k < 8; ++k) {
     const glm::vec3 corner(k & 1 ? side : -side, k & 2 ? side : -side, k & 4 ? top : -side);

@@ -14,11 +14,10 @@ namespace pelage {
 
 /// The tissue of an iris and a sclera (make_iris_map) with its mip levels, four bytes a word.
 struct TissueLevels {
-  static constexpr int count = 9;  // down to one row
   std::vector<std::int32_t> words;
-  std::array<std::int32_t, count> first{};  // word of each level
+  std::array<std::int32_t, iris_map_levels> first{};  // word of each level
 };
-static_assert(iris_map_height >> (TissueLevels::count - 1) == 1);
+static_assert(iris_map_height >> (iris_map_levels - 1) == 1);
 
 /// Views that outlive the frame's drawing.
 struct EyeOptics {

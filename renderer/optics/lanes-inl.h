@@ -31,6 +31,8 @@ HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE bool any(Mask a) { return !hn::AllFalse(float_tag, a.m); }
 HWY_INLINE bool any_lane(Mask a) { return any(a); }
+HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
+HWY_INLINE Mask either(Mask a, Mask b) { return a | b; }
 HWY_INLINE bool all(Mask a) { return hn::AllTrue(float_tag, a.m); }
 /// Lane i is bit i.
 HWY_INLINE std::uint32_t bits_of(Mask a) {
@@ -67,6 +69,9 @@ HWY_INLINE Real floor(Real a) { return hn::Floor(a.v); }
 HWY_INLINE Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 HWY_INLINE Real select(Mask mask, Real yes, Real no) { return hn::IfThenElse(mask.m, yes.v, no.v); }
 HWY_INLINE Real mix(Real a, Real b, Real share) { return mul_add(share, b - a, a); }
+/// Of what is the same in all lanes.
+HWY_INLINE float max(float a, float b) { return a > b ? a : b; }
+HWY_INLINE float clamp(float a, float low, float high) { return a < low ? low : a > high ? high : a; }
 HWY_INLINE Real load(const float* from) { return hn::LoadU(float_tag, from); }
 HWY_INLINE void store(Real value, float* to) { hn::StoreU(value.v, float_tag, to); }
 HWY_INLINE Real smoothstep(Real low, Real high, Real x) {
@@ -159,8 +164,32 @@ HWY_INLINE Real log(Real x) { return log2(x) * 0.69314718f; }
 /// x^y for x >= 0.
 HWY_INLINE Real pow(Real x, Real y) { return exp2(y * log2(x)); }
 
+/// Angles within 3e-8 radians (Abramowitz and Stegun 4.4.49 and 4.4.46).
+HWY_INLINE Real atan2(Real y, Real x) {
+  const Real across = abs(x), up = abs(y), t = min(across, up) / max(max(across, up), 1e-30f), t2 = t * t;
+  Real p = 0.0028662257f;
+  for (const float factor : {-0.0161657367f, 0.0429096138f, -0.0752896400f, 0.1065626393f, -0.1420889944f,
+                             0.1999355085f, -0.3333314528f, 1.0f})
+    p = mul_add(p, t2, factor);
+  Real angle = p * t;
+  angle = select(up > across, 1.57079633f - angle, angle);
+  angle = select(x < 0.0f, 3.14159265f - angle, angle);
+  return select(y < 0.0f, -angle, angle);
+}
+HWY_INLINE Real acos(Real cosine) {
+  const Real x = min(abs(cosine), 1.0f);
+  Real p = -0.0012624911f;
+  for (const float factor :
+       {0.0066700901f, -0.0170881256f, 0.0308918810f, -0.0501743046f, 0.0889789874f, -0.2145988016f, 1.5707963050f})
+    p = mul_add(p, x, factor);
+  const Real angle = p * sqrt(1.0f - x);
+  return select(cosine < 0.0f, 3.14159265f - angle, angle);
+}
+
 struct Vec2 {
   Real x, y;
+  Vec2() = default;
+  HWY_INLINE Vec2(Real a, Real b) : x(a), y(b) {}
 };
 HWY_INLINE Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
 HWY_INLINE Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -217,6 +246,11 @@ struct Vec4 {
   Real x, y, z, w;
   HWY_INLINE Vec4(Real a, Real b, Real c, Real d) : x(a), y(b), z(c), w(d) {}
 };
+HWY_INLINE Vec4 operator*(Real s, Vec4 a) { return {s * a.x, s * a.y, s * a.z, s * a.w}; }
+HWY_INLINE Vec4& operator+=(Vec4& a, Vec4 b) { return a = {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+HWY_INLINE Vec4 mix(Vec4 a, Vec4 b, Real share) {
+  return {mix(a.x, b.x, share), mix(a.y, b.y, share), mix(a.z, b.z, share), mix(a.w, b.w, share)};
+}
 
 /// Of arrays, in what renderer/shaders/shared writes for lanes and for GLSL.
 using Index = std::size_t;

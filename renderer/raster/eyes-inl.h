@@ -13,9 +13,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-HWY_INLINE EyeHit eye_hit(const RasterScene& scene, std::size_t number, Vec3 way) {
-  const EyeEntry& eye = scene.optics.eyes.block.eyes[number];
-  return meet_eye(eye, scene.eyes[number].viewer, in_eye_frame(eye, way), scene.optics.frame.viewpoint.w);
+using EyeHit = EyeShading::EyeHit;
+
+HWY_INLINE EyeShading eye_of(const RasterScene& scene, std::size_t number) {
+  return {scene.optics, scene.eyes[number], number};
 }
 
 /// The ray of each pixel of a block of the tile whose left upper corner is given.
@@ -27,10 +28,10 @@ HWY_INLINE Vec3 block_rays(const RasterScene& scene, int left, int top, int bloc
 /// Where the eye is nearer than what is there already.
 HWY_INLINE void meet_in_block(const RasterScene& scene, std::size_t number, Vec3 way, float* ends,
                               std::int8_t* numbers) {
-  const EyeEntry& eye = scene.optics.eyes.block.eyes[number];
   const EyeCamera& camera = scene.eyes[number];
-  const EyeHit hit = eye_hit(scene, number, way);
-  const Real distance = eye.right.w * dot(hit.nearest - Vec3(camera.viewer), Vec3(camera.forward));
+  EyeShading shading = eye_of(scene, number);
+  const EyeHit hit = shading.meet_eye(shading.in_eye_frame(way), scene.optics.frame.viewpoint.w);
+  const Real distance = shading.eye.right.w * dot(hit.nearest - Vec3(camera.viewer), Vec3(camera.forward));
   const Real inverse = 1.0f / max(distance, 1e-12f), before = load(ends);
   const Mask nearer = hit.there & (distance > near_distance) & (inverse >= before);
   store(select(nearer, inverse, before), ends);
@@ -58,15 +59,16 @@ HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
 
 /// What the scene shows of an eye. Lids and cornea count as what reflects, not as shadow: all of the lights' share is
 /// left.
-HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const EyeHit& hit, Real inverse) {
-  const FrameOptics& optics = scene.optics;
+HWY_INLINE Vec3 shown_of(RasterOutput shown, EyeShading& shading, const EyeHit& hit, Real inverse) {
   const auto direct = [&]() HWY_ATTR {
-    return max(eye_light(optics, eye, hit, optics.lights) - eye_light(optics, eye, hit, 0), 0.0f);
+    EyeShading unlit = shading;
+    unlit.eye_lights = 0;
+    return max(shading.eye_light(hit) - unlit.eye_light(hit), 0.0f);
   };
   const Real none = 0.0f;
-  switch (scene.shown) {
-    case RasterOutput::albedo: return eye_surface(optics, eye, hit).albedo;
-    case RasterOutput::normal: return eye_surface(optics, eye, hit).normal;
+  switch (shown) {
+    case RasterOutput::albedo: return shading.eye_surface(hit).albedo;
+    case RasterOutput::normal: return shading.eye_surface(hit).normal;
     case RasterOutput::field:
     case RasterOutput::tangent:
     case RasterOutput::count:
@@ -78,7 +80,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const EyeEntry& eye, const Ey
     }
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
-    default: return eye_light(optics, eye, hit, optics.lights);
+    default: return shading.eye_light(hit);
   }
 }
 
@@ -86,14 +88,15 @@ HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way
                           const float* ends, std::size_t at, TileSums& sums) {
   float mine[lane_count];
   for (int i = 0; i < lane_count; ++i) mine[i] = numbers[i] == static_cast<std::int8_t>(number) ? 1.0f : 0.0f;
-  EyeHit hit = eye_hit(scene, number, way);
+  EyeShading shading = eye_of(scene, number);
+  EyeHit hit = shading.meet_eye(shading.in_eye_frame(way), scene.optics.frame.viewpoint.w);
   const Real through = load(sums.through + at);
   hit.there = hit.there & (load(mine) > 0.5f) & (through > min_shown);
   if (!any(hit.there)) return;
   Real weight = select(hit.there, through * hit.covered, 0.0f);
   const Real left_over = through - weight;
   if (scene.shown == RasterOutput::depth) weight = select((through >= 0.5f) & (left_over < 0.5f), 1.0f, 0.0f);
-  const Vec3 light = shown_of(scene, scene.optics.eyes.block.eyes[number], hit, load(ends + at));
+  const Vec3 light = shown_of(scene.shown, shading, hit, load(ends + at));
   store(mul_add(light.x, weight, load(sums.red + at)), sums.red + at);
   store(mul_add(light.y, weight, load(sums.green + at)), sums.green + at);
   store(mul_add(light.z, weight, load(sums.blue + at)), sums.blue + at);

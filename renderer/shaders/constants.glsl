@@ -15,6 +15,9 @@ const int raster_binding = 8;
 const int fragment_lists_storage = 1;
 const int fragment_links_storage = 2;
 const int fragment_colours_storage = 3;
+const int raster_eyes_storage = 5;
+const int raster_tissue_storage = 6;
+const int raster_caustics_storage = 7;
 
 // The same of the stages that rasterize strands: no two of one number in a stage, which has eight.
 const int points_storage = 0;
@@ -101,7 +104,11 @@ const float near_no_view = 0.2;        // from here on not
 const int ground_light_taps = 8;       // over the disc of a wide light
 
 // Eyes.
+const float lid_radius = 1.07;       // over that of the ball
+const int iris_map_width = 1024;     // around the axis; the left edge joins the right one
 const int iris_map_height = 256;     // rows from the pupil to the limbus
+const int iris_map_levels = 9;       // down to one row
+const int caustic_texels = 48;       // across the iris, from one end of its radius to the other
 const int caustic_angles = 20;       // of the light to the axis, from 0 to caustic_reach
 const float caustic_reach = 2.0;     // radians
 

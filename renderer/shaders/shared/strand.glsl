@@ -1,6 +1,7 @@
-// A strand as light finds it. What lies in this folder is GLSL and C++: of GLSL a number is a Real (dialect.glsl), of C++
-// so many as its lanes hold (renderer/optics/lanes-inl.h). Words of both: Real, Vec3, Vec4, Mask, Index, FUNCTION, select,
-// any_lane, mul_add, and what GLSL has of mathematics. Numbers that are the same in all lanes are floats.
+// A strand as light finds it. What lies in this folder is GLSL and C++: of GLSL a number is a Real (dialect.glsl), of
+// C++ so many as its lanes hold (renderer/optics/lanes-inl.h). Words of both: Real, Vec2, Vec3, Vec4, Mask, Index,
+// FUNCTION, In, select, any_lane, both, either, mul_add, atan2, unit, and what GLSL has of mathematics. Numbers that
+// are the same in all lanes are floats.
 
 // What painted water does to highlights: factors on their weight and exponent.
 struct Shine {
