@@ -28,7 +28,6 @@ struct Mask {
 };
 HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
-HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE bool any(Mask a) { return !hn::AllFalse(float_tag, a.m); }
 HWY_INLINE bool any_lane(Mask a) { return any(a); }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }

@@ -27,6 +27,7 @@ const int vertices_storage = 2;
 const int corners_storage = 3;
 const int looks_storage = 4;
 const int sky_storage = 1;
+const int eye_pixels_storage = 1;
 const int texels_storage = 6;
 const int words_storage = 1;
 const int plan_storage = 2;

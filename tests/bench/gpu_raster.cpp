@@ -1,6 +1,9 @@
-// Strands rasterized by a GL: milliseconds of each stage by timer queries, medians; of whole frames with their read-back as
-// minima, beside the CPU in the same run; how long its shaders take to build; and how far the two pictures are apart.
-// usage: bench_gpu_raster [--gl auto|egl|osmesa] [--size WIDTHxHEIGHT] [--triangles N] [--strands N] [--repetitions N]
+// Strands rasterized by a GL: milliseconds of each stage by timer queries, medians; of whole frames with their
+// read-back as minima, beside the CPU in the same run; how long its shaders take to build; and how far the two pictures
+// are apart. usage: bench_gpu_raster [--gl auto|egl|osmesa] [--size WIDTHxHEIGHT] [--triangles N] [--strands N]
+// [--repetitions N]
+#include "renderer/raster/gpu/gpu_raster.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -9,7 +12,6 @@
 #include <vector>
 
 #include "protocol/base/stopwatch.h"
-#include "renderer/raster/gpu/gpu_raster.h"
 #include "renderer/raster/gpu/stages.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/strands/tracer.h"
@@ -34,7 +36,10 @@ double median(std::vector<double> values) {
 class Duel {
  public:
   Duel(const testing::FurredModel& model, const FurFrame& frame, const Gl& gl, int repetitions)
-      : frame_(frame), repetitions_(repetitions), raster_(default_threads()), arrays_(make_arrays(model.view())),
+      : frame_(frame),
+        repetitions_(repetitions),
+        raster_(default_threads()),
+        arrays_(make_arrays(model.view())),
         model_(make_model(model.view(), arrays_)) {
     const Stopwatch built;
     auto made = GpuRaster::create(gl);
@@ -72,7 +77,8 @@ class Duel {
     }
     double apart = 0;
     for (std::size_t i = 0; i < by_cpu.rgba.size(); ++i) apart += std::abs(double{by_cpu.rgba[i]} - by_gpu.rgba[i]);
-    std::printf("  all stages %8.3f; light is %.2g apart in the mean\n", sum, apart / static_cast<double>(by_cpu.rgba.size()));
+    std::printf("  all stages %8.3f; light is %.2g apart in the mean\n", sum,
+                apart / static_cast<double>(by_cpu.rgba.size()));
   }
 
  private:
@@ -107,7 +113,8 @@ int run(const Setup& setup) {
   testing::FurredModel model = testing::furred({Builtin::creature, setup.triangles});
   model.model.name = "creature", model.settings = first_settings(model.model);
   if (setup.strands > 0) model.settings.coat.count = setup.strands;
-  for (const auto& [name, tier] : {std::pair{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}) {
+  for (const auto& [name, tier] :
+       {std::pair{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}) {
     FrameRequest request;
     request.width = setup.width, request.height = setup.height, request.knobs = knobs_of(tier);
     const double scale = request.knobs.scale;
@@ -136,7 +143,7 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[i], "--gl") == 0)
       gl = std::strcmp(argv[i + 1], "osmesa") == 0 ? GlChoice::osmesa
            : std::strcmp(argv[i + 1], "auto") == 0 ? GlChoice::automatic
-                                                    : GlChoice::egl;
+                                                   : GlChoice::egl;
     if (std::strcmp(argv[i], "--size") == 0) std::sscanf(argv[i + 1], "%dx%d", &width, &height);
   }
   return bench::run({gl, width, height, bench::asked(argc, argv, "--triangles", 20000),

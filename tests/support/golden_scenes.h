@@ -21,43 +21,43 @@ struct Golden {
 
 inline const std::vector<Golden>& goldens() {
   static const std::vector<Golden> all{
-    {"creature_plush", {Builtin::creature, 4000}, {}, [](FurredModel&, FrameRequest&) {}, 0.5, 60},
-    {"torus_sleek",
-     {Builtin::torus, 3000},
-     {.length = 0.02, .inclination = 0.9},
-     [](FurredModel& model, FrameRequest&) {
-       model.settings.coat.root_share = 0.7;
-       model.settings.coat.clump = 0.25;
-       model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
-     },
-     0.5,
-     60},
-    {"knot_curly_white",
-     {Builtin::knot, 6000},
-     {.length = 0.05, .inclination = 0.3},
-     [](FurredModel& model, FrameRequest& request) {
-       model.settings.coat.curl = 0.12;
-       model.settings.coat.lean_curve = LeanCurve::root;
-       model.settings.coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
-       request.background = Background::transparent;
-     },
-     0.5,
-     60},
-    {"creature_leopard_in_the_studio",
-     {Builtin::creature, 4000},
-     {.length = 0.025, .inclination = 0.7},
-     [](FurredModel& model, FrameRequest& request) {
-       model.settings.coat.pattern.kind = PatternKind::rosettes;
-       model.settings.look.shading = ShadingModel::energy_conserving;
-       model.settings.look.colour_source = ColourSource::coat;
-       model.settings.environment.horizon = {0.8f, 0.82f, 0.85f};
-       model.settings.environment.ground = {0.5f, 0.48f, 0.45f};
-       model.settings.ground.visible = true;
-       request.knobs.shells.shadow_maps = true;
-     },
-     0.5,
-     60},
-};
+      {"creature_plush", {Builtin::creature, 4000}, {}, [](FurredModel&, FrameRequest&) {}, 0.5, 60},
+      {"torus_sleek",
+       {Builtin::torus, 3000},
+       {.length = 0.02, .inclination = 0.9},
+       [](FurredModel& model, FrameRequest&) {
+         model.settings.coat.root_share = 0.7;
+         model.settings.coat.clump = 0.25;
+         model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
+       },
+       0.5,
+       60},
+      {"knot_curly_white",
+       {Builtin::knot, 6000},
+       {.length = 0.05, .inclination = 0.3},
+       [](FurredModel& model, FrameRequest& request) {
+         model.settings.coat.curl = 0.12;
+         model.settings.coat.lean_curve = LeanCurve::root;
+         model.settings.coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
+         request.background = Background::transparent;
+       },
+       0.5,
+       60},
+      {"creature_leopard_in_the_studio",
+       {Builtin::creature, 4000},
+       {.length = 0.025, .inclination = 0.7},
+       [](FurredModel& model, FrameRequest& request) {
+         model.settings.coat.pattern.kind = PatternKind::rosettes;
+         model.settings.look.shading = ShadingModel::energy_conserving;
+         model.settings.look.colour_source = ColourSource::coat;
+         model.settings.environment.horizon = {0.8f, 0.82f, 0.85f};
+         model.settings.environment.ground = {0.5f, 0.48f, 0.45f};
+         model.settings.ground.visible = true;
+         request.knobs.shells.shadow_maps = true;
+       },
+       0.5,
+       60},
+  };
   return all;
 }
 

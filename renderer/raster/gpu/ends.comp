@@ -9,6 +9,7 @@ layout(std430, binding = 1) writeonly buffer Ends { float ends[]; };  // one ove
 layout(std430, binding = 2) writeonly buffer Furthest { float furthest[]; };
 layout(std430, binding = 3) writeonly buffer Blocks { float blocks[]; };
 layout(std430, binding = 4) readonly buffer DrawnTiles { uint drawn_tiles[]; };
+layout(std430, binding = 5) readonly buffer EyePixels { uint eye_pixels[]; };
 
 shared uint of_tile, of_block[16];
 
@@ -20,6 +21,7 @@ void main() {
   if (gl_LocalInvocationIndex < 16) of_block[gl_LocalInvocationIndex] = 0xffffffffu;
   barrier();
   uint end = skin_pixels[2 * pixel];  // floats above 0 stand in the order of their bits
+  if (eye_count > 0) end = max(end, eye_pixels[2 * pixel]);
   ends[pixel] = uintBitsToFloat(end);
   atomicMin(of_tile, end);
   atomicMin(of_block[block], end);

@@ -61,6 +61,10 @@ struct GpuRaster::Held {
         scene_uniforms(of),
         plan(of),
         azimuthal(of),
+        eyes(of),
+        tissues(of),
+        caustics(of),
+        eye_pixels(of),
         skin_pixels(of),
         ends(of),
         furthest(of),
@@ -90,6 +94,7 @@ struct GpuRaster::Held {
   GpuModel model;
   Uniforms frame_block, scattering_block, skin_block, scene_uniforms;
   Storage plan, azimuthal;
+  Storage eyes, tissues, caustics, eye_pixels;
   Storage skin_pixels, ends, furthest, blocks, hidden, drawn;  // of pixels, tiles and blocks of pixels
   Storage strand_knots, strand_points, knots, points;
   Storage tile_entries, tile_counts, entries, others;
@@ -109,11 +114,20 @@ struct GpuRaster::Held {
 
   void send_scene(const Box& box);
   void send_plan(const StrandPlan& strands);
+  void send_eyes(const EyeOptics& optics);
   void send_azimuthal(const AzimuthalFit& fit);
   void reserve(const Box& box);
   bool begin(Stage stage, const Box& box, std::initializer_list<StageStorage> storage) {
     current = stages.begin(stage, box.scene.shown, storage);
     return current;
+  }
+  bool begin_eyes(Stage stage, const Box& box, const Storage& pixels) {
+    return begin(stage, box,
+                 {{0, &pixels},
+                  {eye_pixels_storage, &eye_pixels},
+                  {raster_eyes_storage, &eyes},
+                  {raster_tissue_storage, &tissues},
+                  {raster_caustics_storage, &caustics}});
   }
   bool scan(const Box& box, const Storage& numbers, std::size_t count);
   bool find_skin(const Box& box);
@@ -141,6 +155,13 @@ void GpuRaster::Held::send_azimuthal(const AzimuthalFit& fit) {
   azimuthal.send(std::span<const std::int32_t>(sent));
 }
 
+void GpuRaster::Held::send_eyes(const EyeOptics& optics) {
+  if (!optics.tissues) return;
+  eyes.send(std::span<const EyeBlock>(&optics.block, 1));
+  if (tissues.bytes() == 0) tissues.send(std::span<const std::int32_t>(optics.tissues->words));  // the same of all eyes
+  caustics.send(optics.caustics);
+}
+
 void GpuRaster::Held::send_plan(const StrandPlan& strands) {
   const std::size_t parts_at = max_strand_groups * sizeof(glm::uvec2);
   plan.reserve(parts_at + std::max<std::size_t>(strands.parts.size(), 1) * sizeof(PlannedPart));
@@ -154,6 +175,7 @@ void GpuRaster::Held::send_scene(const Box& box) {
       scattering_block.send(scattering_binding, scene.optics.scattering);
   skin_block.send(skin_binding, scene.optics.skin);
   model.update(scene), send_azimuthal(*scene.optics.azimuthal), send_plan(box.strands);
+  send_eyes(scene.optics.eyes);
   std::vector<std::uint32_t> shown(static_cast<std::size_t>(box.tiles.count()), 1);
   for (std::size_t tile = 0; scene.drawn && tile < shown.size(); ++tile) {
     const int x = static_cast<int>(tile) % box.tiles.across, y = static_cast<int>(tile) / box.tiles.across;
@@ -165,7 +187,8 @@ void GpuRaster::Held::send_scene(const Box& box) {
 void GpuRaster::Held::reserve(const Box& box) {
   const auto tiles = static_cast<std::size_t>(box.tiles.count()), pixels = tiles * tile_pixels;
   const std::size_t strands = box.strands.strands() + std::size_t{1};
-  skin_pixels.reserve(pixels * 2 * words), ends.reserve(pixels * words), sums.reserve(pixels * 4 * words);
+  skin_pixels.reserve(pixels * 2 * words), eye_pixels.reserve(box.scene.eyes.empty() ? 16 : pixels * 2 * words);
+  ends.reserve(pixels * words), sums.reserve(pixels * 4 * words);
   furthest.reserve(tiles * words), blocks.reserve(tiles * 16 * words), hidden.reserve(tiles * 16 * words);
   tile_entries.reserve((tiles + 1) * words), tile_counts.reserve((tiles + 1) * words);
   rows.reserve(sizeof(Totals) + pixels * 4 * words);
@@ -195,7 +218,12 @@ bool GpuRaster::Held::find_skin(const Box& box) {
     current->set("naming", naming);
     stages.run((box.scene.model->triangles.size() + 7) / 8);
   }
-  if (!begin(Stage::ends, box, {{0, &skin_pixels}, {1, &ends}, {2, &furthest}, {3, &blocks}, {4, &drawn}}))
+  if (!box.scene.eyes.empty()) {
+    if (!begin_eyes(Stage::meet_eyes, box, skin_pixels)) return false;
+    stages.run(box.grid());
+  }
+  if (!begin(Stage::ends, box,
+             {{0, &skin_pixels}, {1, &ends}, {2, &furthest}, {3, &blocks}, {4, &drawn}, {5, &eye_pixels}}))
     return false;
   stages.run(box.grid());
   if (!begin(Stage::hidden, box, {{0, &blocks}, {1, &hidden}})) return false;
@@ -299,6 +327,10 @@ bool GpuRaster::Held::blend(const Box& box) {
       return false;
     stages.run(box.grid());
   }
+  if (!box.scene.eyes.empty()) {
+    if (!begin_eyes(Stage::light_eyes, box, sums)) return false;
+    stages.run(box.grid());
+  }
   const bool is_field = box.scene.shown == RasterOutput::field;
   if (!begin(Stage::skin_light, box,
              {{sums_storage, &sums},
@@ -366,9 +398,11 @@ void GpuRaster::Held::read(const Box& box, FloatImage& picture) {
 
 Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl) {
   std::unique_ptr<GpuRaster> raster(new GpuRaster(gl));
-  for (const Stage stage : all_stages)
-    if (stage != Stage::name && !raster->held_->stages.begin(stage, RasterOutput::light, {}))
-      return raster->held_->stages.failure();
+  // Of what is there seldom the first frame waits.
+  for (const Stage stage :
+       {Stage::skin, Stage::ends, Stage::hidden, Stage::keep, Stage::place, Stage::mark, Stage::light, Stage::hand_on,
+        Stage::bins, Stage::scan, Stage::sort, Stage::blend, Stage::skin_light, Stage::resolve})
+    if (!raster->held_->stages.begin(stage, RasterOutput::light, {})) return raster->held_->stages.failure();
   return raster;
 }
 

@@ -39,6 +39,7 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   ivec2 sky_size;
   int eye_steps;
   vec4 light_widths[max_lights];  // radius, or the tangent of half the angle of a far one; 1 for a far one
+  ivec4 eye_boxes[max_eyes];      // pixels that an eye may touch
 };
 
 const uint tile_side = 16, tile_pixels = 256;

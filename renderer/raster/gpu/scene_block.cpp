@@ -44,6 +44,10 @@ SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint3
   block.eye_count = static_cast<std::int32_t>(scene.eyes.size()), block.eye_steps = optics.eyes.steps;
   for (std::size_t i = 0; i < scene.light_sizes.size(); ++i)
     block.light_widths[i] = {scene.light_sizes[i].radius, scene.light_sizes[i].far ? 1 : 0, 0, 0};
+  for (std::size_t i = 0; i < scene.eyes.size(); ++i) {
+    const PixelBox& around = scene.eyes[i].box;
+    block.eye_boxes[i] = {around.left, around.top, around.right, around.bottom};
+  }
   return block;
 }
 

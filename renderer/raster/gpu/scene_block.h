@@ -46,8 +46,9 @@ struct SceneBlock {
   std::int32_t eye_steps = 0;
   std::array<std::int32_t, 3> unused{};
   std::array<glm::vec4, max_lights> light_widths{};
+  std::array<glm::ivec4, max_eyes> eye_boxes{};
 };
-static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights));
+static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights + max_eyes));
 
 SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms);
 

@@ -16,7 +16,9 @@ extern const char* const hand_on_comp;
 extern const char* const hidden_comp;
 extern const char* const keep_comp;
 extern const char* const light_comp;
+extern const char* const light_eyes_comp;
 extern const char* const mark_comp;
+extern const char* const meet_eyes_comp;
 extern const char* const name_comp;
 extern const char* const place_comp;
 extern const char* const resolve_comp;
@@ -35,6 +37,8 @@ struct StageSource {
 StageSource source_of(Stage stage) {
   switch (stage) {
     case Stage::skin: return {"skin", shaders::skin_comp};
+    case Stage::meet_eyes: return {"meet_eyes", shaders::meet_eyes_comp};
+    case Stage::light_eyes: return {"light_eyes", shaders::light_eyes_comp};
     case Stage::ends: return {"ends", shaders::ends_comp};
     case Stage::hidden: return {"hidden", shaders::hidden_comp};
     case Stage::keep: return {"keep", shaders::keep_comp};

@@ -23,6 +23,7 @@ struct StageStorage {
 
 enum class Stage {
   skin,
+  meet_eyes,
   ends,
   hidden,
   keep,
@@ -35,14 +36,11 @@ enum class Stage {
   sort,
   blend,
   name,
+  light_eyes,
   skin_light,
   ground,
   resolve
 };
-inline constexpr std::array all_stages{Stage::skin,  Stage::ends,       Stage::hidden, Stage::keep,
-                                       Stage::place, Stage::mark,       Stage::light,  Stage::hand_on,
-                                       Stage::bins,  Stage::scan,       Stage::sort,   Stage::blend,
-                                       Stage::name,  Stage::skin_light, Stage::ground, Stage::resolve};
 
 /// Milliseconds of each stage on the GPU.
 using StageTimes = std::map<Stage, double>;

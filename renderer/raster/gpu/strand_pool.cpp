@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 std::size_t words_of(const StrandSet& set) {
-  return set.colours.size() + set.neighbour.size() + set.roots.size() * (sizeof(StrandRoot) / sizeof(std::uint32_t)) +
+  return set.colours.size() + set.count() + set.count() * (sizeof(StrandRoot) / sizeof(std::uint32_t)) +
          set.to_mean.size();
 }
 
@@ -59,7 +59,9 @@ void StrandPool::send(const GrownPart& part, Place& place) {
     if (bytes > 0) std::memcpy(to, values.data(), bytes);
     to += bytes / sizeof(std::uint32_t);
   };
-  append(set.colours), append(set.neighbour), append(set.roots), append(set.to_mean);
+  append(set.colours), append(set.neighbour);
+  to = &words[set.colours.size() + set.count()];  // curves have no neighbours
+  append(set.roots), append(set.to_mean);
   points_.send_at(place.at.points * sizeof(StrandPoint), std::span<const StrandPoint>(set.points));
   words_.send_at(place.at.words * sizeof(std::uint32_t), std::span<const std::uint32_t>(words));
   place.strands = part.strands;

@@ -1,0 +1,9 @@
+// Eyes in front of the skin: renderer/raster/eyes-inl.h.
+const bool white_surroundings = false;
+#include "../../shaders/shared/strand.glsl"
+#include "../../shaders/shared/light.glsl"
+#include "../../shaders/eyes.glsl"
+
+layout(std430, binding = eye_pixels_storage) buffer EyePixels { uint eye_pixels[]; };  // of each pixel bits of one over the distance, eye
+
+EyeHit hit_of_pixel(vec2 pixel) { return meet_eye(in_eye_frame(ray_through(pixel)), frame.viewpoint.w); }
