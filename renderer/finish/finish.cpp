@@ -6,12 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "renderer/finish/encode.h"
 #include "renderer/finish/resize.h"
 
 namespace pelage {
-
-namespace {
 
 Encoding encoding_of(const FurFrame& frame, std::int32_t largest) {
   Encoding encoding;
@@ -23,6 +20,8 @@ Encoding encoding_of(const FurFrame& frame, std::int32_t largest) {
   encoding.width = frame.width, encoding.height = frame.height, encoding.largest = largest;
   return encoding;
 }
+
+namespace {
 
 template <class Picture>
 void finish_into(const FurFrame& frame, const FinishInput& input, int top, int bottom, Picture& picture) {

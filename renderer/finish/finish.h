@@ -2,6 +2,7 @@
 #pragma once
 
 #include "protocol/base/parallel.h"
+#include "renderer/finish/encode.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 #include "renderer/input/fur_scene.h"
@@ -15,6 +16,9 @@ struct FinishInput {
   const FloatImage* overlay = nullptr;  // of the frame's size: sRGB with straight alpha; null for none
   int threads = default_threads();      // the same bits for any number
 };
+
+/// How a frame's picture is encoded, in numbers up to `largest`.
+Encoding encoding_of(const FurFrame& frame, std::int32_t largest);
 
 /// A picture of the frame's size; of one with a crop, rows outside it stay 0.
 Image finish_picture(const FurFrame& frame, const FinishInput& input);

@@ -385,9 +385,23 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   return picture;
 }
 
+Result<std::optional<Image>> RasterRenderer::draw_on_gpu(const FurFrame& frame, DrawTimes& times) {
+  const FurFrame drawn = scaled(frame);
+  if (!draws_on_gpu(drawn, Growth::as_kept, times)) return std::optional<Image>();
+  const DrawClock clock(times);
+  const RasterScene scene = scene_of(grown(drawn, Growth::as_kept), drawn, {RasterOutput::light});
+  times.counters.redrawn = 1;
+  return gpu_->draw_picture(scene, encoding_of(frame, 255));
+}
+
 Result<Image> RasterRenderer::draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times,
                                    const Pause& pause) {
   try {
+    if (!overlay && !frame.crop) {
+      Result<std::optional<Image>> picture = draw_on_gpu(frame, times);
+      if (!picture) return picture.status();
+      if (*picture) return std::move(**picture);
+    }
     return draw_finished<Image>(frame, kept_format(frame), times, pause,
                                 [&](CachedView& view, const FloatImage& light, const Area& area) {
                                   return finish_view(frame, {light, overlay, threads_}, area, view);

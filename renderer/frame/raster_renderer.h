@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -95,6 +96,8 @@ class RasterRenderer {
                    FloatImage& picture);
   /// Whether the GPU draws a frame's strands, which are grown first.
   bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
+  /// A whole picture that nothing lies over, finished on the GPU; none where it does not draws_on_gpu or has no room.
+  Result<std::optional<Image>> draw_on_gpu(const FurFrame& frame, DrawTimes& times);
   /// What the ground is seen of, where there is one.
   void darken(const FurFrame& frame, Standing& standing, const Wanted& wanted, FloatImage& picture) const;
   Result<FloatImage> draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);

@@ -232,6 +232,7 @@ std::string Gl::load(const LoadFunction& find) {
   get(counted_.TextureSubImage3D, "glTextureSubImage3D");
   get(GenerateTextureMipmap, "glGenerateTextureMipmap");
   get(Uniform1f, "glUniform1f");
+  get(Uniform2i, "glUniform2i");
   get(Uniform3f, "glUniform3f");
   get(Uniform1i, "glUniform1i");
   get(Uniform1ui, "glUniform1ui");

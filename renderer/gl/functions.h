@@ -85,6 +85,7 @@ struct Gl {
   PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
   PFNGLUNIFORM1UIPROC Uniform1ui = nullptr;
+  PFNGLUNIFORM2IPROC Uniform2i = nullptr;
   PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation = nullptr;
   PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = nullptr;

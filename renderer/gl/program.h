@@ -19,6 +19,7 @@ class Program {
   void use() const { gl_->UseProgram(handle_.id()); }
   void set(const char* name, int value) const { gl_->Uniform1i(location(name), value); }
   void set(const char* name, unsigned value) const { gl_->Uniform1ui(location(name), value); }
+  void set(const char* name, glm::ivec2 value) const { gl_->Uniform2i(location(name), value.x, value.y); }
   void set(const char* name, glm::vec3 value) const { gl_->Uniform3f(location(name), value.x, value.y, value.z); }
   void set(const char* name, float value) const { gl_->Uniform1f(location(name), value); }
   void set(const char* name, const glm::mat4& value) const {

@@ -81,7 +81,8 @@ struct GpuRaster::Held {
         others(of),
         sums(of),
         scan_sums(of),
-        rows(of) {
+        rows(of),
+        encoded(of) {
     GLint64 most = 0;
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     max_bytes = static_cast<std::size_t>(most);
@@ -98,7 +99,7 @@ struct GpuRaster::Held {
   Storage skin_pixels, ends, furthest, blocks, hidden, drawn;  // of pixels, tiles and blocks of pixels
   Storage strand_knots, strand_points, knots, points;
   Storage tile_entries, tile_counts, entries, others;
-  Storage sums, scan_sums, rows;
+  Storage sums, scan_sums, rows, encoded;
   StageRooms rooms{1 << 16, 1 << 16, 1 << 18};
 
   /// All that a box is drawn by.
@@ -144,7 +145,8 @@ struct GpuRaster::Held {
   }
   /// Makes room for what was found; false where there was enough.
   bool take_more_room(const Box& box, const Totals& found);
-  void read(const Box& box, FloatImage& picture);
+  void read(const RasterScene& scene, const PixelBox& box, FloatImage& picture);
+  bool encode(const RasterScene& scene, const Encoding& encoding, Image& picture);
 
   const Program* current = nullptr;
 };
@@ -379,21 +381,35 @@ bool GpuRaster::Held::take_more_room(const Box& box, const Totals& found) {
 }
 
 /// Of tiles that are drawn, into the picture.
-void GpuRaster::Held::read(const Box& box, FloatImage& picture) {
-  const int width = box.pixels.right - box.pixels.left, height = box.pixels.bottom - box.pixels.top;
+void GpuRaster::Held::read(const RasterScene& scene, const PixelBox& box, FloatImage& picture) {
+  const int width = box.right - box.left, height = box.bottom - box.top;
   std::vector<float> pixels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  rows.read(sizeof(Totals), pixels);
+  rows.read(sizeof(Totals), std::span(pixels));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; x += tile_side) {
-      const int column = box.pixels.left + x, row = box.pixels.top + y, count = std::min(tile_side, width - x);
-      if (box.scene.drawn && !box.scene.drawn->has(column, row)) continue;
-      const auto from =
-          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
-      const auto to = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                           static_cast<std::size_t>(column));
-      std::copy_n(&pixels[from], 4 * count, &picture.rgba[to]);
+      const int column = box.left + x, row = box.top + y, count = std::min(tile_side, width - x);
+      if (scene.drawn && !scene.drawn->has(column, row)) continue;
+      const auto from = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      const auto to =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(column);
+      std::copy_n(&pixels[4 * from], 4 * count, &picture.rgba[4 * to]);
     }
   }
+}
+
+bool GpuRaster::Held::encode(const RasterScene& scene, const Encoding& encoding, Image& picture) {
+  encoded.reserve(picture.rgba.size());
+  current = stages.begin(Stage::finish, scene.shown, {{0, &rows}, {1, &encoded}});
+  if (!current) return false;
+  current->set("encoding.exposure", encoding.exposure), current->set("encoding.filmic", int{encoding.filmic});
+  current->set("encoding.transparent", int{encoding.transparent}),
+      current->set("encoding.studio", int{encoding.studio});
+  current->set("encoding.background", encoding.background);
+  current->set("encoding.width", encoding.width), current->set("encoding.height", encoding.height);
+  current->set("encoding.largest", encoding.largest), current->set("light_size", glm::ivec2(scene.width, scene.height));
+  stages.run((glm::ivec2(encoding.width, encoding.height) + 15) / 16);
+  encoded.read(0, std::span(picture.rgba));
+  return true;
 }
 
 Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl) {
@@ -401,7 +417,7 @@ Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl) {
   // Of what is there seldom the first frame waits.
   for (const Stage stage :
        {Stage::skin, Stage::ends, Stage::hidden, Stage::keep, Stage::place, Stage::mark, Stage::light, Stage::hand_on,
-        Stage::bins, Stage::scan, Stage::sort, Stage::blend, Stage::skin_light, Stage::resolve})
+        Stage::bins, Stage::scan, Stage::sort, Stage::blend, Stage::skin_light, Stage::resolve, Stage::finish})
     if (!raster->held_->stages.begin(stage, RasterOutput::light, {})) return raster->held_->stages.failure();
   return raster;
 }
@@ -422,8 +438,7 @@ int GpuRaster::box_pixels() const {
   return static_cast<int>(std::min(held_->max_bytes / 32, most));
 }
 
-Status GpuRaster::draw_box(const RasterScene& scene, const PixelBox& pixels, FloatImage& picture,
-                           RasterCounts& counts) {
+Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts) {
   Held& held = *held_;
   held.pool.update(scene.parts);
   const StrandPlan strands = strand_plan(scene, pixels, held.pool);
@@ -435,11 +450,30 @@ Status GpuRaster::draw_box(const RasterScene& scene, const PixelBox& pixels, Flo
     found = held.totals();
     lost_ = held.gl.GetGraphicsResetStatus() != GL_NO_ERROR;
     if (lost_) return failure(Code::unavailable, "the GL was reset");
-    if (!held.has_room_for(found)) return draw_halves(scene, pixels, picture, counts);
+    if (!held.has_room_for(found)) return false;
   } while (held.take_more_room(box, found));
-  held.read(box, picture);
   counts.entries += found.entries, counts.lit += found.points;
+  return true;
+}
+
+Status GpuRaster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) {
+  const Result<bool> drawn = draw_rows(scene, box, counts);
+  if (!drawn) return drawn.status();
+  if (!*drawn) return draw_halves(scene, box, picture, counts);
+  held_->read(scene, box, picture);
   return {};
+}
+
+Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, const Encoding& encoding) {
+  RasterCounts counts;
+  const PixelBox whole{0, 0, scene.width, scene.height};
+  if (scene.width * std::int64_t{scene.height} > box_pixels()) return std::optional<Image>();
+  const Result<bool> drawn = draw_rows(scene, whole, counts);
+  if (!drawn) return drawn.status();
+  if (!*drawn) return std::optional<Image>();
+  auto picture = empty_picture<Image>(encoding.width, encoding.height);
+  if (!held_->encode(scene, encoding, picture)) return held_->stages.failure();
+  return std::optional<Image>(std::move(picture));
 }
 
 /// What one after the other has room.

@@ -3,11 +3,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "protocol/base/status.h"
+#include "renderer/finish/encode.h"
 #include "renderer/gl/functions.h"
 #include "renderer/image/float_image.h"
+#include "renderer/image/image.h"
 #include "renderer/raster/raster.h"
 
 namespace pelage {
@@ -31,6 +34,10 @@ class GpuRaster {
   /// As Raster::draw_box and Raster::darken_box. Fails with unavailable where a shader cannot be built, or where the GL
   /// was lost: what it drew is not there then.
   Status draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
+  /// The whole of a scene's light as a picture of eight bits that is encoded so, of its size; of light that is larger
+  /// the means, of smaller enlarged (ResizedLight). None where it does not fit into one box. Fails as draw_box.
+  Result<std::optional<Image>> draw_picture(const RasterScene& scene, const Encoding& encoding);
+
   /// Adds the milliseconds of each stage to `times` from here on, for who measures; null for no more.
   void measure(std::map<Stage, double>* times);
   /// Whether the GL was reset: it draws nothing more.
@@ -38,6 +45,8 @@ class GpuRaster {
 
  private:
   explicit GpuRaster(const Gl& gl);
+  /// Draws a box as far as rows of pixels on the GPU; false where there is no room for it.
+  Result<bool> draw_rows(const RasterScene& scene, const PixelBox& box, RasterCounts& counts);
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
 
   struct Held;

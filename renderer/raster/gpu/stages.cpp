@@ -11,6 +11,7 @@ namespace shaders {
 extern const char* const bins_comp;
 extern const char* const blend_comp;
 extern const char* const ends_comp;
+extern const char* const finish_comp;
 extern const char* const ground_comp;
 extern const char* const hand_on_comp;
 extern const char* const hidden_comp;
@@ -53,6 +54,7 @@ StageSource source_of(Stage stage) {
     case Stage::name: return {"name", shaders::name_comp};
     case Stage::skin_light: return {"skin_light", shaders::skin_light_comp};
     case Stage::ground: return {"ground", shaders::ground_comp};
+    case Stage::finish: return {"finish", shaders::finish_comp};
     case Stage::resolve: return {"resolve", shaders::resolve_comp};
   }
   return {"", nullptr};

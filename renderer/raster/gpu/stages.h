@@ -39,7 +39,8 @@ enum class Stage {
   light_eyes,
   skin_light,
   ground,
-  resolve
+  resolve,
+  finish
 };
 
 /// Milliseconds of each stage on the GPU.

@@ -37,7 +37,8 @@ class Storage {
   void clear(GLuint value) {
     gl_->ClearNamedBufferData(buffer_.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
   }
-  void read(std::size_t byte, std::span<float> values) const {
+  template <class T>
+  void read(std::size_t byte, std::span<T> values) const {
     gl_->GetNamedBufferSubData(buffer_.id(), static_cast<GLintptr>(byte), static_cast<GLsizeiptr>(values.size_bytes()),
                                values.data());
   }
