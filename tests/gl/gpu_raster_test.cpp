@@ -1,9 +1,12 @@
 // Strands drawn by compute shaders against the same drawn by the CPU: one fur, whoever draws it.
+#include "renderer/raster/gpu/gpu_raster.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 
+#include "renderer/coat/strand_tile.h"
 #include "renderer/image/cropped.h"
 #include "renderer/picture_files/picture_files.h"
 #include "server/builtin/builtin.h"
@@ -177,6 +180,50 @@ TEST_P(GpuRasterTwin, ShowsWhatIsAskedForBesideLight) {
     if (std::getenv("PELAGE_PICTURES"))
       std::printf("AOV %d: %.4f of the pixels differ\n", static_cast<int>(aovs[i]), share);
   }
+}
+
+TEST_P(GpuRasterTwin, DrawsAnewAfterItsGlWasReset) {
+  const GoldenScene scene = small_scene(0, 64);
+  const Image expected = draw(*by_gl, scene.model, scene.request);
+  Gl reset = gl();
+  reset.GetGraphicsResetStatus = [] { return GLenum{GL_GUILTY_CONTEXT_RESET}; };
+  const auto renderer = Renderer::create(reset, {.threads = 2, .software_gl_draws_strands = true});
+  ASSERT_TRUE(renderer.ok());
+  EXPECT_ANY_THROW(draw(**renderer, scene.model, scene.request));
+  EXPECT_TRUE((*renderer)->lost_gl());
+  ASSERT_TRUE((*renderer)->take_gl(&gl()).ok());
+  EXPECT_FALSE((*renderer)->lost_gl());
+  EXPECT_EQ(draw(**renderer, scene.model, scene.request).rgba, expected.rgba);
+}
+
+/// Light of a scene by a GL with buffers of so many bytes at most.
+Result<FloatImage> light_in_buffers(const Gl& gl, const GoldenScene& golden, std::size_t max_bytes) {
+  const ModelArrays arrays = make_arrays(golden.model.view());
+  const FurModel model = make_model(golden.model.view(), arrays);
+  const FurFrame frame = make_frame(golden.model.view(), golden.request);
+  GrownFur fur;
+  fur.update(model, make_fields(golden.model.view(), {}, {}), {.coat = frame.coat}, 2);
+  Raster raster(2);
+  const RasterScene scene =
+      raster.scene_of(model, fur, frame, quality_of(frame.knobs, winding(frame.coat)), RasterOutput::light);
+  const auto drawer = GpuRaster::create(gl, max_bytes);
+  if (!drawer) return drawer.status();
+  auto picture = empty_picture<FloatImage>(frame.width, frame.height);
+  RasterCounts counts;
+  const Status drawn = (*drawer)->draw_box(scene, {0, 0, frame.width, frame.height}, picture, counts);
+  if (!drawn.ok()) return drawn;
+  return picture;
+}
+
+TEST_P(GpuRasterTwin, DrawsInBandsWhereBuffersAreSmall) {
+  GoldenScene scene = small_scene(1, 96);
+  scene.model.settings.coat.count /= 4;
+  const Result<FloatImage> whole = light_in_buffers(gl(), scene, ~std::size_t{0});
+  const Result<FloatImage> bands = light_in_buffers(gl(), scene, std::size_t{300} << 10);
+  ASSERT_TRUE(whole.ok() && bands.ok());
+  EXPECT_EQ(whole->rgba, bands->rgba);
+  const Result<FloatImage> none = light_in_buffers(gl(), scene, 1024);  // not even for a row of tiles
+  EXPECT_EQ(none.status().code, Code::too_large);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, GpuRasterTwin, both_backends(), name_of);

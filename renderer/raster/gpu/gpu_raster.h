@@ -21,9 +21,10 @@ enum class Stage;
 /// the same scene it draws the same bits.
 class GpuRaster {
  public:
-  /// Builds what light is drawn by; the rest when it is first asked for. The GL outlives it. Fails with unavailable
-  /// where a shader cannot be built.
-  static Result<std::unique_ptr<GpuRaster>> create(const Gl& gl);
+  /// Builds what light is drawn by; the rest when it is first asked for. The GL outlives it. No buffer gets larger than
+  /// `max_bytes`, nor than the GL allows: what needs more is drawn in bands. Fails with unavailable where a shader
+  /// cannot be built.
+  static Result<std::unique_ptr<GpuRaster>> create(const Gl& gl, std::size_t max_bytes = ~std::size_t{0});
   ~GpuRaster();
 
   /// Whether these strands can be drawn: they lie in a buffer of this GL.
@@ -44,7 +45,7 @@ class GpuRaster {
   bool lost() const { return lost_; }
 
  private:
-  explicit GpuRaster(const Gl& gl);
+  GpuRaster(const Gl& gl, std::size_t max_bytes);
   /// Draws a box as far as rows of pixels on the GPU; false where there is no room for it.
   Result<bool> draw_rows(const RasterScene& scene, const PixelBox& box, RasterCounts& counts);
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);

@@ -79,11 +79,14 @@ std::string name_of(RasterOutput shown) {
   return {};
 }
 
-/// Whether a source asks for a name, or for one that has the same answer for all that it does not name.
-std::string define_of(const char* source, RasterOutput shown) {
-  const std::string name = name_of(shown);
-  return name.empty() || std::string_view(source).find(name) == std::string_view::npos ? std::string()
-                                                                                       : "#define " + name + "\n";
+/// Lines for those of the names of what is shown that a source asks for.
+std::string defines_of(std::string_view source, RasterOutput shown) {
+  std::string defines;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && source.find(name) != source.npos) defines += "#define " + name + "\n";
+  };
+  add(name_of(shown)), add(is_coloured(shown) ? "" : "UNCOLOURED");
+  return defines;
 }
 
 }  // namespace
@@ -92,10 +95,10 @@ const char* name_of(Stage stage) { return source_of(stage).name; }
 
 const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage) {
   const char* source = source_of(stage).source;
-  const std::string define = define_of(source, shown);
-  const auto [found, is_new] = programs_.try_emplace({stage, define});
+  const std::string defines = defines_of(source, shown);
+  const auto [found, is_new] = programs_.try_emplace({stage, defines});
   Program& program = found->second;
-  if (is_new) program = Program::of_compute(gl_, source, define);
+  if (is_new) program = Program::of_compute(gl_, source, defines);
   if (program.id() == 0) {
     failure_ = pelage::failure(Code::unavailable, "a shader of the rasterizer cannot be built: " + program.log());
     return nullptr;

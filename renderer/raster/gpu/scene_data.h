@@ -1,0 +1,75 @@
+// What all stages of a box read: its scene on the GPU, sent where it is another.
+#pragma once
+
+#include "renderer/gl/handles.h"
+#include "renderer/raster/gpu/gpu_model.h"
+#include "renderer/raster/gpu/scene_block.h"
+#include "renderer/raster/gpu/storage.h"
+#include "renderer/raster/gpu/strand_plan.h"
+#include "renderer/raster/gpu/strand_pool.h"
+
+namespace pelage {
+
+/// A uniform block.
+class Uniforms {
+ public:
+  explicit Uniforms(const Gl& gl) : gl_(gl), buffer_(gl) {}
+
+  template <class Block>
+  void send(int binding, const Block& block) {
+    gl_.NamedBufferData(buffer_.id(), sizeof(Block), &block, GL_DYNAMIC_DRAW);
+    gl_.BindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer_.id());
+  }
+
+ private:
+  const Gl& gl_;
+  Buffer buffer_;
+};
+
+/// A box that is drawn.
+struct DrawnBox {
+  const RasterScene& scene;
+  const PixelBox& pixels;
+  const StrandPlan& strands;
+  TileRows tiles;
+
+  std::size_t groups() const { return strands.groups.size(); }
+  glm::ivec2 grid() const { return {tiles.across, tiles.down}; }
+};
+
+class SceneData {
+ public:
+  explicit SceneData(const Gl& gl)
+      : pool(gl),
+        model(gl),
+        plan(gl),
+        azimuthal(gl),
+        eyes(gl),
+        tissues(gl),
+        caustics(gl),
+        drawn(gl),
+        frame_(gl),
+        scattering_(gl),
+        skin_(gl),
+        scene_(gl) {}
+
+  /// All but the strands, which the plan is made of: pool.update comes before.
+  void send(const DrawnBox& box);
+  void send_plan(const StrandPlan& strands);
+  void send_rooms(const DrawnBox& box, const StageRooms& rooms) {
+    scene_.send(raster_binding, scene_block(box.scene, box.pixels, box.strands.strands(), rooms));
+  }
+
+  StrandPool pool;
+  GpuModel model;
+  Storage plan, azimuthal, eyes, tissues, caustics;
+  Storage drawn;  // whether each tile is
+
+ private:
+  void send_azimuthal(const AzimuthalFit& fit);
+  void send_eyes(const EyeOptics& optics);
+
+  Uniforms frame_, scattering_, skin_, scene_;
+};
+
+}  // namespace pelage
