@@ -76,7 +76,7 @@ template <class V>
 void members(V& v, Visited<V, Knobs>& c) {
   v.type("Knobs", "What a frame is drawn with. What is not given is as in the interactive tier.");
   v.name("method", c.method, json_names::methods,
-         "How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU. strands: "
+         "How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized. strands: "
          "every strand of the coat, ray traced. shells: skin and fur alone in layers, by a GL; refused with 422 where "
          "the server has none. It draws no eyes, curves, ground, overlays, and of AOVs beauty and alpha.");
   if (v.shows(c.method != Method::strands))

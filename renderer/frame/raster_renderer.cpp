@@ -178,10 +178,14 @@ std::size_t RasterRenderer::update(std::uint64_t model, const FurFields& fields)
 
 void RasterRenderer::forget(std::uint64_t original) {
   views_.give_back();  // of a model that comes again nobody knows what has changed
+  if (gpu_) gpu_->forget();
   std::erase_if(models_, [&](const auto& entry) { return entry.second->copy.original() == original; });
 }
 
-void RasterRenderer::forget_all() { models_.clear(), views_.give_back(); }
+void RasterRenderer::forget_all() {
+  models_.clear(), views_.give_back();
+  if (gpu_) gpu_->forget();
+}
 
 std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   std::size_t bytes = 0;
@@ -216,6 +220,7 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
   std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
+    if (gpu_) gpu_->forget();
     views_.clear_shown();  // what has changed since then is not known any more
   }
 }

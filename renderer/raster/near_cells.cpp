@@ -97,7 +97,7 @@ void NearCells::update(const RasterScene& scene, float cell, std::uint64_t versi
   if (parts == parts_ && cell_ == cell / over_cell && sets == held_) return;
   since_ = version;
   cell_ = cell / over_cell, parts_ = std::move(parts), held_ = std::move(sets);
-  fill(threads);
+  fill(threads), ++fills_;
 }
 
 }  // namespace pelage

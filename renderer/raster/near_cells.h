@@ -33,6 +33,8 @@ class NearCells {
   /// Of the grid, when what is near became as it is: of places that share cells, and of the mean, all may look
   /// another way since.
   std::uint64_t since() const { return since_; }
+  /// How often they were filled anew.
+  std::uint64_t fills() const { return fills_; }
   std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
 
  private:
@@ -42,7 +44,7 @@ class NearCells {
   std::vector<std::uint16_t> cells_;
   std::vector<std::uint32_t> parts_;                    // that are near
   std::vector<std::shared_ptr<const StrandSet>> held_;  // of each of them
-  std::uint64_t since_ = 0;
+  std::uint64_t since_ = 0, fills_ = 0;
 };
 
 }  // namespace pelage

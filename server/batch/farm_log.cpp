@@ -53,7 +53,6 @@ void FarmLog::begin(int frame, std::size_t done, std::size_t all) {
 
 void FarmLog::saved(const std::string& file) {
   const std::lock_guard lock(mutex_);
-  drawing_ = false;
   write_lines(fmt::format("Saved: '{}'\n", in_one_line(file)));
 }
 

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <future>
+#include <memory>
+#include <utility>
+
 #include "protocol/base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/batch/input_file.h"
@@ -119,31 +123,39 @@ Result<LinearPicture> JobRenderer::blurred(const Piece& piece, const std::functi
   return std::move(mean).take();
 }
 
-Result<FrameAnswer> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
+Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   const JobFrame& frame = piece.frame;
-  const auto texts = [&](const FrameAnswer& answer) {
+  const FileTexts texts = [this, &frame, passed, fingerprint = piece.fingerprint](const FrameAnswer& answer) {
     std::vector<ImageText> said = texts_of(frame, encode(answer.knobs), summary_, fps_, passed.milliseconds() / 1e3);
     for (ImageText& text : said) {
-      if (text.key == fingerprint_text) text.value = piece.fingerprint;
+      if (text.key == fingerprint_text) text.value = fingerprint;
     }
     return said;
   };
   const FrameRequest request = piece.request_at(frame.moment);
+  const auto whole = [](Result<FrameAnswer> answer) -> Result<Encode> {
+    if (!answer) return answer.status();
+    return Encode([kept = std::make_shared<FrameAnswer>(std::move(answer).value())] { return std::move(*kept); });
+  };
   if (!frame.open.empty()) {
     const Result<LinearPicture> mean = blurred(piece, stopped);
-    return mean ? frames_->finish(*mean, request, texts) : mean.status();
+    return whole(mean ? frames_->finish(*mean, request, texts) : mean.status());
   }
   if (Status ready = prepare(frame, frame.moment); !ready.ok()) return ready;
-  return pictures_.frame(scene_, request, stopped, texts);
+  if (request.knobs.method == Method::strands) return whole(pictures_.frame(scene_, request, stopped, texts));
+  const Result<FrameService::Encode> drawn = frames_->begin_frame(scene_, request, stopped);
+  if (!drawn) return drawn.status();
+  return Encode([drawn = *drawn, texts] { return Result<FrameAnswer>(drawn(texts)); });
 }
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   const bool cut = !frame.tiles.empty();
-  const Result<FrameAnswer> answer =
+  const Result<Encode> drawn =
       picture(cut ? piece_of(frame, frame.tiles[frame.tiles.size() / 2]) : whole_of(frame), stopped);
-  if (!answer) return stopped() ? stopped_status() : answer.status();
+  if (!drawn) return stopped() ? stopped_status() : drawn.status();
+  if (const Result<FrameAnswer> answer = (*drawn)(); !answer) return answer.status();
   return passed.milliseconds() / 1e3 * (cut ? static_cast<double>(frame.tiles.size()) : 1);
 }
 
@@ -154,18 +166,18 @@ bool JobRenderer::is_there(const Piece& piece) const {
   return true;
 }
 
-Status JobRenderer::draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped) {
+Result<JobRenderer::Save> JobRenderer::draw(const Piece& piece, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   const std::optional<double>& limit = piece.frame.moment.max_seconds;
   const auto too_slow = [&] { return limit && passed.seconds() > *limit; };
-  const Result<FrameAnswer> answer = picture(piece, [&] { return stopped() || too_slow(); });
-  if (!answer && stopped()) return stopped_status();
-  if (!answer && answer.status().code == Code::unavailable && too_slow())
-    return passed_limit(piece.frame.number, *limit);
-  if (!answer) return answer.status();
-  if (Status written = write_whole(piece.file, answer->bytes); !written.ok()) return written;
-  log.saved(piece.file);
-  return {};
+  const Result<Encode> drawn = picture(piece, [&] { return stopped() || too_slow(); });
+  if (!drawn && stopped()) return stopped_status();
+  if (!drawn && drawn.status().code == Code::unavailable && too_slow()) return passed_limit(piece.frame.number, *limit);
+  if (!drawn) return drawn.status();
+  return Save([drawn = *drawn, &file = piece.file] {
+    const Result<FrameAnswer> answer = drawn();
+    return answer ? write_whole(file, answer->bytes) : answer.status();
+  });
 }
 
 Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLog& log,
@@ -173,20 +185,31 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
   JobOutcome outcome;
   const Stopwatch passed;
   const std::vector<Piece> pieces = pieces_of(frames);
+  std::future<Status> saved;  // the piece before, while the next one is drawn
+  const auto wait = [&] { return saved.valid() ? saved.get() : Status{}; };
   for (const Piece& piece : pieces) {
     if (stopped()) return stopped_status();
     if (options_.skip_existing && is_there(piece)) {
       log.skipped(piece.file), ++outcome.skipped;
     } else {
       log.begin(piece.frame.number, outcome.drawn + outcome.skipped, pieces.size());
-      if (Status drawn = draw(piece, log, stopped); !drawn.ok()) return drawn;
+      const Result<Save> drawn = draw(piece, stopped);
+      if (Status before = wait(); !before.ok()) return before;
+      if (!drawn) return drawn.status();
+      saved = std::async(std::launch::async, [&log, &file = piece.file, save = *drawn] {
+        const Status written = save();
+        if (written.ok()) log.saved(file);
+        return written;
+      });
       ++outcome.drawn;
     }
     if (piece.frame.tiles.empty()) continue;
+    if (Status before = wait(); !before.ok()) return before;
     const Result<bool> merged = merge_tiles(piece.frame, summary_, fps_);
     if (!merged) return merged.status();
     if (*merged) log.saved(piece.frame.file);
   }
+  if (Status before = wait(); !before.ok()) return before;
   log.done(outcome.drawn, outcome.skipped, passed.milliseconds() / 1e3);
   return outcome;
 }

@@ -68,8 +68,13 @@ class JobRenderer {
   static Piece piece_of(const JobFrame& frame, const JobTile& tile);
   std::vector<Piece> pieces_of(const std::vector<JobFrame>& frames) const;
   bool is_there(const Piece& piece) const;
-  Status draw(const Piece& piece, FarmLog& log, const std::function<bool()>& stopped);
-  Result<FrameAnswer> picture(const Piece& piece, const std::function<bool()>& stopped);
+  /// What writes a piece's file.
+  using Save = std::function<Status()>;
+  /// Draws a piece; fails as drawing all does.
+  Result<Save> draw(const Piece& piece, const std::function<bool()>& stopped);
+  /// What gives the file of a piece that is drawn.
+  using Encode = std::function<Result<FrameAnswer>()>;
+  Result<Encode> picture(const Piece& piece, const std::function<bool()>& stopped);
   /// The mean of the moments at which the shutter is open.
   Result<LinearPicture> blurred(const Piece& piece, const std::function<bool()>& stopped);
 

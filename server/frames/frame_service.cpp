@@ -50,22 +50,31 @@ FrameService::~FrameService() {
   impl_->thread.join();
 }
 
-Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                        const std::function<bool()>& abandoned, const FileTexts& texts) {
+Result<FrameService::Encode> FrameService::begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                                       const std::function<bool()>& abandoned) {
   const YieldGate::Turn turn = impl_->gate.go_first();
   Result<DrawnFrame> drawn =
       impl_->ask(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
   if (!drawn) return drawn.status();
-  FrameAnswer result{.bytes = {},
-                     .content_type = content_type_of(request.format),
-                     .revision = drawn->revision,
-                     .knobs = drawn->frame->knobs,
-                     .timings = drawn->timings,
-                     .counters = drawn->counters,
-                     .estimate = std::move(drawn->estimate)};
-  result.missed = missed_goals(request, result);
-  encode_answer(result, std::move(drawn->picture), request, drawn->placement, impl_->png, texts);
-  return result;
+  const auto frame = std::make_shared<DrawnFrame>(std::move(drawn).value());  // a function can be copied, it can not
+  return Encode([this, frame, request](const FileTexts& texts) {
+    FrameAnswer answer{.bytes = {},
+                       .content_type = content_type_of(request.format),
+                       .revision = frame->revision,
+                       .knobs = frame->frame->knobs,
+                       .timings = frame->timings,
+                       .counters = frame->counters,
+                       .estimate = std::move(frame->estimate)};
+    answer.missed = missed_goals(request, answer);
+    encode_answer(answer, std::move(frame->picture), request, frame->placement, impl_->png, texts);
+    return answer;
+  });
+}
+
+Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                        const std::function<bool()>& abandoned, const FileTexts& texts) {
+  const Result<Encode> encode = begin_frame(scene, request, abandoned);
+  return encode ? (*encode)(texts) : Result<FrameAnswer>(encode.status());
 }
 
 Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,

@@ -76,7 +76,13 @@ class FrameService {
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
-  /// The same before it is finished to a file.
+  /// The same in two steps: what gives the file of a frame that is drawn, on any thread, while others are drawn. It is
+  /// called once at most, before this service ends.
+  using Encode = std::function<FrameAnswer(const FileTexts& texts)>;
+  Result<Encode> begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                             const std::function<bool()>& abandoned = {});
+
+  /// A frame's light before it is finished to a file.
   Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                               const std::function<bool()>& abandoned = {});
 

@@ -84,7 +84,7 @@ TEST_P(GpuRasterTwin, DrawsEveryTier) {
   }
 }
 
-/// The creature with its eyes, whiskers and bare skin, wet, under a wide lamp and a spot.
+/// The creature with its eyes, whiskers and bare skin, wet, over the ground.
 GoldenScene whole_creature(int size) {
   GoldenScene scene = small_scene(0, size);
   scene.model.model.name = "creature";
@@ -152,6 +152,33 @@ TEST_P(GpuRasterTwin, FollowsAStroke) {
   Groom groom = scene.model.fields.at(5);
   for (std::uint32_t v = 0; v < 200; ++v) scene.model.fields.set(v, stored_groom(groom.direction, 2 * groom.length, 0));
   expect_same(scene.model, scene.request, "stroke");
+}
+
+TEST_P(GpuRasterTwin, DrawsTwoModelsInTurns) {
+  const GoldenScene first = small_scene(0, 64), second = small_scene(1, 64);
+  const Image of_first = draw(*by_gl, first.model, first.request),
+              of_second = draw(*by_gl, second.model, second.request);
+  EXPECT_NE(of_first.rgba, of_second.rgba);
+  EXPECT_EQ(draw(*by_gl, first.model, first.request).rgba, of_first.rgba);
+  EXPECT_EQ(draw(*by_gl, second.model, second.request).rgba, of_second.rgba);
+}
+
+TEST_P(GpuRasterTwin, LeavesShellsAsTheyAre) {
+  GoldenScene scene = small_scene(3, 64);
+  FrameRequest shells = scene.request;
+  shells.knobs.method = Method::shells;
+  const Image before = draw(*by_gl, scene.model, shells), strands = draw(*by_gl, scene.model, scene.request);
+  EXPECT_EQ(draw(*by_gl, scene.model, shells).rgba, before.rgba);
+  EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, strands.rgba);
+}
+
+TEST_P(GpuRasterTwin, FollowsALight) {
+  GoldenScene scene = small_scene(0, 64);
+  draw(*by_gl, scene.model, scene.request);
+  scene.model.settings.lights.front().direction = {1, -0.2, 0.1};
+  expect_same(scene.model, scene.request, "light_moved");
+  scene.model.settings.lights.resize(1);
+  expect_same(scene.model, scene.request, "one_light");
 }
 
 /// All pictures but those of colours.

@@ -21,7 +21,27 @@ std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t mo
 }  // namespace
 
 BoxStages::BoxStages(const Gl& gl, std::size_t max_bytes)
-    : gl_(gl), max_bytes_(max_bytes), stages_(gl), skin_pixels_(gl), eye_pixels_(gl), ends_(gl), furthest_(gl), blocks_(gl), hidden_(gl), strand_knots_(gl), strand_points_(gl), knots_(gl), points_(gl), tile_entries_(gl), tile_counts_(gl), entries_(gl), others_(gl), sums_(gl), scan_sums_(gl), rows_(gl), encoded_(gl) {
+    : gl_(gl),
+      max_bytes_(max_bytes),
+      stages_(gl),
+      skin_pixels_(gl),
+      eye_pixels_(gl),
+      ends_(gl),
+      furthest_(gl),
+      blocks_(gl),
+      hidden_(gl),
+      strand_knots_(gl),
+      strand_points_(gl),
+      knots_(gl),
+      points_(gl),
+      tile_entries_(gl),
+      tile_counts_(gl),
+      entries_(gl),
+      others_(gl),
+      sums_(gl),
+      scan_sums_(gl),
+      rows_(gl),
+      encoded_(gl) {
   GLint64 most = 0;
   gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   max_bytes_ = std::min(max_bytes_, static_cast<std::size_t>(most));
@@ -74,7 +94,8 @@ bool BoxStages::scan(const DrawnBox& box, const Storage& numbers, std::size_t co
 bool BoxStages::find_skin(const DrawnBox& box, const SceneData& data) {
   constexpr std::array<GLuint, 2> nothing{0, ~GLuint{0}};
   gl_.ClearNamedBufferData(skin_pixels_.id(), GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, nothing.data());
-  if (!begin(Stage::skin, box, {{0, &data.model.vertices}, {1, &data.model.triangles}, {2, &skin_pixels_}})) return false;
+  if (!begin(Stage::skin, box, {{0, &data.model.vertices}, {1, &data.model.triangles}, {2, &skin_pixels_}}))
+    return false;
   for (const int naming : {0, 1}) {
     current_->set("naming", naming);
     stages_.run((box.scene.model->triangles.size() + 7) / 8);
@@ -172,7 +193,8 @@ bool BoxStages::fill_tiles(const DrawnBox& box) {
 }
 
 bool BoxStages::blend(const DrawnBox& box, const SceneData& data) {
-  if (!begin(Stage::blend, box, {{0, &tile_entries_}, {1, &entries_}, {2, &knots_}, {3, &ends_}, {4, &sums_}})) return false;
+  if (!begin(Stage::blend, box, {{0, &tile_entries_}, {1, &entries_}, {2, &knots_}, {3, &ends_}, {4, &sums_}}))
+    return false;
   stages_.run(box.grid());
   if (box.scene.shown == RasterOutput::strand) {
     if (!begin(Stage::name, box,
@@ -260,7 +282,8 @@ bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding, Image
       current_->set("encoding.studio", int{encoding.studio});
   current_->set("encoding.background", encoding.background);
   current_->set("encoding.width", encoding.width), current_->set("encoding.height", encoding.height);
-  current_->set("encoding.largest", encoding.largest), current_->set("light_size", glm::ivec2(scene.width, scene.height));
+  current_->set("encoding.largest", encoding.largest),
+      current_->set("light_size", glm::ivec2(scene.width, scene.height));
   stages_.run((glm::ivec2(encoding.width, encoding.height) + 15) / 16);
   encoded_.read(0, std::span(picture.rgba));
   return true;

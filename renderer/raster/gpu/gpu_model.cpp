@@ -1,11 +1,12 @@
 #include "renderer/raster/gpu/gpu_model.h"
 
+#include <algorithm>
 #include <cstring>
 #include <span>
 
 namespace pelage {
 
-void GpuModel::update(const RasterScene& scene) {
+void GpuModel::update(const RasterScene& scene, bool strands_changed) {
   if (model_ != scene.model->id) {
     send_shape(*scene.model);
     model_ = scene.model->id, images_ = nullptr;
@@ -15,7 +16,7 @@ void GpuModel::update(const RasterScene& scene) {
   if (images && images_ != images) send_texels(*images);
   images_ = images;
   field.send(scene.field);
-  send_grid(scene);
+  send_grid(scene, strands_changed);
   if (scene.sky) sky.send(std::span<const float>(scene.sky->hidden));
 }
 
@@ -47,19 +48,19 @@ void GpuModel::send_texels(const BaseImages& images) {
   texels.send(std::span<const std::int32_t>(words));
 }
 
-void GpuModel::send_grid(const RasterScene& scene) {
-  if (!scene.grid) return;
+void GpuModel::send_grid(const RasterScene& scene, bool strands_changed) {
+  const DensityGrid& grid = *scene.grid;
   const auto lights = static_cast<std::size_t>(scene.optics.lights);
-  if (grid_ != scene.grid || grid_version_ != scene.grid->version()) {
-    crossed.reserve(std::max<std::size_t>(lights * scene.grid->place().count() * sizeof(Crossed), 16));
-    for (std::size_t light = 0; light < lights; ++light)
-      crossed.send_at(light * scene.grid->place().count() * sizeof(Crossed), scene.grid->crossed(light));
-    grid_ = scene.grid, grid_version_ = scene.grid->version();
+  const std::size_t bytes = grid.place().count() * sizeof(Crossed);
+  if (strands_changed || grid_version_ != grid.version() || lights_ != lights) {
+    crossed.reserve(std::max<std::size_t>(lights * bytes, 16));
+    for (std::size_t light = 0; light < lights; ++light) crossed.send_at(light * bytes, grid.crossed(light));
+    grid_version_ = grid.version(), lights_ = lights;
   }
-  if (!scene.near || scene.near->cells().empty()) return;
-  if (near_ == scene.near && near_since_ == scene.near->since()) return;
-  near.send(scene.near->cells());
-  near_ = scene.near, near_since_ = scene.near->since();
+  const NearCells& cells = *scene.near;
+  if (cells.cells().empty() || (!strands_changed && near_fills_ == cells.fills())) return;
+  near.send(cells.cells());
+  near_fills_ = cells.fills();
 }
 
 }  // namespace pelage

@@ -15,7 +15,8 @@ class GpuModel {
   explicit GpuModel(const Gl& gl)
       : vertices(gl), triangles(gl), corners(gl), looks(gl), texels(gl), field(gl), crossed(gl), near(gl), sky(gl) {}
 
-  void update(const RasterScene& scene);
+  /// `strands_changed`: those of the scene are not the ones that were there, and so its cells may be others.
+  void update(const RasterScene& scene, bool strands_changed);
 
   // As the stages read them.
   Storage vertices, triangles, corners, looks, texels, field, crossed, near, sky;
@@ -24,15 +25,13 @@ class GpuModel {
   void send_shape(const FurModel& model);
   void send_looks(const RasterScene& scene);
   void send_texels(const BaseImages& images);
-  void send_grid(const RasterScene& scene);
+  void send_grid(const RasterScene& scene, bool strands_changed);
 
   std::uint64_t model_ = 0;
   const BaseImages* images_ = nullptr;
   std::vector<std::array<SkinLook, 3>> held_looks_;
-  const DensityGrid* grid_ = nullptr;
-  std::uint64_t grid_version_ = 0;
-  const NearCells* near_ = nullptr;
-  std::uint64_t near_since_ = 0;
+  std::uint64_t grid_version_ = 0, near_fills_ = 0;
+  std::size_t lights_ = 0;
 };
 
 }  // namespace pelage

@@ -1,6 +1,7 @@
 #include "renderer/raster/gpu/gpu_raster.h"
 
 #include <algorithm>
+#include <list>
 #include <utility>
 
 #include "renderer/raster/gpu/box_stages.h"
@@ -9,9 +10,28 @@
 namespace pelage {
 
 struct GpuRaster::Held {
+  static constexpr std::size_t max_scenes =
+      4;  // that are kept, so that who grooms beside others does not send all anew
+
+  struct Scene {
+    const DensityGrid* of;  // whose fur and light are there: each model has one
+    SceneData data;
+  };
+
   const Gl& gl;
-  SceneData data;
   BoxStages stages;
+  std::list<Scene> scenes = {};  // the last one first
+
+  SceneData& data_of(const RasterScene& scene) {
+    const auto found = std::ranges::find(scenes, scene.grid, &Scene::of);
+    if (found != scenes.end()) {
+      scenes.splice(scenes.begin(), scenes, found);
+    } else {
+      if (scenes.size() == max_scenes) scenes.pop_back();
+      scenes.push_front({scene.grid, SceneData(gl)});
+    }
+    return scenes.front().data;
+  }
 };
 
 Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl, std::size_t max_bytes) {
@@ -26,8 +46,10 @@ Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl, std::size_t m
 }
 
 GpuRaster::GpuRaster(const Gl& gl, std::size_t max_bytes)
-    : held_(std::make_unique<Held>(Held{gl, SceneData(gl), BoxStages(gl, max_bytes)})) {}
+    : held_(std::make_unique<Held>(Held{gl, BoxStages(gl, max_bytes)})) {}
 GpuRaster::~GpuRaster() = default;
+
+void GpuRaster::forget() { held_->scenes.clear(); }
 
 bool GpuRaster::can_draw(std::span<const GrownPart> parts) const {
   std::size_t groups = 0;
@@ -43,9 +65,9 @@ int GpuRaster::box_pixels() const {
 }
 
 Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts) {
-  SceneData& data = held_->data;
+  SceneData& data = held_->data_of(scene);
   BoxStages& stages = held_->stages;
-  data.pool.update(scene.parts);
+  data.send_strands(scene);
   const StrandPlan strands = strand_plan(scene, pixels, data.pool);
   const DrawnBox box{scene, pixels, strands, tiles_of(pixels)};
   data.send(box);

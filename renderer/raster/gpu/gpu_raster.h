@@ -39,6 +39,9 @@ class GpuRaster {
   /// the means, of smaller enlarged (ResizedLight). None where it does not fit into one box. Fails as draw_box.
   Result<std::optional<Image>> draw_picture(const RasterScene& scene, const Encoding& encoding);
 
+  /// Drops what was sent of scenes: after any of them has gone.
+  void forget();
+
   /// Adds the milliseconds of each stage to `times` from here on, for who measures; null for no more.
   void measure(std::map<Stage, double>* times);
   /// Whether the GL was reset: it draws nothing more.

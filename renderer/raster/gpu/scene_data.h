@@ -53,7 +53,9 @@ class SceneData {
         skin_(gl),
         scene_(gl) {}
 
-  /// All but the strands, which the plan is made of: pool.update comes before.
+  /// The strands of a scene, before a plan is made of them.
+  void send_strands(const RasterScene& scene) { strands_changed_ = pool.update(scene.parts) || strands_changed_; }
+  /// All else.
   void send(const DrawnBox& box);
   void send_plan(const StrandPlan& strands);
   void send_rooms(const DrawnBox& box, const StageRooms& rooms) {
@@ -70,6 +72,7 @@ class SceneData {
   void send_eyes(const EyeOptics& optics);
 
   Uniforms frame_, scattering_, skin_, scene_;
+  bool strands_changed_ = true;  // since all else was sent
 };
 
 }  // namespace pelage

@@ -24,7 +24,7 @@ std::size_t StrandPool::bytes_for(std::span<const GrownPart> parts) {
   return std::max(points * sizeof(StrandPoint), words * sizeof(std::uint32_t));
 }
 
-void StrandPool::update(std::span<const GrownPart> parts) {
+bool StrandPool::update(std::span<const GrownPart> parts) {
   const auto fits = [&](std::size_t i) {
     return parts[i].strands->points.size() <= places_[i].point_room &&
            words_of(*parts[i].strands) <= places_[i].word_room;
@@ -32,8 +32,10 @@ void StrandPool::update(std::span<const GrownPart> parts) {
   bool whole = places_.size() == parts.size();
   for (std::size_t i = 0; i < parts.size() && whole; ++i) whole = fits(i);
   if (!whole) divide(parts);
+  bool sent = false;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (places_[i].strands != parts[i].strands) send(parts[i], places_[i]);
+    if (places_[i].strands.lock() != parts[i].strands) send(parts[i], places_[i]), sent = true;
+  return sent;
 }
 
 void StrandPool::divide(std::span<const GrownPart> parts) {

@@ -20,8 +20,8 @@ class StrandPool {
  public:
   explicit StrandPool(const Gl& gl) : points_(gl), words_(gl) {}
 
-  /// Sends the parts that are not as they are held.
-  void update(std::span<const GrownPart> parts);
+  /// Sends the parts that are not as they are held. Whether there were any.
+  bool update(std::span<const GrownPart> parts);
   /// Of that number.
   PooledStrands at(std::size_t part) const { return places_[part].at; }
   const Storage& points() const { return points_; }
@@ -31,7 +31,7 @@ class StrandPool {
 
  private:
   struct Place {
-    std::shared_ptr<const StrandSet> strands;  // that are there
+    std::weak_ptr<const StrandSet> strands;  // that are there
     PooledStrands at;
     std::size_t point_room = 0, word_room = 0;
   };
