@@ -119,6 +119,16 @@ TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
   fuzz(*renderer, "pelage_fuzz" + std::to_string(static_cast<int>(GetParam())), "max_success=2 seed=1", true);
 }
 
+class FuzzOfGlStrands : public OnBackend {};
+
+/// What a GPU draws, by a software GL.
+TEST_P(FuzzOfGlStrands, AnySceneIsFiniteAndTheSameTwice) {
+  const Result<Renderer*> renderer = stage.strands_renderer(GetParam());
+  ASSERT_TRUE(renderer.ok()) << renderer.status().message;
+  fuzz(**renderer, "pelage_fuzz_gl_strands" + std::to_string(static_cast<int>(GetParam())), "max_success=2 seed=1",
+       false);
+}
+
 /// What a server without a GPU draws, without a GL that would take most of the time.
 TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
   const Result<std::unique_ptr<Renderer>> renderer = make_renderer(nullptr, 2);
@@ -127,6 +137,7 @@ TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Fuzz, both_backends(), name_of);
+INSTANTIATE_TEST_SUITE_P(Both, FuzzOfGlStrands, both_backends(), name_of);
 
 }  // namespace
 }  // namespace pelage::testing::fuzz_test

@@ -523,10 +523,9 @@ class PickFarthest(_PickFarthestRequired, total=False):
 class Knobs(TypedDict, total=False):
     """What a frame is drawn with. What is not given is as in the interactive tier.
 
-    method: How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized on the CPU.
-        strands: every strand of the coat, ray traced. shells: skin and fur alone in layers, by a GL; refused with 422
-        where the server has none. It draws no eyes, curves, ground, overlays, and of AOVs beauty and alpha. Default
-        "raster".
+    method: How fur is drawn. raster: the strands of the coat, or an even share of them, rasterized. strands: every
+        strand of the coat, ray traced. shells: skin and fur alone in layers, by a GL; refused with 422 where the
+        server has none. It draws no eyes, curves, ground, overlays, and of AOVs beauty and alpha. Default "raster".
     scale: Rendered size over asked size. Times width and height at most 8192; the tier detailed has 2. 0.25 to 2
         (factor). Default 1.
     eye_steps: Steps into the iris of each eye: 0 a flat disc, 1 refracted and seen at its depth, more: steps of ray

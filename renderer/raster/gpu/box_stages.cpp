@@ -273,8 +273,8 @@ void BoxStages::read(const RasterScene& scene, const PixelBox& box, FloatImage& 
   }
 }
 
-bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding, Image& picture) {
-  encoded_.reserve(picture.rgba.size());
+bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding) {
+  encoded_.reserve(words * static_cast<std::size_t>(encoding.width) * static_cast<std::size_t>(encoding.height));
   current_ = stages_.begin(Stage::finish, scene.shown, {{0, &rows_}, {1, &encoded_}});
   if (!current_) return false;
   current_->set("encoding.exposure", encoding.exposure), current_->set("encoding.filmic", int{encoding.filmic});
@@ -285,7 +285,6 @@ bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding, Image
   current_->set("encoding.largest", encoding.largest),
       current_->set("light_size", glm::ivec2(scene.width, scene.height));
   stages_.run((glm::ivec2(encoding.width, encoding.height) + 15) / 16);
-  encoded_.read(0, std::span(picture.rgba));
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "renderer/finish/encode.h"
 #include "renderer/image/float_image.h"
@@ -31,8 +32,10 @@ class BoxStages {
   bool take_more_room(const Totals& found);
   /// The rows of a box, of tiles that are drawn, into the picture.
   void read(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
-  /// The rows, which are the whole of the scene's picture, in eight bits. False as draw.
-  bool encode(const RasterScene& scene, const Encoding& encoding, Image& picture);
+  /// Encodes the rows, which are the whole of the scene's picture. False as draw.
+  bool encode(const RasterScene& scene, const Encoding& encoding);
+  /// That, into a picture of its size.
+  void read(Image& picture) const { encoded_.read(0, std::span(picture.rgba)); }
 
   std::size_t max_bytes() const { return max_bytes_; }
   Stages& stages() { return stages_; }

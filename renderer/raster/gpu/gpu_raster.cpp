@@ -64,7 +64,8 @@ int GpuRaster::box_pixels() const {
   return static_cast<int>(std::min(held_->stages.max_bytes() / 32, most));
 }
 
-Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts) {
+Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts,
+                                  const Encoding* encoding) {
   SceneData& data = held_->data_of(scene);
   BoxStages& stages = held_->stages;
   data.send_strands(scene);
@@ -74,7 +75,7 @@ Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixe
   Totals found;
   do {
     data.send_plan(strands);  // without what stages have found of its parts
-    if (!stages.draw(box, data)) return stages.stages().failure();
+    if (!stages.draw(box, data) || (encoding && !stages.encode(scene, *encoding))) return stages.stages().failure();
     found = stages.totals();
     lost_ = held_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
     if (lost_) return failure(Code::unavailable, "the GL was reset");
@@ -96,11 +97,11 @@ Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, c
   RasterCounts counts;
   const PixelBox whole{0, 0, scene.width, scene.height};
   if (scene.width * std::int64_t{scene.height} > box_pixels()) return std::optional<Image>();
-  const Result<bool> drawn = draw_rows(scene, whole, counts);
+  const Result<bool> drawn = draw_rows(scene, whole, counts, &encoding);
   if (!drawn) return drawn.status();
   if (!*drawn) return std::optional<Image>();
   auto picture = empty_picture<Image>(encoding.width, encoding.height);
-  if (!held_->stages.encode(scene, encoding, picture)) return held_->stages.stages().failure();
+  held_->stages.read(picture);
   return std::optional<Image>(std::move(picture));
 }
 

@@ -49,8 +49,10 @@ class GpuRaster {
 
  private:
   GpuRaster(const Gl& gl, std::size_t max_bytes);
-  /// Draws a box as far as rows of pixels on the GPU; false where there is no room for it.
-  Result<bool> draw_rows(const RasterScene& scene, const PixelBox& box, RasterCounts& counts);
+  /// Draws a box as far as rows of pixels on the GPU, and encodes them where that is given; false where there is no
+  /// room for it.
+  Result<bool> draw_rows(const RasterScene& scene, const PixelBox& box, RasterCounts& counts,
+                         const Encoding* encoding = nullptr);
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
 
   struct Held;
