@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t words = sizeof(std::uint32_t);
+constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 constexpr std::size_t knot_bytes = 24, point_bytes = 16, entry_bytes = 8;
 
 /// Enough for a little more, so that the next frame has room at once.
@@ -69,13 +69,15 @@ bool BoxStages::has_room_for(const Totals& found) const {
 void BoxStages::reserve(const DrawnBox& box) {
   const auto tiles = static_cast<std::size_t>(box.tiles.count()), pixels = tiles * tile_pixels;
   const std::size_t strands = box.strands.strands() + std::size_t{1};
-  skin_pixels_.reserve(pixels * 2 * words), eye_pixels_.reserve(box.scene.eyes.empty() ? 16 : pixels * 2 * words);
-  ends_.reserve(pixels * words), sums_.reserve(pixels * 4 * words);
-  furthest_.reserve(tiles * words), blocks_.reserve(tiles * 16 * words), hidden_.reserve(tiles * 16 * words);
-  tile_entries_.reserve((tiles + 1) * words), tile_counts_.reserve((tiles + 1) * words);
-  rows_.reserve(sizeof(Totals) + pixels * 4 * words);
-  strand_knots_.reserve(strands * words), strand_points_.reserve(strands * words);
-  scan_sums_.reserve((std::max(strands, tiles + 1) / 1024 + 2) * words);
+  skin_pixels_.reserve(pixels * 2 * word_bytes),
+      eye_pixels_.reserve(box.scene.eyes.empty() ? 16 : pixels * 2 * word_bytes);
+  ends_.reserve(pixels * word_bytes), sums_.reserve(pixels * 4 * word_bytes);
+  furthest_.reserve(tiles * word_bytes), blocks_.reserve(tiles * 16 * word_bytes),
+      hidden_.reserve(tiles * 16 * word_bytes);
+  tile_entries_.reserve((tiles + 1) * word_bytes), tile_counts_.reserve((tiles + 1) * word_bytes);
+  rows_.reserve(sizeof(Totals) + pixels * 4 * word_bytes);
+  strand_knots_.reserve(strands * word_bytes), strand_points_.reserve(strands * word_bytes);
+  scan_sums_.reserve((std::max(strands, tiles + 1) / 1024 + 2) * word_bytes);
   knots_.reserve(rooms_.knots * knot_bytes), points_.reserve(rooms_.points * point_bytes);
   entries_.reserve(rooms_.entries * entry_bytes), others_.reserve(rooms_.entries * entry_bytes);
 }
@@ -274,7 +276,7 @@ void BoxStages::read(const RasterScene& scene, const PixelBox& box, FloatImage& 
 }
 
 bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding) {
-  encoded_.reserve(words * static_cast<std::size_t>(encoding.width) * static_cast<std::size_t>(encoding.height));
+  encoded_.reserve(word_bytes * static_cast<std::size_t>(encoding.width) * static_cast<std::size_t>(encoding.height));
   current_ = stages_.begin(Stage::finish, scene.shown, {{0, &rows_}, {1, &encoded_}});
   if (!current_) return false;
   current_->set("encoding.exposure", encoding.exposure), current_->set("encoding.filmic", int{encoding.filmic});

@@ -41,11 +41,11 @@ void GpuModel::send_looks(const RasterScene& scene) {
 
 void GpuModel::send_texels(const BaseImages& images) {
   static_assert(sizeof(BaseImages::Level) == 3 * sizeof(std::int32_t));
-  std::vector<std::int32_t> words;
+  std::vector<std::int32_t> sent;
   for (const BaseImages::Level& level : images.levels)
-    words.insert(words.end(), {level.width, level.height, level.first});
-  words.insert(words.end(), images.texels.begin(), images.texels.end());
-  texels.send(std::span<const std::int32_t>(words));
+    sent.insert(sent.end(), {level.width, level.height, level.first});
+  sent.insert(sent.end(), images.texels.begin(), images.texels.end());
+  texels.send(std::span<const std::int32_t>(sent));
 }
 
 void GpuModel::send_grid(const RasterScene& scene, bool strands_changed) {
