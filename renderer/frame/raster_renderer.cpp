@@ -163,7 +163,7 @@ bool RasterRenderer::lost_gl() const { return gpu_ && gpu_->lost(); }
 
 bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times) {
   const DrawClock clock(times);
-  return gpu_ && gpu_->can_draw(grown(frame, growth).fur.parts());
+  return gpu_ && gpu_->can_draw(models_.at(frame.model)->copy.model(), grown(frame, growth).fur.parts());
 }
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
@@ -232,13 +232,27 @@ RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, 
   return scene;
 }
 
-Status RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times,
+bool RasterRenderer::cpu_goes_on(const Status& failed) {
+  if (failed.ok() || failed.code == Code::conflict || lost_gl()) return false;
+  if (failed.code == Code::unavailable) take_gl(nullptr);
+  return true;
+}
+
+Status RasterRenderer::draw_area(const FurFrame& frame, const Area& area, Wanted& wanted, DrawTimes& times,
                                  const Pause& pause, FloatImage& picture) {
   FurFrame part = frame;
   part.crop = Crop{area.left, area.top, area.width, area.height};
+  if (wanted.by_gpu) {
+    const Status drawn = draw_boxes(frame, Raster::boxes_of(part, gpu_->box_pixels()), wanted, times, pause, picture);
+    if (!cpu_goes_on(drawn)) return drawn;
+    wanted.by_gpu = false;
+  }
+  return draw_boxes(frame, Raster::boxes_of(part), wanted, times, pause, picture);
+}
+
+Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBox> boxes, const Wanted& wanted,
+                                  DrawTimes& times, const Pause& pause, FloatImage& picture) {
   RasterCounts counts;
-  const std::vector<PixelBox> boxes =
-      wanted.by_gpu ? Raster::boxes_of(part, gpu_->box_pixels()) : Raster::boxes_of(part);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
@@ -246,9 +260,10 @@ Status RasterRenderer::draw_area(const FurFrame& frame, const Area& area, const 
     const RasterScene scene = scene_of(standing, frame, wanted);
     if (!wanted.by_gpu) {
       standing.raster->draw_box(scene, boxes[i], picture, counts);
-    } else if (Status drawn = gpu_->draw_box(scene, boxes[i], picture, counts); !drawn.ok()) {
-      return drawn;
+      continue;
     }
+    if (!gpu_) return failure(Code::unavailable, "the GL has gone");  // others lost it in the pause
+    if (Status drawn = gpu_->draw_box(scene, boxes[i], picture, counts); !drawn.ok()) return drawn;
   }
   return {};
 }
@@ -362,8 +377,8 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   const FurFrame drawn = scaled(frame);
   CachedView view = views_.take(frame, format);
   std::optional<ShownFrame> shown = std::exchange(view.shown, {});
-  const bool by_gpu = draws_on_gpu(drawn, Growth::as_kept, times);
-  if (by_gpu) shown.reset();  // the whole is drawn in less than it takes to find what has changed
+  Wanted wanted{RasterOutput::light, {}, nullptr, Growth::as_kept, draws_on_gpu(drawn, Growth::as_kept, times)};
+  if (wanted.by_gpu) shown.reset();  // the whole is drawn in less than it takes to find what has changed
   if (!shown) view.light = empty_picture<FloatImage>(drawn.width, drawn.height);
   Area area = whole_area(drawn);
   std::optional<TileMask> tiles;
@@ -373,7 +388,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
     const PixelBox box = tiles->bounds();
     area = common_area(area, {box.left, box.top, box.right - box.left, box.bottom - box.top});
   }
-  const Wanted wanted{RasterOutput::light, {}, tiles ? &*tiles : nullptr, Growth::as_kept, by_gpu};
+  wanted.tiles = tiles ? &*tiles : nullptr;
   if (area.pixels() > 0)
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
@@ -381,12 +396,12 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;
-  const bool darkens = frame.ground && !by_gpu;
+  const bool darkens = frame.ground && !wanted.by_gpu;
   if (darkens) light = view.light, darken(drawn, standing, {RasterOutput::light}, light);
   Picture picture = finish(view, darkens ? light : view.light, area);
   const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
   times.counters.redrawn = pixels / static_cast<double>(view.pixels());
-  views_.keep(std::move(view));
+  if (!wanted.by_gpu) views_.keep(std::move(view));
   return picture;
 }
 
@@ -395,8 +410,10 @@ Result<std::optional<Image>> RasterRenderer::draw_on_gpu(const FurFrame& frame, 
   if (!draws_on_gpu(drawn, Growth::as_kept, times)) return std::optional<Image>();
   const DrawClock clock(times);
   const RasterScene scene = scene_of(grown(drawn, Growth::as_kept), drawn, {RasterOutput::light});
+  Result<std::optional<Image>> picture = gpu_->draw_picture(scene, encoding_of(frame, 255));
+  if (!picture && cpu_goes_on(picture.status())) return std::optional<Image>();
   times.counters.redrawn = 1;
-  return gpu_->draw_picture(scene, encoding_of(frame, 255));
+  return picture;
 }
 
 Result<Image> RasterRenderer::draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times,

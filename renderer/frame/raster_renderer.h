@@ -34,6 +34,7 @@ class RasterRoom;
 enum class RasterOutput;
 struct RasterScene;
 struct SkinLook;
+struct PixelBox;
 class TileMask;
 
 /// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
@@ -54,14 +55,14 @@ class RasterRenderer {
   std::size_t update(std::uint64_t model, const FurFields& fields);
   void forget(std::uint64_t original);
   void forget_all();
-  /// Of all copies of a model (FurModel::original), with their strands.
+  /// Of all copies of a model (FurModel::original), with their strands; not what a GPU has of them.
   std::size_t bytes_of(std::uint64_t original) const;
 
   /// Grows what the frame shows and has changed, which drawing it else does first.
   void grow(const FurFrame& frame);
 
   // As Renderer has them, but that with a crop what lies outside it is not drawn; `overlay` is of the frame's size,
-  // null for none. The pause is called between boxes of about a million pixels.
+  // null for none. The pause is called between boxes: of about a million pixels on the CPU, of 16 on a GPU.
   Result<Image> draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
   Result<Image16> draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes& times,
@@ -90,10 +91,16 @@ class RasterRenderer {
     bool by_gpu = false;
   };
   RasterScene scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const;
-  /// Draws an area of a frame that has the size of its light into a picture, by the GPU with its ground. Fails with
-  /// conflict when it is given up, and as GpuRaster::draw_box.
-  Status draw_area(const FurFrame& frame, const Area& area, const Wanted& wanted, DrawTimes& times, const Pause& pause,
+  /// Draws an area of a frame that has the size of its light into a picture: by the GPU, with its ground, where it is
+  /// wanted and can, which `wanted` says afterwards. Fails with conflict when it is given up, and with unavailable when
+  /// the GL was lost.
+  Status draw_area(const FurFrame& frame, const Area& area, Wanted& wanted, DrawTimes& times, const Pause& pause,
                    FloatImage& picture);
+  Status draw_boxes(const FurFrame& frame, std::span<const PixelBox> boxes, const Wanted& wanted, DrawTimes& times,
+                    const Pause& pause, FloatImage& picture);
+  /// Whether a failure of the GPU is one that the CPU makes up for. A GPU that cannot build a shader draws nothing
+  /// more.
+  bool cpu_goes_on(const Status& failed);
   /// Whether the GPU draws a frame's strands, which are grown first.
   bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
   /// A whole picture that nothing lies over, finished on the GPU; none where it does not draws_on_gpu or has no room.

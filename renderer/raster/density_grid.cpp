@@ -297,6 +297,7 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
       threads);
   lights_.erase(lights_.begin() + static_cast<std::ptrdiff_t>(std::min(lights.size(), lights_.size())), lights_.end());
   for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (made[i] || !cells[i].empty()) crossed_version_ = version_;
     if (made[i]) {
       if (i == lights_.size())
         lights_.push_back(std::move(*made[i]));

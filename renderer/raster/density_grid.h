@@ -49,6 +49,8 @@ class DensityGrid {
   std::uint64_t version() const { return version_; }
   /// Of the last update that changed fur.
   std::uint64_t fur_version() const { return fur_version_; }
+  /// Of the last update that changed what a light crosses.
+  std::uint64_t crossed_version() const { return crossed_version_; }
   /// Whether all may be another since then.
   bool all_changed(std::uint64_t since) const { return since < whole_version_; }
   BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
@@ -86,7 +88,7 @@ class DensityGrid {
   std::vector<GrownPart> held_;  // what is in it of each part; no strands for nothing
   std::uint64_t model_ = 0;
   std::vector<LightCells> lights_;
-  std::uint64_t version_ = 0, fur_version_ = 0, whole_version_ = 0;
+  std::uint64_t version_ = 0, fur_version_ = 0, crossed_version_ = 0, whole_version_ = 0;
   glm::ivec3 blocks_{0};
   // Of each block: the version that changed anything that is read there, that changed its fur, and whether it has skin.
   std::vector<std::uint64_t> of_block_, fur_of_block_;

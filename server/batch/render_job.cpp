@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <utility>
@@ -126,13 +127,14 @@ Result<LinearPicture> JobRenderer::blurred(const Piece& piece, const std::functi
 Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
   const Stopwatch passed;
   const JobFrame& frame = piece.frame;
-  const FileTexts texts = [this, &frame, passed, fingerprint = piece.fingerprint](const FrameAnswer& answer) {
-    std::vector<ImageText> said = texts_of(frame, encode(answer.knobs), summary_, fps_, passed.milliseconds() / 1e3);
+  const auto texts_after = [this, &frame, fingerprint = piece.fingerprint](const FrameAnswer& answer, double seconds) {
+    std::vector<ImageText> said = texts_of(frame, encode(answer.knobs), summary_, fps_, seconds);
     for (ImageText& text : said) {
       if (text.key == fingerprint_text) text.value = fingerprint;
     }
     return said;
   };
+  const FileTexts texts = [&](const FrameAnswer& answer) { return texts_after(answer, passed.seconds()); };
   const FrameRequest request = piece.request_at(frame.moment);
   const auto whole = [](Result<FrameAnswer> answer) -> Result<Encode> {
     if (!answer) return answer.status();
@@ -146,7 +148,10 @@ Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::
   if (request.knobs.method == Method::strands) return whole(pictures_.frame(scene_, request, stopped, texts));
   const Result<FrameService::Encode> drawn = frames_->begin_frame(scene_, request, stopped);
   if (!drawn) return drawn.status();
-  return Encode([drawn = *drawn, texts] { return Result<FrameAnswer>(drawn(texts)); });
+  return Encode([drawn = *drawn, texts_after, seconds = passed.seconds()] {
+    const FileTexts said = [&](const FrameAnswer& answer) { return texts_after(answer, seconds); };
+    return Result<FrameAnswer>(drawn(said));
+  });
 }
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
@@ -186,19 +191,24 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
   const Stopwatch passed;
   const std::vector<Piece> pieces = pieces_of(frames);
   std::future<Status> saved;  // the piece before, while the next one is drawn
+  std::atomic<bool> failed{false};
   const auto wait = [&] { return saved.valid() ? saved.get() : Status{}; };
+  const auto ends = [&] { return stopped() || failed; };
   for (const Piece& piece : pieces) {
-    if (stopped()) return stopped_status();
+    if (ends()) {
+      Status before = wait();
+      return before.ok() ? stopped_status() : before;
+    }
     if (options_.skip_existing && is_there(piece)) {
       log.skipped(piece.file), ++outcome.skipped;
     } else {
       log.begin(piece.frame.number, outcome.drawn + outcome.skipped, pieces.size());
-      const Result<Save> drawn = draw(piece, stopped);
+      const Result<Save> drawn = draw(piece, ends);
       if (Status before = wait(); !before.ok()) return before;
       if (!drawn) return drawn.status();
-      saved = std::async(std::launch::async, [&log, &file = piece.file, save = *drawn] {
+      saved = std::async(std::launch::async, [&log, &failed, &file = piece.file, save = *drawn] {
         const Status written = save();
-        if (written.ok()) log.saved(file);
+        written.ok() ? log.saved(file) : static_cast<void>(failed = true);
         return written;
       });
       ++outcome.drawn;

@@ -73,6 +73,7 @@ Result<FrameService::Encode> FrameService::begin_frame(const std::shared_ptr<Sce
 
 Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                         const std::function<bool()>& abandoned, const FileTexts& texts) {
+  const YieldGate::Turn turn = impl_->gate.go_first();  // while it is encoded too
   const Result<Encode> encode = begin_frame(scene, request, abandoned);
   return encode ? (*encode)(texts) : Result<FrameAnswer>(encode.status());
 }

@@ -41,7 +41,9 @@ class GpuRasterTwin : public OnBackend {
 
   /// Within the thresholds of issue 44. PELAGE_PICTURES: a folder that both pictures go to.
   void expect_same(const FurredModel& model, const FrameRequest& request, const std::string& name) {
-    const Image expected = draw(by_cpu, model, request), drawn = draw(*by_gl, model, request);
+    const Image expected = draw(by_cpu, model, request);
+    gl().take_counts();
+    const Image drawn = draw(*by_gl, model, request);
     EXPECT_GT(gl().take_counts().programs, 0u) << name << " was not drawn by the GL";
     EXPECT_LE(mean_difference(expected, drawn), 1) << name;
     EXPECT_LE(flip_between(expected, drawn), 0.02) << name;
@@ -221,6 +223,20 @@ TEST_P(GpuRasterTwin, DrawsAnewAfterItsGlWasReset) {
   ASSERT_TRUE((*renderer)->take_gl(&gl()).ok());
   EXPECT_FALSE((*renderer)->lost_gl());
   EXPECT_EQ(draw(**renderer, scene.model, scene.request).rgba, expected.rgba);
+}
+
+TEST_P(GpuRasterTwin, LeavesToTheCpuWhatItHasNoMemoryFor) {
+  const GoldenScene scene = small_scene(3, 64);  // with its ground, which either drawer darkens once
+  Gl poor = gl();
+  poor.GetError = [] {
+    static bool is_first = false;
+    is_first = !is_first;
+    return GLenum{is_first ? GL_OUT_OF_MEMORY : GL_NO_ERROR};
+  };
+  const auto renderer = Renderer::create(poor, {.threads = 2, .software_gl_draws_strands = true});
+  ASSERT_TRUE(renderer.ok());
+  EXPECT_EQ(draw(**renderer, scene.model, scene.request).rgba, draw(by_cpu, scene.model, scene.request).rgba);
+  EXPECT_TRUE((*renderer)->strands_by_gl());  // the next one may fit
 }
 
 /// Light of a scene by a GL with buffers of so many bytes at most.

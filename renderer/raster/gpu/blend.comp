@@ -74,8 +74,8 @@ float covered_by(FlatSegment s, vec2 off, out float share) {
 
 // What is added to sums for a segment, by its weight of what got through so far.
 vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
-#if defined SHOWN_STRAND  // knot of the one that covers most, where on it, how much
-  return weight > sum.z ? vec3(uintBitsToFloat(s.knot + 1), share, weight) : sum;
+#if defined SHOWN_STRAND  // knot of the one that covers most, with a bit that makes it a float; where on it, how much
+  return weight > sum.z ? vec3(uintBitsToFloat(knot_bit | s.knot), share, weight) : sum;
 #elif defined SHOWN_DISTANCE
   return sum + vec3(weight / max(share * s.more_inverse + s.inverse, 1e-12), 0.0, 0.0);
 #elif defined SHOWN_COUNT

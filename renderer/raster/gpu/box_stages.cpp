@@ -18,6 +18,14 @@ std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t mo
   return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, most));
 }
 
+/// Before anything was found.
+StageRooms first_rooms(std::size_t max_bytes) {
+  const auto held = [=](std::size_t room, std::size_t bytes) {
+    return static_cast<std::uint32_t>(std::min(room, max_bytes / bytes));
+  };
+  return {held(1 << 16, knot_bytes), held(1 << 16, point_bytes), held(1 << 18, entry_bytes)};
+}
+
 }  // namespace
 
 BoxStages::BoxStages(const Gl& gl, std::size_t max_bytes)
@@ -33,7 +41,7 @@ BoxStages::BoxStages(const Gl& gl, std::size_t max_bytes)
       strand_knots_(gl),
       strand_points_(gl),
       knots_(gl),
-      points_(gl),
+      lit_points_(gl),
       tile_entries_(gl),
       tile_counts_(gl),
       entries_(gl),
@@ -45,6 +53,15 @@ BoxStages::BoxStages(const Gl& gl, std::size_t max_bytes)
   GLint64 most = 0;
   gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   max_bytes_ = std::min(max_bytes_, static_cast<std::size_t>(most));
+  rooms_ = first_rooms(max_bytes_);
+}
+
+void BoxStages::give_back() {
+  for (Storage* storage :
+       {&skin_pixels_, &eye_pixels_, &ends_, &furthest_, &blocks_, &hidden_, &strand_knots_, &strand_points_, &knots_,
+        &lit_points_, &tile_entries_, &tile_counts_, &entries_, &others_, &sums_, &scan_sums_, &rows_, &encoded_})
+    *storage = Storage(gl_);
+  rooms_ = first_rooms(max_bytes_);
 }
 
 bool BoxStages::begin(Stage stage, const DrawnBox& box, std::initializer_list<StageStorage> storage) {
@@ -62,7 +79,7 @@ bool BoxStages::begin_eyes(Stage stage, const DrawnBox& box, const SceneData& da
 }
 
 bool BoxStages::has_room_for(const Totals& found) const {
-  return found.knots * knot_bytes <= max_bytes_ && found.points * point_bytes <= max_bytes_ &&
+  return found.knots * knot_bytes <= max_bytes_ && found.lit_points * point_bytes <= max_bytes_ &&
          found.entries * entry_bytes <= max_bytes_;
 }
 
@@ -78,7 +95,7 @@ void BoxStages::reserve(const DrawnBox& box) {
   rows_.reserve(sizeof(Totals) + pixels * 4 * word_bytes);
   strand_knots_.reserve(strands * word_bytes), strand_points_.reserve(strands * word_bytes);
   scan_sums_.reserve((std::max(strands, tiles + 1) / 1024 + 2) * word_bytes);
-  knots_.reserve(rooms_.knots * knot_bytes), points_.reserve(rooms_.points * point_bytes);
+  knots_.reserve(rooms_.knots * knot_bytes), lit_points_.reserve(rooms_.lit_points * point_bytes);
   entries_.reserve(rooms_.entries * entry_bytes), others_.reserve(rooms_.entries * entry_bytes);
 }
 
@@ -154,7 +171,7 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
               {words_storage, &data.pool.words()},
               {plan_storage, &data.plan},
               {strand_points_storage, &strand_points_},
-              {lit_points_storage, &points_},
+              {lit_points_storage, &lit_points_},
               {crossed_storage, &data.model.crossed},
               {is_field ? field_storage : near_storage, is_field ? &data.model.field : &data.model.near},
               {is_field ? triangles_storage : azimuthal_storage, is_field ? &data.model.triangles : &data.azimuthal}}))
@@ -164,7 +181,7 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
              {{words_storage, &data.pool.words()},
               {plan_storage, &data.plan},
               {strand_points_storage, &strand_points_},
-              {lit_points_storage, &points_},
+              {lit_points_storage, &lit_points_},
               {strand_knots_storage, &strand_knots_},
               {knots_storage, &knots_}}))
     return false;
@@ -175,7 +192,7 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
 bool BoxStages::fill_tiles(const DrawnBox& box) {
   const auto tiles = static_cast<std::size_t>(box.tiles.count());
   tile_entries_.clear(0), tile_counts_.clear(0);
-  for (const int writing : {0, 1}) {
+  for (const int writing : {0, 1}) {  // counts go to where each tile's first entry will stand, and are summed up there
     if (!begin(Stage::bins, box,
                {{0, &strand_knots_},
                 {1, &knots_},
@@ -190,7 +207,7 @@ bool BoxStages::fill_tiles(const DrawnBox& box) {
   }
   if (!begin(Stage::sort, box, {{0, &tile_entries_}, {1, &entries_}, {2, &others_}})) return false;
   current_->set("entry_room", rooms_.entries);
-  stages_.run(tiles);
+  stages_.run(box.grid());
   return true;
 }
 
@@ -208,6 +225,15 @@ bool BoxStages::blend(const DrawnBox& box, const SceneData& data) {
       return false;
     stages_.run(box.grid());
   }
+  if (!add_behind(box, data)) return false;
+  if (!begin(Stage::resolve, box,
+             {{0, &sums_}, {1, &rows_}, {2, &strand_knots_}, {3, &strand_points_}, {4, &tile_entries_}}))
+    return false;
+  stages_.run(box.grid());
+  return true;
+}
+
+bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
   if (!box.scene.eyes.empty()) {
     if (!begin_eyes(Stage::light_eyes, box, data, sums_)) return false;
     stages_.run(box.grid());
@@ -230,10 +256,6 @@ bool BoxStages::blend(const DrawnBox& box, const SceneData& data) {
       return false;
     stages_.run(box.grid());
   }
-  if (!begin(Stage::resolve, box,
-             {{0, &sums_}, {1, &rows_}, {2, &strand_knots_}, {3, &strand_points_}, {4, &tile_entries_}}))
-    return false;
-  stages_.run(box.grid());
   return true;
 }
 
@@ -252,7 +274,7 @@ Totals BoxStages::totals() const {
 
 bool BoxStages::take_more_room(const Totals& found) {
   const StageRooms wanted{more_room(rooms_.knots, found.knots, max_bytes_ / knot_bytes),
-                          more_room(rooms_.points, found.points, max_bytes_ / point_bytes),
+                          more_room(rooms_.lit_points, found.lit_points, max_bytes_ / point_bytes),
                           more_room(rooms_.entries, found.entries, max_bytes_ / entry_bytes)};
   if (wanted == rooms_) return false;
   rooms_ = wanted;

@@ -14,7 +14,7 @@ namespace pelage {
 
 /// What the stages of a box found, and how much of it there was room for.
 struct Totals {
-  std::uint32_t knots = 0, points = 0, entries = 0, unused = 0;
+  std::uint32_t knots = 0, lit_points = 0, entries = 0, unused = 0;
 };
 
 class BoxStages {
@@ -37,6 +37,8 @@ class BoxStages {
   /// That, into a picture of its size.
   void read(Image& picture) const { encoded_.read(0, std::span(picture.rgba)); }
 
+  /// Drops all buffers, and what they had room for.
+  void give_back();
   std::size_t max_bytes() const { return max_bytes_; }
   Stages& stages() { return stages_; }
 
@@ -55,14 +57,15 @@ class BoxStages {
   bool fill_tiles(const DrawnBox& box);
   /// Strands, then what is behind them, then what the ground is darkened by; to rows of pixels.
   bool blend(const DrawnBox& box, const SceneData& data);
+  bool add_behind(const DrawnBox& box, const SceneData& data);
 
   const Gl& gl_;
   std::size_t max_bytes_;
   Stages stages_;
   const Program* current_ = nullptr;  // that was begun
-  StageRooms rooms_{1 << 16, 1 << 16, 1 << 18};
+  StageRooms rooms_;
   Storage skin_pixels_, eye_pixels_, ends_, furthest_, blocks_, hidden_;  // of pixels, tiles and blocks of pixels
-  Storage strand_knots_, strand_points_, knots_, points_;
+  Storage strand_knots_, strand_points_, knots_, lit_points_;
   Storage tile_entries_, tile_counts_, entries_, others_;
   Storage sums_, scan_sums_, rows_, encoded_;
 };

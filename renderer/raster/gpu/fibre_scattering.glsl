@@ -26,7 +26,7 @@ vec3 azimuthal_light(vec4 along, float azimuth, float cos_theta, vec3 absorption
   vec2 share = at - vec2(low);
   vec4 curve = vec4(0.0);
   for (uint k = 0; k < 4; ++k) {
-    uvec2 off = uvec2(k & 1, k >> 1);
+    uvec2 off = uvec2(k & 1u, k >> 1);
     vec2 part = mix(1.0 - share, share, vec2(off));
     add_node((low.y + off.y) * azimuths + low.x + off.x, part.x * part.y, along, curve);
   }

@@ -1,6 +1,5 @@
 #include "renderer/raster/gpu/gpu_model.h"
 
-#include <algorithm>
 #include <cstring>
 #include <span>
 
@@ -52,10 +51,10 @@ void GpuModel::send_grid(const RasterScene& scene, bool strands_changed) {
   const DensityGrid& grid = *scene.grid;
   const auto lights = static_cast<std::size_t>(scene.optics.lights);
   const std::size_t bytes = grid.place().count() * sizeof(Crossed);
-  if (strands_changed || grid_version_ != grid.version() || lights_ != lights) {
-    crossed.reserve(std::max<std::size_t>(lights * bytes, 16));
+  if (strands_changed || crossed_version_ != grid.crossed_version() || lights_ != lights) {
+    crossed.reserve(lights * bytes);
     for (std::size_t light = 0; light < lights; ++light) crossed.send_at(light * bytes, grid.crossed(light));
-    grid_version_ = grid.version(), lights_ = lights;
+    crossed_version_ = grid.crossed_version(), lights_ = lights;
   }
   const NearCells& cells = *scene.near;
   if (cells.cells().empty() || (!strands_changed && near_fills_ == cells.fills())) return;

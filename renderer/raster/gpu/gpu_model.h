@@ -30,7 +30,7 @@ class GpuModel {
   std::uint64_t model_ = 0;
   const BaseImages* images_ = nullptr;
   std::vector<std::array<SkinLook, 3>> held_looks_;
-  std::uint64_t grid_version_ = 0, near_fills_ = 0;
+  std::uint64_t crossed_version_ = 0, near_fills_ = 0;
   std::size_t lights_ = 0;
 };
 

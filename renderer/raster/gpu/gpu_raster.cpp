@@ -4,6 +4,7 @@
 #include <list>
 #include <utility>
 
+#include "renderer/gl/sync.h"
 #include "renderer/raster/gpu/box_stages.h"
 #include "renderer/raster/gpu/scene_data.h"
 
@@ -21,6 +22,14 @@ struct GpuRaster::Held {
   const Gl& gl;
   BoxStages stages;
   std::list<Scene> scenes = {};  // the last one first
+
+  /// Gives back what was asked for, so that the next frame begins anew.
+  Status out_of_memory() {
+    while (gl.GetError() != GL_NO_ERROR) {
+    }
+    scenes.clear(), stages.give_back();
+    return failure(Code::too_large, "no memory on the GPU for a frame of this size", "/width");
+  }
 
   SceneData& data_of(const RasterScene& scene) {
     const auto found = std::ranges::find(scenes, scene.grid, &Scene::of);
@@ -49,12 +58,22 @@ GpuRaster::GpuRaster(const Gl& gl, std::size_t max_bytes)
     : held_(std::make_unique<Held>(Held{gl, BoxStages(gl, max_bytes)})) {}
 GpuRaster::~GpuRaster() = default;
 
+namespace {
+
+Status lost_it() { return failure(Code::unavailable, "the GL was reset"); }
+
+}  // namespace
+
 void GpuRaster::forget() { held_->scenes.clear(); }
 
-bool GpuRaster::can_draw(std::span<const GrownPart> parts) const {
-  std::size_t groups = 0;
+bool GpuRaster::can_draw(const FurModel& model, std::span<const GrownPart> parts) const {
+  std::size_t groups = 0, side = 0;
   for (const GrownPart& part : parts) groups += (part.strands->count() + strand_group - 1) / strand_group;
-  return groups <= max_strand_groups && StrandPool::bytes_for(parts) <= held_->stages.max_bytes();
+  for (const ImageView& image : model.images)
+    side = std::max({side, static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height)});
+  const std::size_t texels = 6 * side * side * model.images.size();  // with their levels, bytes
+  return groups <= max_strand_groups &&
+         std::max({StrandPool::bytes_for(parts), model.corners.size_bytes(), texels}) <= held_->stages.max_bytes();
 }
 
 void GpuRaster::measure(StageTimes* times) { held_->stages.stages().measure(times); }
@@ -66,6 +85,7 @@ int GpuRaster::box_pixels() const {
 
 Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts,
                                   const Encoding* encoding) {
+  if (lost_) return lost_it();
   SceneData& data = held_->data_of(scene);
   BoxStages& stages = held_->stages;
   data.send_strands(scene);
@@ -76,12 +96,13 @@ Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixe
   do {
     data.send_plan(strands);  // without what stages have found of its parts
     if (!stages.draw(box, data) || (encoding && !stages.encode(scene, *encoding))) return stages.stages().failure();
+    lost_ = !wait_for(held_->gl).ok() || held_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
+    if (lost_) return lost_it();
+    if (held_->gl.GetError() != GL_NO_ERROR) return held_->out_of_memory();
     found = stages.totals();
-    lost_ = held_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
-    if (lost_) return failure(Code::unavailable, "the GL was reset");
     if (!stages.has_room_for(found)) return false;
   } while (stages.take_more_room(found));
-  counts.entries += found.entries, counts.lit += found.points;
+  counts.entries += found.entries, counts.lit += found.lit_points;
   return true;
 }
 
@@ -96,7 +117,9 @@ Status GpuRaster::draw_box(const RasterScene& scene, const PixelBox& box, FloatI
 Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, const Encoding& encoding) {
   RasterCounts counts;
   const PixelBox whole{0, 0, scene.width, scene.height};
-  if (scene.width * std::int64_t{scene.height} > box_pixels()) return std::optional<Image>();
+  const std::int64_t pixels =
+      std::max(scene.width * std::int64_t{scene.height}, encoding.width * std::int64_t{encoding.height});
+  if (pixels > box_pixels()) return std::optional<Image>();
   const Result<bool> drawn = draw_rows(scene, whole, counts, &encoding);
   if (!drawn) return drawn.status();
   if (!*drawn) return std::optional<Image>();
@@ -109,7 +132,7 @@ Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, c
 Status GpuRaster::draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture,
                               RasterCounts& counts) {
   const int middle = box.top + (tiles_of(box).down / 2) * tile_side;
-  if (middle == box.top) return failure(Code::too_large, "no memory for a frame of this size", "/width");
+  if (middle == box.top) return failure(Code::too_large, "no memory on the GPU for a frame of this size", "/width");
   const Status drawn = draw_box(scene, {box.left, box.top, box.right, middle}, picture, counts);
   return drawn.ok() ? draw_box(scene, {box.left, middle, box.right, box.bottom}, picture, counts) : drawn;
 }

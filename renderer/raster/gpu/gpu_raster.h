@@ -27,13 +27,13 @@ class GpuRaster {
   static Result<std::unique_ptr<GpuRaster>> create(const Gl& gl, std::size_t max_bytes = ~std::size_t{0});
   ~GpuRaster();
 
-  /// Whether these strands can be drawn: they lie in a buffer of this GL.
-  bool can_draw(std::span<const GrownPart> parts) const;
+  /// Whether these strands of a model can be drawn: both fit into buffers of this GL.
+  bool can_draw(const FurModel& model, std::span<const GrownPart> parts) const;
   /// Of a box that it draws at once.
   int box_pixels() const;
 
   /// As Raster::draw_box and Raster::darken_box. Fails with unavailable where a shader cannot be built, or where the GL
-  /// was lost: what it drew is not there then.
+  /// was lost, and with too_large where it has no memory: nothing of the box is in the picture then.
   Status draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
   /// The whole of a scene's light as a picture of eight bits that is encoded so, of its size; of light that is larger
   /// the means, of smaller enlarged (ResizedLight). None where it does not fit into one box. Fails as draw_box.

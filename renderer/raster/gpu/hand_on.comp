@@ -64,7 +64,7 @@ void main() {
   if (end == first || end > knot_room) return;
   Part part = parts[groups[group_number()].x];
   uint strand = groups[group_number()].y + gl_LocalInvocationIndex, lit = lit_strand(part, strand, lit_strands(part));
-  if (first_points[part.first + lit + 1] > point_room) return;
+  if (first_points[part.first + lit + 1] > lit_point_room) return;
   LightAlong light = light_along(part, strand, lit);
   int number = number_of(first, part.segments);
   vec3 sent = light_at_knot(part, strand, light, number), more_before = vec3(0.0);

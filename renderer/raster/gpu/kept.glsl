@@ -13,6 +13,6 @@ KeptStrand kept_strand(uint group, uint lane) {
   kept.there = kept.strand < part.kept &&
                dot(root_normal(part, min(kept.strand, part.count - 1)), part.back) >= part.min_facing;
   float left = part.exact < float(part.count) ? min((part.exact - float(kept.strand)) / (0.125 * part.exact), 1.0) : 1.0;
-  kept.widened = part.whole * left;
+  kept.widened = part.whole * max(left, 1e-6);  // the last one may be all but left out
   return kept;
 }

@@ -20,7 +20,7 @@ layout(std430, binding = lit_points_storage) writeonly buffer LitPoints { vec4 l
 vec3 field_at_root(uint root) {
   uint piece = pool_words[root + 7], shares = pool_words[root + 8];
   if (piece == 0xffffffffu) return vec3(0.0);
-  return field_at(piece, float(shares & 0xffff) / 65535.0, float(shares >> 16) / 65535.0);
+  return field_at(piece, float(shares & 0xffffu) / 65535.0, float(shares >> 16) / 65535.0);
 }
 #else
 #include "lights.glsl"
@@ -28,7 +28,7 @@ layout(std430, binding = near_storage) readonly buffer NearCells { uint near_cel
 float near_count(vec3 cell) {
   uvec3 part = uvec3(ivec3(cell)) * uvec3(near_of_x, near_of_y, near_of_z);
   uint index = (part.x ^ part.y ^ part.z) & uint(near_places - 1);
-  return float(near_cells[index / 2] >> (index % 2 * 16) & 0xffff);
+  return float(near_cells[index / 2] >> (index % 2 * 16) & 0xffffu);
 }
 #include "../../shaders/shared/strand_light.glsl"
 
@@ -110,7 +110,7 @@ vec3 shown_of(Fibre fibre, LitStrand of) {
 void main() {
   if (group_number() * strand_group >= strand_count) return;
   uint lane = lane_number(), first = first_points[lane], end = first_points[lane + 1];
-  if (end == first || end > point_room) return;
+  if (end == first || end > lit_point_room) return;
   Part part = parts[groups[group_number()].x];
   uint strand = groups[group_number()].y + gl_LocalInvocationIndex;
   LitKnots lit = lit_knots(part.segments, strand < lit_whole(part));

@@ -7,7 +7,7 @@ layout(std430, binding = crossed_storage) readonly buffer CrossedCells { uint cr
 Crossing crossed_cell(uint light, float first, int further) {
   uint cells = uint(grid_size.x * grid_size.y * grid_size.z);
   uint word = crossed_cells[light * cells + uint(first) + uint(further)];
-  return Crossing(float(word & 0xffff), float(word >> 16));
+  return Crossing(float(word & 0xffffu), float(word >> 16));
 }
 
 #include "../../shaders/shared/grid_shadow.glsl"

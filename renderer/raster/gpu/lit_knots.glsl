@@ -18,6 +18,6 @@ const float over_black = 0.002;  // added to colours, so that black can be divid
 
 // pack_colour, undone.
 vec3 unpacked_colour(uint word) {
-  vec3 share = vec3(word & 1023, word >> 10 & 1023, word >> 20 & 1023) * (1.0 / 1023.0);
+  vec3 share = vec3(word & 1023u, word >> 10 & 1023u, word >> 20 & 1023u) * (1.0 / 1023.0);
   return 4.0 * share * share;
 }

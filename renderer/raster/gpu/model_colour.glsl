@@ -1,8 +1,10 @@
 // The model's own colour: renderer/optics/colours-inl.h.
-layout(std430, binding = corners_storage) readonly buffer Corners { float corners[]; };  // FurCorner
+layout(std430, binding = corners_storage) readonly buffer Corners { uint corners[]; };  // FurCorner: a whole number among floats
 layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[]; };  // width, height, first of each level; texels
 
-const uint corner_floats = 15;
+const uint corner_words = 15;
+
+float corner_float(uint at) { return uintBitsToFloat(corners[at]); }
 
 struct PieceCorners {
   uint piece;
@@ -10,9 +12,9 @@ struct PieceCorners {
 };
 
 float mixed_corner(PieceCorners at, uint number) {
-  uint first = 3 * corner_floats * at.piece + number;
-  float a = corners[first];
-  return a + at.b * (corners[first + corner_floats] - a) + at.c * (corners[first + 2 * corner_floats] - a);
+  uint first = 3 * corner_words * at.piece + number;
+  float a = corner_float(first), b = corner_float(first + corner_words), c = corner_float(first + 2 * corner_words);
+  return a + at.b * (b - a) + at.c * (c - a);
 }
 
 vec3 linear_texel(uint word) {
@@ -45,11 +47,11 @@ vec3 model_colour(PieceCorners at, float pixel, float area) {
   if (!model_colours) return frame.skin.rgb;
   vec3 colour = max(vec3(mixed_corner(at, 7), mixed_corner(at, 8), mixed_corner(at, 9)), 0.0);
   if (texel_levels == 0) return colour;
-  uint first = 3 * corner_floats * at.piece + 5;
+  uint first = 3 * corner_words * at.piece + 5;
   vec2 uv[3];
-  for (uint k = 0; k < 3; ++k) uv[k] = vec2(corners[first + k * corner_floats], corners[first + k * corner_floats + 1]);
+  for (uint k = 0; k < 3; ++k) uv[k] = vec2(corner_float(first + k * corner_words), corner_float(first + k * corner_words + 1));
   vec2 side = uv[1] - uv[0], other = uv[2] - uv[0];
   float on_image = abs(side.x * other.y - side.y * other.x);
-  vec3 where = vec3(mixed_corner(at, 5), mixed_corner(at, 6), float(floatBitsToInt(corners[first + 5])));
+  vec3 where = vec3(mixed_corner(at, 5), mixed_corner(at, 6), float(int(corners[first + 5])));
   return colour * image_colour(where, pixel * sqrt(on_image / max(area, 1e-20)));
 }

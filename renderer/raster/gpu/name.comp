@@ -5,7 +5,7 @@
 #include "scene.glsl"
 #include "plan.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // knot from 1 on, where on the segment, how much
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // knot, where on the segment, how much
 layout(std430, binding = 1) readonly buffer Ends { float ends[]; };
 layout(std430, binding = strand_knots_storage) readonly buffer StrandKnots { uint first_knots[]; };
 layout(std430, binding = knots_storage) readonly buffer Knots { uvec2 knots[]; };
@@ -25,12 +25,12 @@ uint lane_of(uint knot) {
 float along_of(uint knot) { return unpackHalf2x16(knots[3 * knot + 2].y).y; }
 
 vec3 named(vec4 sum, float behind) {
-  uint knot = floatBitsToUint(sum.x);
-  if (knot == 0 || (behind > 0.0 && sum.a > sum.z)) return vec3(0.0);
-  uint lane = lane_of(knot - 1);
+  uint bits = floatBitsToUint(sum.x), knot = bits & ~knot_bit;
+  if ((bits & knot_bit) == 0 || (behind > 0.0 && sum.a > sum.z)) return vec3(0.0);
+  uint lane = lane_of(knot);
   Part part = parts[groups[lane / strand_group].x];
   float number = float(part.number + groups[lane / strand_group].y + lane % strand_group + 1);
-  return vec3(number, mix(along_of(knot - 1), along_of(knot), sum.y), part.is_curve ? 2.0 : 1.0);
+  return vec3(number, mix(along_of(knot), along_of(knot + 1), sum.y), part.is_curve ? 2.0 : 1.0);
 }
 
 void main() {

@@ -124,6 +124,10 @@ void main() {
     return;
   }
   DrawnStrand drawn = drawn_strand(part, kept, placed, from_root);
-  if (writing) write_strand(part, kept, placed, drawn, first_knots[lane]);
-  else first_knots[lane] = uint(drawn.count) + 1;
+  if (!writing) {
+    first_knots[lane] = uint(drawn.count) + 1;
+    return;
+  }
+  drawn.count = int(first_knots[lane + 1] - first_knots[lane]) - 1;  // as it was counted, whatever a driver made of that
+  write_strand(part, kept, placed, drawn, first_knots[lane]);
 }

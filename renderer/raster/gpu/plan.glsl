@@ -1,4 +1,4 @@
-// Which strands a frame may keep of which parts; gpu_plan.h mirrors it. Strands lie in groups of one part.
+// Which strands a frame may keep of which parts; strand_plan.h mirrors it. Strands lie in groups of one part.
 struct Part {
   vec3 back;         // from the middle of its skin to the camera, unit
   float min_facing;  // cosine to it of a root's normal from which on its strand is kept
@@ -26,8 +26,8 @@ layout(std430, binding = plan_storage) buffer Plan {
 const uint deep_of = 8;  // strands that one stands for where gaps alone show them
 
 // The first ones are drawn down to their roots.
-uint whole_strands(Part part) { return (part.last - 1) / deep_of + 1; }
+uint whole_strands(Part part) { return (max(part.last, 1u) - 1) / deep_of + 1; }
 // The first ones are lit, and hand it on.
-uint lit_strands(Part part) { return (part.last - 1) / part.lit_of + 1; }
+uint lit_strands(Part part) { return (max(part.last, 1u) - 1) / part.lit_of + 1; }
 // Of lit strands the first so many are lit from the root on.
 uint lit_whole(Part part) { return part.is_curve ? lit_strands(part) : whole_strands(part); }

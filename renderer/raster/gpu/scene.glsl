@@ -27,7 +27,7 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   uint strand_count;  // that may be kept, in whole groups of strand_group
   uint knot_room;
   uint entry_room;
-  uint point_room;
+  uint lit_point_room;
   uint texel_levels;  // of the model's pictures; 0 for none
   bool model_colours;
   int eye_count;
@@ -45,6 +45,7 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
 const uint tile_side = 16, tile_pixels = 256;
 const uint strand_group = 64;  // of strands of one part
 const float near_distance = 1e-4;
+const uint knot_bit = 0x40000000;  // of numbers of knots that go as floats
 const float min_shown = 1e-3;  // what shows less of a pixel shows nothing
 
 // Through a place of the picture; 1 along the view.

@@ -38,7 +38,7 @@ SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint3
   block.light_count = static_cast<std::uint32_t>(optics.lights);
   block.key_furthest = scene.keys.furthest, block.key_shift = scene.keys.shift;
   block.triangle_count = static_cast<std::uint32_t>(scene.model->triangles.size()), block.strand_count = strands;
-  block.knot_room = rooms.knots, block.entry_room = rooms.entries, block.point_room = rooms.points;
+  block.knot_room = rooms.knots, block.entry_room = rooms.entries, block.lit_point_room = rooms.lit_points;
   block.texel_levels = optics.images ? static_cast<std::uint32_t>(optics.images->levels.size()) : 0;
   block.model_colours = optics.model_colours;
   block.eye_count = static_cast<std::int32_t>(scene.eyes.size()), block.eye_steps = optics.eyes.steps;

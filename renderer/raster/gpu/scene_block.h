@@ -12,7 +12,7 @@ namespace pelage {
 
 /// How much stages may write.
 struct StageRooms {
-  std::uint32_t knots = 0, points = 0, entries = 0;
+  std::uint32_t knots = 0, lit_points = 0, entries = 0;
   bool operator==(const StageRooms&) const = default;
 };
 
@@ -38,7 +38,7 @@ struct SceneBlock {
   std::uint32_t light_count = 0, key_furthest = 0;
   std::int32_t key_shift = 0;
   std::uint32_t triangle_count = 0, strand_count = 0, knot_room = 0, entry_room = 0;
-  std::uint32_t point_room = 0, texel_levels = 0, model_colours = 0;
+  std::uint32_t lit_point_room = 0, texel_levels = 0, model_colours = 0;
   std::int32_t eye_count = 0;
   float ground_height = 0, ground_contact = 0, ground_shadow = 0, sky_cell = 1;
   glm::vec2 sky_low{0};

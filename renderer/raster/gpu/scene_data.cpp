@@ -16,7 +16,8 @@ void SceneData::send_azimuthal(const AzimuthalFit& fit) {
 void SceneData::send_eyes(const EyeOptics& optics) {
   if (!optics.tissues) return;
   eyes.send(std::span<const EyeBlock>(&optics.block, 1));
-  if (tissues.bytes() == 0) tissues.send(std::span<const std::int32_t>(optics.tissues->words));  // the same of all eyes
+  if (tissues.bytes() < optics.tissues->words.size())
+    tissues.send(std::span<const std::int32_t>(optics.tissues->words));  // the same of all eyes
   caustics.send(optics.caustics);
 }
 

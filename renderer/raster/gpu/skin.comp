@@ -27,8 +27,7 @@ FlatCorner flat_corner(dvec3 corner) {
   return FlatCorner(dvec2(camera_middle) + dvec2(corner.x, -corner.y) * scale, inverse);
 }
 
-void meet(ivec2 pixel, double inverse, uint piece) {
-  float found = float(inverse);
+void meet(ivec2 pixel, float found, uint piece) {
   if (!(found > 0.0)) return;
   uint at = 2 * pixel_index(pixel), bits = floatBitsToUint(found);
   if (!naming) atomicMax(skin_pixels[at], bits);
@@ -51,7 +50,8 @@ void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ive
   }
   if (!(low <= high + overlap)) return;
   int begin = max(int(ceil(low - overlap)), columns.x), end = min(int(floor(high + overlap)), columns.y);
-  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), dot(at + across * double(x), inverses), piece);
+  float found = float(dot(at + across * double(begin), inverses)), rise = float(dot(across, inverses));
+  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), found + rise * float(x - begin), piece);
 }
 
 void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece) {

@@ -37,8 +37,8 @@ vec3 vertex_at(uint vertex, uint number) {
 
 #ifndef SHOWN_FIELD
 vec3 normal_of(uint piece, uint k) {
-  uint at = 3 * corner_floats * piece + k * corner_floats + 11;
-  vec3 other = vec3(corners[at], corners[at + 1], corners[at + 2]);
+  uint at = 3 * corner_words * piece + k * corner_words + 11;
+  vec3 other = vec3(corner_float(at), corner_float(at + 1), corner_float(at + 2));
   return dot(other, other) > 0.0 ? other : vertex_at(triangles[3 * piece + k], 3);
 }
 

@@ -54,7 +54,7 @@ uint count_before(uint first, uint end, uvec2 entry, bool in_others) {
 // Runs of `size` entries become runs of twice as many, in the other buffer.
 void merge_runs(uint first, uint end, uint size, bool in_others) {
   for (uint i = first + gl_LocalInvocationIndex; i < end; i += 256) {
-    uint own = (i - first) / size, pair = first + own / 2 * 2 * size, other = first + (own ^ 1) * size;
+    uint own = (i - first) / size, pair = first + own / 2 * 2 * size, other = first + (own ^ 1u) * size;
     uvec2 entry = in_others ? others[i] : entries[i];
     uint place = pair + (i - first) % size + count_before(min(other, end), min(other + size, end), entry, in_others);
     if (in_others) entries[place] = entry;
@@ -67,7 +67,7 @@ void merge_runs(uint first, uint end, uint size, bool in_others) {
 void main() {
   uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   uint first = tile_entries[tile], end = tile_entries[tile + 1];
-  if (end > entry_room) return;
+  if (end <= first || end > entry_room) return;
   for (uint at = first; at < end; at += run) sort_run(at, min(run, end - at));
   memoryBarrierBuffer();
   barrier();

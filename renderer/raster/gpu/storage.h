@@ -11,7 +11,7 @@ namespace pelage {
 /// A buffer that grows.
 class Storage {
  public:
-  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) {}
+  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) { reserve(least); }  // a stage may read what has nothing
 
   GLuint id() const { return buffer_.id(); }
   std::size_t bytes() const { return bytes_; }
@@ -25,7 +25,7 @@ class Storage {
   /// All of it becomes these.
   template <class T>
   void send(std::span<const T> values) {
-    reserve(std::max<std::size_t>(values.size_bytes(), 16));
+    reserve(values.size_bytes());
     send_at(0, values);
   }
   template <class T>
@@ -44,6 +44,8 @@ class Storage {
   }
 
  private:
+  static constexpr std::size_t least = 16;
+
   const Gl* gl_;
   Buffer buffer_;
   std::size_t bytes_ = 0;
