@@ -98,8 +98,6 @@ test("never more than two frames are in flight", async () => {
 test("the mirrored ring is seen, but not through the body", async () => {
   const studio = await openStudio({scene: id});
   studio.expected.push(/willReadFrequently/);  // the test reads what the page only draws
-  // Of a view that is asked for again before its turn comes, the server answers the older frame so; the page goes on.
-  studio.expected.push(/status of 409/);
   await studio.ready();
   const drawn = () => studio.page.evaluate(async () => {
     await new Promise((later) => requestAnimationFrame(() => requestAnimationFrame(later)));
