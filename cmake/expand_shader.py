@@ -1,5 +1,6 @@
 """Expands #include lines of a shader and writes it as a C++ string. glslangValidator checks it without, with each and with all of the
-names that it asks for, with each thing that a picture shows, and with each shading model; other sets of names are compiled when a scene first needs them.
+names that it asks for, with each thing that a picture shows, and with each shading model; other sets of names are compiled when a
+scene first needs them.
 
 usage: expand_shader.py SOURCE OUTPUT.cpp SYMBOL INCLUDE_DIR...
 """

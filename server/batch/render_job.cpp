@@ -208,7 +208,8 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
       if (!drawn) return drawn.status();
       saved = std::async(std::launch::async, [&log, &failed, &file = piece.file, save = *drawn] {
         const Status written = save();
-        written.ok() ? log.saved(file) : static_cast<void>(failed = true);
+        if (written.ok()) log.saved(file);
+        failed = !written.ok();
         return written;
       });
       ++outcome.drawn;

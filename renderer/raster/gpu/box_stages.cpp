@@ -86,11 +86,11 @@ bool BoxStages::has_room_for(const Totals& found) const {
 void BoxStages::reserve(const DrawnBox& box) {
   const auto tiles = static_cast<std::size_t>(box.tiles.count()), pixels = tiles * tile_pixels;
   const std::size_t strands = box.strands.strands() + std::size_t{1};
-  skin_pixels_.reserve(pixels * 2 * word_bytes),
-      eye_pixels_.reserve(box.scene.eyes.empty() ? 16 : pixels * 2 * word_bytes);
+  skin_pixels_.reserve(pixels * 2 * word_bytes);
+  if (!box.scene.eyes.empty()) eye_pixels_.reserve(pixels * 2 * word_bytes);
   ends_.reserve(pixels * word_bytes), sums_.reserve(pixels * 4 * word_bytes);
-  furthest_.reserve(tiles * word_bytes), blocks_.reserve(tiles * 16 * word_bytes),
-      hidden_.reserve(tiles * 16 * word_bytes);
+  furthest_.reserve(tiles * word_bytes);
+  blocks_.reserve(tiles * 16 * word_bytes), hidden_.reserve(tiles * 16 * word_bytes);
   tile_entries_.reserve((tiles + 1) * word_bytes), tile_counts_.reserve((tiles + 1) * word_bytes);
   rows_.reserve(sizeof(Totals) + pixels * 4 * word_bytes);
   strand_knots_.reserve(strands * word_bytes), strand_points_.reserve(strands * word_bytes);
@@ -302,12 +302,12 @@ bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding) {
   current_ = stages_.begin(Stage::finish, scene.shown, {{0, &rows_}, {1, &encoded_}});
   if (!current_) return false;
   current_->set("encoding.exposure", encoding.exposure), current_->set("encoding.filmic", int{encoding.filmic});
-  current_->set("encoding.transparent", int{encoding.transparent}),
-      current_->set("encoding.studio", int{encoding.studio});
+  current_->set("encoding.transparent", int{encoding.transparent});
+  current_->set("encoding.studio", int{encoding.studio});
   current_->set("encoding.background", encoding.background);
   current_->set("encoding.width", encoding.width), current_->set("encoding.height", encoding.height);
-  current_->set("encoding.largest", encoding.largest),
-      current_->set("light_size", glm::ivec2(scene.width, scene.height));
+  current_->set("encoding.largest", encoding.largest);
+  current_->set("light_size", glm::ivec2(scene.width, scene.height));
   stages_.run((glm::ivec2(encoding.width, encoding.height) + 15) / 16);
   return true;
 }

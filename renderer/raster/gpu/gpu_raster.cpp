@@ -11,8 +11,8 @@
 namespace pelage {
 
 struct GpuRaster::Held {
-  static constexpr std::size_t max_scenes =
-      4;  // that are kept, so that who grooms beside others does not send all anew
+  /// That are kept, so that who grooms beside others does not send all anew.
+  static constexpr std::size_t max_scenes = 4;
 
   struct Scene {
     const DensityGrid* of;  // whose fur and light are there: each model has one

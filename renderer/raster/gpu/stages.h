@@ -1,10 +1,8 @@
 // The compute shaders of the rasterizer, each built when it is first needed.
 #pragma once
 
-#include <array>
 #include <initializer_list>
 #include <map>
-#include <span>
 #include <string>
 #include <utility>
 
