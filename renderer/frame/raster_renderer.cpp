@@ -99,12 +99,13 @@ struct RasterRenderer::Standing {
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
+  Bending bending = Bending::done;
 
-  void grow(GrowRecipe wanted, std::span<const FurCurves> with, int threads) {
+  void grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
     wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
-    if (recipe == wanted && changes == copy.changes() && std::ranges::equal(curves, with)) return;
-    fur.update(copy.model(), copy.fields(), wanted, threads, with);
-    recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end());
+    if (recipe == wanted && changes == copy.changes() && bending == how && std::ranges::equal(curves, with)) return;
+    fur.update(copy.model(), copy.fields(), wanted, threads, with, how);
+    recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
   }
   void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
     fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
@@ -163,7 +164,9 @@ bool RasterRenderer::lost_gl() const { return gpu_ && gpu_->lost(); }
 
 bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times) {
   const DrawClock clock(times);
-  return gpu_ && gpu_->can_draw(models_.at(frame.model)->copy.model(), grown(frame, growth).fur.parts());
+  if (!gpu_) return false;
+  const Standing& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, true});
+  return gpu_->can_draw(standing.copy.model(), standing.fur.parts());
 }
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
@@ -201,13 +204,21 @@ void RasterRenderer::darken(const FurFrame& frame, Standing& standing, const Wan
   for (const PixelBox& box : Raster::boxes_of(frame)) standing.raster->darken_box(scene, box, picture);
 }
 
-void RasterRenderer::grow(const FurFrame& frame) { grown(scaled(frame), Growth::as_kept); }
+void RasterRenderer::grow(const FurFrame& frame) {
+  grown(scaled(frame), {RasterOutput::light, {}, nullptr, Growth::as_kept, has_gl()});
+}
 
-RasterRenderer::Standing& RasterRenderer::grown(const FurFrame& frame, Growth growth) {
+RasterRenderer::Standing& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
+  Model& own = *models_.at(frame.model);
+  return growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
+}
+
+RasterRenderer::Standing& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
   Model& own = *models_.at(frame.model);
   own.used = ++uses_;
-  Standing& standing = growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
-  standing.grow(own.recipe_for(frame), frame.curves, threads_);
+  Standing& standing = standing_for(frame, wanted.growth);
+  const Bending bending = wanted.by_gpu ? Bending::left : Bending::done;
+  standing.grow(own.recipe_for(frame), frame.curves, bending, threads_);
   keep_within_bounds(own);
   return standing;
 }
@@ -228,6 +239,7 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
 RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const {
   RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
                                                 quality_of(frame.knobs, winding(frame.coat)), wanted.shown);
+  if (!wanted.by_gpu) standing.raster->fill_cells(scene);
   scene.field = wanted.field, scene.drawn = wanted.tiles;
   return scene;
 }
@@ -256,7 +268,7 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
-    Standing& standing = grown(frame, wanted.growth);  // in the pause others may have drawn it in another coat
+    Standing& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
     const RasterScene scene = scene_of(standing, frame, wanted);
     if (!wanted.by_gpu) {
       standing.raster->draw_box(scene, boxes[i], picture, counts);
@@ -274,7 +286,7 @@ Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, Wanted want
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   if (Status drawn = draw_area(frame, whole_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
   const DrawClock clock(times);
-  if (!wanted.by_gpu) darken(frame, grown(frame, wanted.growth), wanted, picture);
+  if (!wanted.by_gpu) darken(frame, grown(frame, wanted), wanted, picture);
   return picture;
 }
 
@@ -293,7 +305,7 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
           before != drawn_before.end() ? before->second : draw_whole(drawn, {shown, {}, nullptr, growth}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
-      pictures.push_back(aov_picture(frame, aov, *image, grown(drawn, growth).fur.parts(), threads_));
+      pictures.push_back(aov_picture(frame, aov, *image, standing_for(drawn, growth).fur.parts(), threads_));
       if (shown == RasterOutput::light || shown == RasterOutput::strand)
         drawn_before.insert_or_assign(shown, std::move(*image));
     }
@@ -368,7 +380,8 @@ Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTime
 }
 
 TileMask RasterRenderer::changed_tiles(const FurFrame& frame, const ShownFrame& shown) {
-  return changed_since(scene_of(grown(frame, Growth::as_kept), frame, {RasterOutput::light}), shown.changes, threads_);
+  const Wanted wanted{RasterOutput::light};
+  return changed_since(scene_of(grown(frame, wanted), frame, wanted), shown.changes, threads_);
 }
 
 template <class Picture, class Finish>
@@ -392,7 +405,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   if (area.pixels() > 0)
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
-  Standing& standing = grown(drawn, Growth::as_kept);
+  Standing& standing = grown(drawn, wanted);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;
@@ -409,7 +422,8 @@ Result<std::optional<Image>> RasterRenderer::draw_on_gpu(const FurFrame& frame, 
   const FurFrame drawn = scaled(frame);
   if (!draws_on_gpu(drawn, Growth::as_kept, times)) return std::optional<Image>();
   const DrawClock clock(times);
-  const RasterScene scene = scene_of(grown(drawn, Growth::as_kept), drawn, {RasterOutput::light});
+  const Wanted wanted{RasterOutput::light, {}, nullptr, Growth::as_kept, true};
+  const RasterScene scene = scene_of(grown(drawn, wanted), drawn, wanted);
   Result<std::optional<Image>> picture = gpu_->draw_picture(scene, encoding_of(frame, 255));
   if (!picture && cpu_goes_on(picture.status())) return std::optional<Image>();
   times.counters.redrawn = 1;

@@ -79,17 +79,19 @@ class RasterRenderer {
   struct Standing;
   /// Which strands of a coat grow: all where they are numbered, else no more than the frame keeps.
   enum class Growth { all, as_kept };
-  /// Grows what changed. What is kept of other models is dropped where all take too much, the longest unused first.
-  Standing& grown(const FurFrame& frame, Growth growth = Growth::all);
-  void keep_within_bounds(const Model& own);
   /// What of a frame is drawn.
   struct Wanted {
     RasterOutput shown;
     std::span<const glm::vec3> field = {};  // of each vertex, where that is shown
     const TileMask* tiles = nullptr;        // null for all
-    Growth growth = Growth::all;
+    Growth growth = Growth::as_kept;
     bool by_gpu = false;
   };
+  Standing& standing_for(const FurFrame& frame, Growth growth);
+  /// Grows what changed, as who draws it wants it. What is kept of other models is dropped where all take too much, the
+  /// longest unused first.
+  Standing& grown(const FurFrame& frame, const Wanted& wanted);
+  void keep_within_bounds(const Model& own);
   RasterScene scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const;
   /// Draws an area of a frame that has the size of its light into a picture: by the GPU, with its ground, where it is
   /// wanted and can, which `wanted` says afterwards. Fails with conflict when it is given up, and with unavailable when

@@ -18,23 +18,6 @@ constexpr double max_cells = 1 << 20, max_side = 1 << 10;
 constexpr double cells_a_step = 4;
 constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 
-GridPlace place_around(std::span<const GrownPart> parts) {
-  glm::vec3 low(1e9f), high(-1e9f);
-  for (const GrownPart& part : parts) {
-    if (part.role != StrandRole::coat) continue;
-    low = glm::min(low, part.low), high = glm::max(high, part.high);
-  }
-  if (low.x > high.x) return {};
-  const glm::dvec3 room(high - low);
-  const double longest = std::max({room.x, room.y, room.z});
-  const double cell =
-      std::max({double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells), longest / max_side});
-  // In steps of some cells, so that a stroke seldom moves it.
-  const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
-  const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
-  return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
-}
-
 struct CellBox {
   glm::ivec3 first{0}, size{1};
 };
@@ -93,15 +76,6 @@ float share_in_the_open(std::span<const StrandPoint> points) {
   for (std::size_t k = 1; k < points.size(); ++k) way += glm::distance(points[k - 1].place, points[k].place);
   const float reach = glm::distance(points.front().place, points.back().place);
   return 1 / (1 + curl_in_shadow * std::max(way / std::max(reach, 0.02f * way + 1e-9f) - 1, 0.0f));
-}
-
-/// So many of a part's first strands stand for all of them: more of them than this stand on a cell's face, and any
-/// first part of them lies evenly.
-std::uint32_t summed_strands(const GrownPart& part, float cell) {
-  constexpr double enough = 8;
-  const double count = static_cast<double>(part.strands->count());
-  const double on_cell = count * cell * cell / std::max(part.area, 1e-12);
-  return static_cast<std::uint32_t>(std::ceil(count * std::min(1.0, enough / std::max(on_cell, 1e-9))));
 }
 
 /// Sums over the cells that a part may stand in, for one part after another, of one thread alone.
@@ -186,6 +160,30 @@ class PartCells {
 };
 
 }  // namespace
+
+GridPlace grid_place(std::span<const GrownPart> parts) {
+  glm::vec3 low(1e9f), high(-1e9f);
+  for (const GrownPart& part : parts) {
+    if (part.role != StrandRole::coat) continue;
+    low = glm::min(low, part.low), high = glm::max(high, part.high);
+  }
+  if (low.x > high.x) return {};
+  const glm::dvec3 room(high - low);
+  const double longest = std::max({room.x, room.y, room.z});
+  const double cell =
+      std::max({double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells), longest / max_side});
+  // In steps of some cells, so that a stroke seldom moves it.
+  const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
+  const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
+  return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
+}
+
+std::uint32_t summed_strands(const GrownPart& part, float cell) {
+  constexpr double enough = 8;
+  const double count = static_cast<double>(part.strands->count());
+  const double on_cell = count * cell * cell / std::max(part.area, 1e-12);
+  return static_cast<std::uint32_t>(std::ceil(count * std::min(1.0, enough / std::max(on_cell, 1e-9))));
+}
 
 template <class Use>
 void DensityGrid::each_block(glm::ivec3 first, glm::ivec3 last, const Use& use) {
@@ -314,7 +312,7 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
 void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights,
                          int threads) {
   ++version_;
-  if (const GridPlace around = place_around(parts); !(around == place_) || held_.size() != parts.size()) {
+  if (const GridPlace around = grid_place(parts); !(around == place_) || held_.size() != parts.size()) {
     make_anew(around, parts.size());
     whole_version_ = version_;
   }

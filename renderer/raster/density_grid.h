@@ -32,6 +32,13 @@ struct BlockPlace {
 /// that go six times as far as they reach (docs/notes/2026-11-28-light-of-strands.md).
 inline constexpr float curl_in_shadow = 0.3f;
 
+/// Cells around the fur of all parts, which single curves have no part in.
+GridPlace grid_place(std::span<const GrownPart> parts);
+
+/// So many of a part's first strands stand for all of them: more of them than this stand on a cell's face, and any
+/// first part of them lies evenly.
+std::uint32_t summed_strands(const GrownPart& part, float cell);
+
 class DensityGrid {
  public:
   /// Brings the grid up to date: fur where parts have changed, light where fur or lights have. Curves cast no shadow:

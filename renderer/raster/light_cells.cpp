@@ -123,19 +123,20 @@ struct LightCells::Way {
   std::array<CellTap, near_steps> near;
   std::array<CellTap, 8> beyond;  // about where those end
 
-  explicit Way(glm::vec3 to_light) {
+  /// `beside`: the light is in the cell itself, or beside it: of each axis, 1 where it is not. No light comes from there.
+  explicit Way(glm::vec3 to_light, glm::vec3 beside = glm::vec3(1)) {
     const glm::vec3 size = glm::abs(to_light);
     const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::ivec3 step(glm::sign(to_light));
     longer = 1 / std::max(size[a], 0.5f);
-    const float off_b = size[b] * longer, off_c = size[c] * longer;
+    const float off_b = size[b] * longer * beside[b], off_c = size[c] * longer * beside[c];
     for (std::size_t k = 0; k < before.size(); ++k) {
       glm::ivec3 off(0);
       off[a] = step[a];
       if (k & 1) off[b] = step[b];
       if (k & 2) off[c] = step[c];
       const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
-      before[k] = {off, off == glm::ivec3(0) ? 0.0f : share};
+      before[k] = {off, off == glm::ivec3(0) ? 0.0f : share * beside[a]};
     }
     for (int s = 1; s < near_steps; ++s)
       near[static_cast<std::size_t>(s)] = {glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))), 1};
@@ -280,11 +281,12 @@ std::vector<std::uint32_t> LightCells::follow_near() {
       if (place_.has(cell + tap.off)) sum.add(from[place_.index(cell + tap.off)], tap.share);
   };
   const std::vector<int> along = order_from(source_.x, place_.size.x), down = order_from(source_.y, place_.size.y);
+  const glm::ivec3 first(glm::clamp(source_, glm::vec3(0), glm::vec3(place_.size - 1)));
   for (const int z : order_from(source_.z, place_.size.z)) {
     for (const int y : down) {
       for (const int x : along) {
         const glm::ivec3 cell(x, y, z);
-        const Way way(to_light(glm::vec3(cell) + 0.5f));
+        const Way way(to_light(glm::vec3(cell) + 0.5f), glm::notEqual(cell, first));
         Sum sum;
         sum.add(local_[place_.index(cell)], way.longer);
         add(way.before, cell, through_, sum);

@@ -37,19 +37,6 @@ bool is_near(const RasterScene& scene, const GrownPart& part) {
          std::abs(off.y) < 0.5f * static_cast<float>(scene.height) + pixels;
 }
 
-/// All parts that are near, but for those far behind the first one.
-std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
-  std::vector<std::uint32_t> parts;
-  float nearest = 1e9f;
-  for (std::uint32_t i = 0; i < scene.parts.size(); ++i) {
-    if (scene.parts[i].role != StrandRole::coat || !is_near(scene, scene.parts[i])) continue;
-    parts.push_back(i), nearest = std::min(nearest, distance_of(scene, scene.parts[i]));
-  }
-  std::erase_if(
-      parts, [&](std::uint32_t i) { return distance_of(scene, scene.parts[i]) > std::max(nearest, 0.0f) + in_depth; });
-  return parts;
-}
-
 std::uint32_t index_of(glm::vec3 cells) {
   const auto whole = [](float v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v))); };
   return (whole(cells.x) * std::uint32_t{near_of_x} ^ whole(cells.y) * std::uint32_t{near_of_y} ^
@@ -76,6 +63,21 @@ void add_to_cells(std::span<const StrandPoint> points, float cell, std::vector<s
 
 }  // namespace
 
+// But for those far behind the first one.
+std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
+  std::vector<std::uint32_t> parts;
+  float nearest = 1e9f;
+  for (std::uint32_t i = 0; i < scene.parts.size(); ++i) {
+    if (scene.parts[i].role != StrandRole::coat || !is_near(scene, scene.parts[i])) continue;
+    parts.push_back(i), nearest = std::min(nearest, distance_of(scene, scene.parts[i]));
+  }
+  std::erase_if(
+      parts, [&](std::uint32_t i) { return distance_of(scene, scene.parts[i]) > std::max(nearest, 0.0f) + in_depth; });
+  return parts;
+}
+
+float near_cell_side(float cell) { return cell / over_cell; }
+
 void NearCells::fill(int threads) {
   cells_.assign(held_.empty() ? 0 : count + 1, 0);  // pairs are read
   for_each_in_parallel(
@@ -90,14 +92,15 @@ void NearCells::fill(int threads) {
   mean_ = static_cast<float>(std::accumulate(cells_.begin(), cells_.end(), std::uint64_t{0})) / count;
 }
 
-void NearCells::update(const RasterScene& scene, float cell, std::uint64_t version, int threads) {
+void NearCells::update(const RasterScene& scene, std::uint64_t version, int threads) {
   std::vector<std::uint32_t> parts = near_parts(scene);
   std::vector<std::shared_ptr<const StrandSet>> sets;
   for (const std::uint32_t i : parts) sets.push_back(scene.parts[i].strands);
-  if (parts == parts_ && cell_ == cell / over_cell && sets == held_) return;
+  const float cell = near_cell_side(scene.cells->cell);
+  if (parts == parts_ && cell_ == cell && sets == held_) return;
   since_ = version;
-  cell_ = cell / over_cell, parts_ = std::move(parts), held_ = std::move(sets);
-  fill(threads), ++fills_;
+  cell_ = cell, parts_ = std::move(parts), held_ = std::move(sets);
+  fill(threads);
 }
 
 }  // namespace pelage

@@ -14,15 +14,20 @@ namespace pelage {
 
 struct RasterScene;
 
+/// The parts that a picture shows from near: their single strands are looked for.
+std::vector<std::uint32_t> near_parts(const RasterScene& scene);
+/// A side of a near cell, where the density grid has cells of that side.
+float near_cell_side(float cell);
+
 /// Cells by a hash of their coordinates (Teschner et al. 2003): most of the space around fur is empty.
 class NearCells {
  public:
   static constexpr std::uint32_t count = near_places;  // for cells; a few share one
   static constexpr float one = near_one;
 
-  /// Holds the strands of all parts that the picture shows from near, in cells that are a fraction of `cell` wide.
-  /// `version` is that of the density grid. Deterministic for any number of threads.
-  void update(const RasterScene& scene, float cell, std::uint64_t version, int threads);
+  /// Holds the strands of all parts that the picture shows from near. `version` is that of the density grid.
+  /// Deterministic for any number of threads.
+  void update(const RasterScene& scene, std::uint64_t version, int threads);
 
   /// Sizes.
   float cell() const { return cell_; }
@@ -33,8 +38,6 @@ class NearCells {
   /// Of the grid, when what is near became as it is: of places that share cells, and of the mean, all may look
   /// another way since.
   std::uint64_t since() const { return since_; }
-  /// How often they were filled anew.
-  std::uint64_t fills() const { return fills_; }
   std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
 
  private:
@@ -44,7 +47,7 @@ class NearCells {
   std::vector<std::uint16_t> cells_;
   std::vector<std::uint32_t> parts_;                    // that are near
   std::vector<std::shared_ptr<const StrandSet>> held_;  // of each of them
-  std::uint64_t since_ = 0, fills_ = 0;
+  std::uint64_t since_ = 0;
 };
 
 }  // namespace pelage

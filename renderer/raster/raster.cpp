@@ -225,7 +225,7 @@ void darken_tile(const RasterScene& scene, const PixelBox& box, int tile, FloatI
 /// Of the grid, which a stroke seldom moves, and what stands out beyond it.
 DistanceKeys keys_of(const RasterScene& scene) {
   constexpr float beyond = 0.25f;  // sizes
-  const GridPlace& grid = scene.grid->place();
+  const GridPlace& grid = *scene.cells;
   const glm::vec3 half = 0.5f * grid.cell * glm::vec3(grid.size);
   const float radius = glm::length(half) + beyond;
   const float middle = glm::dot(grid.low + half - scene.camera.position, scene.camera.forward);
@@ -337,22 +337,30 @@ RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::ar
 
 RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
                              const RasterQuality& quality, RasterOutput shown) {
-  kept_->grid.update(model, fur.parts(), frame.lights, threads_);
-  if (frame.ground) kept_->update_sky(model, frame.ground->height, threads_);
   RasterScene scene = bare_scene_of(model, fur.skin(), frame, shown);
-  scene.quality = quality, scene.parts = fur.parts(), scene.grid = &kept_->grid;
-  kept_->near.update(scene, kept_->grid.place().cell, kept_->grid.version(), threads_);
-  scene.near = &kept_->near;
-  if (frame.ground && frame.ground->height < frame.camera.position.y)
-    scene.ground = frame.ground, scene.sky = &kept_->sky;
+  scene.quality = quality, scene.parts = fur.parts(), scene.bend = fur.bend();
+  scene.cells = grid_place(scene.parts), scene.lights = frame.lights;
+  if (frame.ground && frame.ground->height < frame.camera.position.y) scene.ground = frame.ground;
   scene.keys = keys_of(scene);
   return scene;
+}
+
+void Raster::fill_cells(RasterScene& scene) {
+  kept_->grid.update(*scene.model, scene.parts, scene.lights, threads_);
+  scene.grid = &kept_->grid;
+  if (scene.ground) {
+    kept_->update_sky(*scene.model, scene.ground->height, threads_);
+    scene.sky = &kept_->sky;
+  }
+  kept_->near.update(scene, kept_->grid.version(), threads_);
+  scene.near = &kept_->near;
 }
 
 FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                         RasterCounts* counts, RasterOutput shown) {
   RasterCounts counted;
-  const RasterScene scene = scene_of(model, fur, frame, quality, shown);
+  RasterScene scene = scene_of(model, fur, frame, quality, shown);
+  fill_cells(scene);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   for (const PixelBox& box : boxes_of(frame)) {
     draw_box(scene, box, picture, counted);

@@ -59,6 +59,8 @@ class Raster {
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);
+  /// Finds what stands in the way of a scene's light, which who draws it with this object asks for first.
+  void fill_cells(RasterScene& scene);
   /// The same of the skin and the eyes alone, in light that nothing stands in the way of; `skin` has the look of each
   /// piece.
   RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,

@@ -88,15 +88,19 @@ struct RasterScene {
   RasterOutput shown = RasterOutput::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
+  FurBend bend;                                   // that their strands are still to be bent by
   const TileMask* drawn = nullptr;                // tiles that are; null for all
   DistanceKeys keys;                              // of what the parts lie between
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   std::span<const glm::vec3> field;               // of each vertex, where it is shown
-  const DensityGrid* grid = nullptr;              // of what stands in the way of light; null where nothing does
-  const NearCells* near = nullptr;                // the same of single strands, for parts that are near; null for none
+  std::optional<GridPlace> cells;                 // of what stands in the way of light; none where nothing does
+  std::span<const FurLight> lights;               // that things stand in the way of
+  // What stands there, for the CPU: of the fur and the body, and of single strands of parts that are near.
+  const DensityGrid* grid = nullptr;
+  const NearCells* near = nullptr;
   std::vector<EyeCamera> eyes;                    // of optics.eyes
   std::optional<FurGround> ground;
-  const SkyOverGround* sky = nullptr;  // over the ground
+  const SkyOverGround* sky = nullptr;  // over the ground, for the CPU
   std::array<LightSize, 8> light_sizes{};
 };
 

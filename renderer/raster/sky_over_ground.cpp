@@ -103,24 +103,24 @@ std::array<glm::vec3, ways> sky_ways() {
   return all;
 }
 
-SkyOverGround empty_map(const GridPlace& place) {
+}  // namespace
+
+SkyOverGround sky_map(const GridPlace& place) {
   const glm::vec2 low(place.low.x, place.low.z), room(place.cell * glm::vec2(place.size.x, place.size.z));
   SkyOverGround map;
   map.low = low - reach;
   map.cell = std::max(finest, (std::max(room.x, room.y) + 2 * reach) / (max_places - 1));
   map.size = glm::ivec2(glm::ceil((room + 2 * reach) / map.cell)) + 1;
-  map.hidden.resize(static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y));
   return map;
 }
-
-}  // namespace
 
 SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
                               float height, int threads) {
   const Columns columns(place, density, model);
   if (!(columns.top() > height)) return {};
   const std::array<glm::vec3, ways> all = sky_ways();
-  SkyOverGround map = empty_map(place);
+  SkyOverGround map = sky_map(place);
+  map.hidden.resize(static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y));
   for_each_in_parallel(
       static_cast<std::uint32_t>(map.size.y),
       [&](std::uint32_t row) {

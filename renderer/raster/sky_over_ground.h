@@ -17,6 +17,9 @@ struct SkyOverGround {
   std::vector<float> hidden;  // [0, 1], of light that comes from all sides as from a matt sky
 };
 
+/// The map around a grid, of nothing.
+SkyOverGround sky_map(const GridPlace& place);
+
 /// Of the ground at that height, sizes. What stands in a column of the grid is taken for solid from the lowest of it to
 /// the highest.
 SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,

@@ -41,6 +41,16 @@ const int field_storage = 6;
 const int azimuthal_storage = 7;
 const int knots_storage = 7;
 const int triangles_storage = 7;
+const int fur_groups_storage = 2;
+const int fur_parts_storage = 3;
+const int bends_storage = 4;
+const int leans_storage = 5;
+const int bent_storage = 6;
+const int cell_sums_storage = 4;
+const int body_sums_storage = 5;
+const int within_storage = 6;
+const int through_storage = 1;
+const int columns_storage = 0;
 const int max_strand_groups = 65536;   // of 64 strands of one part
 
 // Textures.

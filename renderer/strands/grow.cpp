@@ -173,7 +173,7 @@ struct Grower::Impl {
   void append(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
   StandingForm form_of(const TileCopy& copy, const RootFields& root) const;
   StandingForm guard_hair(const TileCopy& copy, const RootFields& root) const;
-  LeanCurves bend_of(std::uint32_t piece) const;
+  PieceBend bend_of(std::uint32_t piece) const;
 
   FurModel model;
   GrowRecipe recipe;
@@ -245,10 +245,18 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
   set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing));
 }
 
-LeanCurves Grower::Impl::bend_of(std::uint32_t piece) const {
+PieceBend Grower::Impl::bend_of(std::uint32_t piece) const {
   const PatternBlock* block = pattern ? &*pattern : nullptr;
-  const FurPiece still(model, vertices, piece, tables->leans, block), moved(model, bent, piece, tables->leans, block);
-  return moved.curves().less(still.curves());
+  const std::span<const glm::vec3> rest = model.rest_positions.empty() ? model.positions : model.rest_positions;
+  PieceBend bend;
+  for (int k = 0; k < 3; ++k) {
+    const std::uint32_t v = model.triangles[piece][k];
+    const auto lean = [&](const FurVertex& vertex) {
+      return corner_lean(vertex, rest[v], model.normals[v], model.tangents[v], block);
+    };
+    bend[static_cast<std::size_t>(k)] = {lean(vertices[v]), lean(bent[v])};
+  }
+  return bend;
 }
 
 void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const {
@@ -306,8 +314,15 @@ void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
   std::vector<std::uint32_t> pieces(chunk);
   std::sort(pieces.begin(), pieces.end());
   std::vector<LeanCurves> bends(pieces.size());
-  std::transform(pieces.begin(), pieces.end(), bends.begin(),
-                 [&](std::uint32_t piece) { return grower.bend_of(piece); });
+  std::transform(pieces.begin(), pieces.end(), bends.begin(), [&](std::uint32_t piece) {
+    const PieceBend bend = grower.bend_of(piece);
+    LeanCurves still, moved;
+    for (int k = 0; k < 3; ++k) {
+      still.set(k, grower.tables->leans, bend[static_cast<std::size_t>(k)].still);
+      moved.set(k, grower.tables->leans, bend[static_cast<std::size_t>(k)].moved);
+    }
+    return moved.less(still);
+  });
   StrandPoint* point = set.points.data();
   for (const StrandRoot& root : set.roots) {
     const auto piece = std::lower_bound(pieces.begin(), pieces.end(), root.piece);
@@ -318,6 +333,10 @@ void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
       point->place += root.stretch * curves.at(shares, grower.tile.along(k) * root.reach);
   }
 }
+
+PieceBend Grower::bend_of(std::uint32_t piece) const { return impl_->bend_of(piece); }
+
+const LeanTable& Grower::leans() const { return impl_->tables->leans; }
 
 const std::shared_ptr<const CoatTables>& Grower::tables() const { return impl_->tables; }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
+#include "renderer/strands/root_fields.h"
 #include "renderer/strands/strand_set.h"
 
 namespace pelage {
@@ -70,6 +71,10 @@ class Grower {
   /// Moves strands that grew of a chunk where `still` has them to where `direction` leads (FurFields::still, not
   /// empty).
   void bend(const StrandChunk& chunk, StrandSet& set) const;
+  /// By which `bend` moves the strands of a piece.
+  PieceBend bend_of(std::uint32_t piece) const;
+  /// In which strands lean.
+  const LeanTable& leans() const;
   /// Of the corners of a piece.
   std::array<SkinLook, 3> skin(std::uint32_t piece) const;
   /// Of all that `grow(chunk)` and `skin` of its pieces depend on: the same while they would give the same. 64 bits.

@@ -51,6 +51,21 @@ void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, G
   part.longest = std::ceil(longest / step) * step;
 }
 
+/// Around all ways that strands of length 1 in `stretch` go from where they have grown.
+void add_bend(const PieceBend& bend, const LeanTable& leans, float stretch, glm::vec3& low, glm::vec3& high) {
+  constexpr std::size_t step = lean_cells / 4;  // they go ever further on their way up
+  for (const auto& [still, moved] : bend) {
+    for (std::size_t k = step; k <= lean_cells; k += step) {
+      const auto place = [&](const CornerLean& lean) {
+        const glm::vec2 at = leans.knot(lean.inclination, k).place;
+        return lean.length * (at.x * lean.way + at.y * lean.normal);
+      };
+      const glm::vec3 way = stretch * (place(moved) - place(still));
+      low = glm::min(low, way), high = glm::max(high, way);
+    }
+  }
+}
+
 }  // namespace
 
 void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
@@ -58,6 +73,7 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
   chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
   parts_.clear(), still_.assign(chunks_.size(), {}), curves_.clear(), skin_.assign(model.triangles.size(), {});
+  bends_.clear();
   const auto none = std::make_shared<const StrandSet>();
   for (const StrandChunk& chunk : chunks_) parts_.push_back({.strands = none, .area = area_of(model, chunk)});
   parts_.push_back({.role = StrandRole::curve, .strands = none, .crowding = 0});
@@ -65,12 +81,17 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
 }
 
 /// Gives the strands that were grown.
-std::size_t GrownFur::grow_still(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk) {
+std::size_t GrownFur::grow_still(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
+                                 std::size_t chunk) {
   Still& still = still_[chunk];
   const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
   if (still.state == state) return 0;
   still = {std::make_shared<const StrandSet>(grower.grow(chunks_[chunk])), state};
+  for (const StrandRoot& root : still.strands->roots) still.stretch = std::max(still.stretch, root.stretch);
   GrownPart& part = parts_[chunk];
+  part.strands = still.strands;
+  find_bounds(model, chunks_[chunk], part);
+  still.low = part.low, still.high = part.high;
   Hash skin;
   for (const std::uint32_t piece : chunks_[chunk]) skin.add_value(skin_[piece] = grower.skin(piece));
   part.skin = skin.value();
@@ -83,25 +104,31 @@ std::size_t GrownFur::grow_still(const Grower& grower, const GrowRecipe& recipe,
   return count;
 }
 
-/// Bends what has grown as well, where something moves it.
-std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
-                                std::size_t chunk) {
-  const std::size_t grown = grow_still(grower, recipe, chunk);
+void GrownFur::bend_part(const Grower& grower, Bending bending, std::size_t chunk) {
   GrownPart& part = parts_[chunk];
   const Still& still = still_[chunk];
-  const std::uint64_t bend = grower.bend_fingerprint(chunks_[chunk]);
+  glm::vec3 low(0), high(0);
+  for (const std::uint32_t piece : chunks_[chunk])
+    add_bend(bends_[piece] = grower.bend_of(piece), grower.leans(), still.stretch, low, high);
+  part.low = still.low + low, part.high = still.high + high;
+  if (bending == Bending::left) return;
+  auto bent = std::make_shared<StrandSet>(*still.strands);
+  grower.bend(chunks_[chunk], *bent);
+  part.strands = std::move(bent);
+}
+
+/// Bends what has grown as well, where something moves it.
+std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, Bending bending,
+                                std::size_t chunk) {
+  const std::size_t grown = grow_still(model, grower, recipe, chunk);
+  GrownPart& part = parts_[chunk];
+  const Still& still = still_[chunk];
   Hash state;
-  state.add(still.state), state.add(bend);
+  state.add(still.state), state.add(grower.bend_fingerprint(chunks_[chunk]));
+  state.add(static_cast<std::uint64_t>(bending));
   if (part.state == state.value()) return grown;
-  part.state = state.value();
-  if (bend == 0) {
-    part.strands = still.strands;
-  } else {
-    auto bent = std::make_shared<StrandSet>(*still.strands);
-    grower.bend(chunks_[chunk], *bent);
-    part.strands = std::move(bent);
-  }
-  find_bounds(model, chunks_[chunk], part);
+  part.state = state.value(), part.strands = still.strands, part.low = still.low, part.high = still.high;
+  if (!bends_.empty()) bend_part(grower, bending, chunk);
   return grown;
 }
 
@@ -116,14 +143,15 @@ std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
 }
 
 std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
-                             std::span<const FurCurves> curves) {
+                             std::span<const FurCurves> curves, Bending bending) {
   divide(model, recipe);
   const Grower grower(model, fields, recipe, tables_);
-  tables_ = grower.tables();
+  tables_ = grower.tables(), leans_ = {tables_, &grower.leans()};
+  bends_.resize(fields.still.empty() ? 0 : model.triangles.size());
   std::atomic<std::size_t> grown{set_curves(curves)};
   for_each_in_parallel(
       static_cast<std::uint32_t>(chunks_.size()),
-      [&](std::uint32_t chunk) { grown += grow_part(model, grower, recipe, chunk); }, threads);
+      [&](std::uint32_t chunk) { grown += grow_part(model, grower, recipe, bending, chunk); }, threads);
   return grown;
 }
 
@@ -138,7 +166,7 @@ std::size_t GrownFur::bytes() const {
   for (const GrownPart& part : parts_) sum += part.strands->bytes();
   for (std::size_t i = 0; i < still_.size(); ++i)
     if (still_[i].strands && still_[i].strands != parts_[i].strands) sum += still_[i].strands->bytes();
-  return sum + skin_.size() * sizeof(skin_[0]);
+  return sum + skin_.size() * sizeof(skin_[0]) + bends_.size() * sizeof(PieceBend);
 }
 
 }  // namespace pelage

@@ -35,28 +35,43 @@ struct GrownPart {
   std::uint64_t skin = 0;   // the same while the looks of its skin are
 };
 
+/// What moves strands from where they have grown.
+struct FurBend {
+  std::span<const PieceBend> pieces;  // of each piece of the model; empty: nothing moves them
+  std::span<const LeanRow> leans;     // in which they lean: LeanTable::rows
+};
+
+/// Whether strands are bent, or left to who bends them by a FurBend.
+enum class Bending { done, left };
+
 class GrownFur {
  public:
   /// Grows what is not as it was, on up to `threads`. Gives the strands that were grown. The views are not kept.
   std::size_t update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
-                     std::span<const FurCurves> curves = {});
+                     std::span<const FurCurves> curves = {}, Bending bending = Bending::done);
 
   const std::vector<GrownPart>& parts() const { return parts_; }
+  /// How these parts are to be bent, where that was left.
+  FurBend bend() const { return {bends_, leans_ ? leans_->rows() : std::span<const LeanRow>()}; }
   /// Of each piece of the model.
   const std::vector<std::array<SkinLook, 3>>& skin() const { return skin_; }
   std::size_t count() const;
   std::size_t bytes() const;
 
  private:
-  /// A part's strands before anything moves them.
+  /// A part's strands before anything moves them, and what is around them.
   struct Still {
     std::shared_ptr<const StrandSet> strands;
     std::uint64_t state = 0;
+    glm::vec3 low{0}, high{0};
+    float stretch = 1;  // largest of their roots'
   };
 
   void divide(const FurModel& model, const GrowRecipe& recipe);
-  std::size_t grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
-  std::size_t grow_still(const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
+  std::size_t grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, Bending bending,
+                        std::size_t chunk);
+  std::size_t grow_still(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, std::size_t chunk);
+  void bend_part(const Grower& grower, Bending bending, std::size_t chunk);
   std::size_t set_curves(std::span<const FurCurves> curves);
 
   std::uint64_t model_ = 0;
@@ -66,6 +81,8 @@ class GrownFur {
   std::vector<FurCurves> curves_;
   std::vector<GrownPart> parts_;  // of each chunk, then that of the curves
   std::vector<Still> still_;      // of each chunk
+  std::vector<PieceBend> bends_;  // of each piece; empty where nothing moves
+  std::shared_ptr<const LeanTable> leans_;
   std::vector<std::array<SkinLook, 3>> skin_;
 };
 

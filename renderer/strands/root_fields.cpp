@@ -22,15 +22,17 @@ LeanTable::LeanTable(LeanCurve curve, double root_share) : rows_(inclinations + 
   }
 }
 
-LeanRow LeanTable::row(float inclination) const {
+LeanKnot LeanTable::knot(float inclination, std::size_t k) const {
   const float at = std::clamp(inclination, 0.0f, 1.0f) * inclinations;
   const auto low = std::min(static_cast<std::size_t>(at), rows_.size() - 2);
   const float part = at - static_cast<float>(low);
+  return {glm::mix(rows_[low][k].place, rows_[low + 1][k].place, part),
+          glm::mix(rows_[low][k].slope, rows_[low + 1][k].slope, part)};
+}
+
+LeanRow LeanTable::row(float inclination) const {
   LeanRow row;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    row[k].place = glm::mix(rows_[low][k].place, rows_[low + 1][k].place, part);
-    row[k].slope = glm::mix(rows_[low][k].slope, rows_[low + 1][k].slope, part);
-  }
+  for (std::size_t k = 0; k < row.size(); ++k) row[k] = knot(inclination, k);
   return row;
 }
 
@@ -73,11 +75,22 @@ RootFields corner_fields(const FurModel& model, std::span<const FurVertex> verti
   return root;
 }
 
-void LeanCurves::set(int corner, const LeanRow& row, glm::vec3 lean, glm::vec3 normal, float length) {
+CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
+                       const PatternBlock* pattern) {
+  const auto [inclination, way] = lean_of(vertex.direction, normal, tangent);
+  CornerLean lean{normal, vertex.length, way, inclination};
+  if (!pattern) return lean;
+  lean.length *= pattern_length(*pattern, rest_place);
+  lean.inclination = glm::clamp(inclination + pattern_lean(*pattern, rest_place), 0.0f, 1.0f);
+  return lean;
+}
+
+void LeanCurves::set(int corner, const LeanTable& leans, const CornerLean& lean) {
   Corner& own = corners_[static_cast<std::size_t>(corner)];
+  const LeanRow row = leans.row(lean.inclination);
   for (std::size_t k = 0; k < row.size(); ++k) {
-    own.curve[k] = length * (row[k].place.x * lean + row[k].place.y * normal);
-    own.slope[k] = (length / lean_cells) * (row[k].slope.x * lean + row[k].slope.y * normal);
+    own.curve[k] = lean.length * (row[k].place.x * lean.way + row[k].place.y * lean.normal);
+    own.slope[k] = (lean.length / lean_cells) * (row[k].slope.x * lean.way + row[k].slope.y * lean.normal);
   }
 }
 
@@ -117,23 +130,14 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
     corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
     density_[i] = corner.fur.density;
-    prepare(i, model.tangents[v], leans, pattern);
+    const CornerLean lean = corner_lean(corner.fur, corner.rest_place, corner.normal, model.tangents[v], pattern);
+    corner.fur.length = lean.length;  // as the pattern has it
+    curves_.set(i, leans, lean);
   }
   const auto of_corners = [&](glm::vec3 Corner::*of) {
     return std::array{corners_[0].*of, corners_[1].*of, corners_[2].*of};
   };
   if (moved) turn_ = turn_of_triangle(of_corners(&Corner::rest_place), of_corners(&Corner::place));
-}
-
-/// The curve of a strand at a corner, as in fur_vertex.glsl.
-void FurPiece::prepare(int index, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern) {
-  Corner& corner = corners_[static_cast<std::size_t>(index)];
-  auto [inclination, lean] = lean_of(corner.fur.direction, corner.normal, tangent);
-  if (pattern) {
-    corner.fur.length *= pattern_length(*pattern, corner.rest_place);
-    inclination = glm::clamp(inclination + pattern_lean(*pattern, corner.rest_place), 0.0f, 1.0f);
-  }
-  curves_.set(index, leans.row(inclination), lean, corner.normal, corner.fur.length);
 }
 
 glm::vec3 FurPiece::place(glm::vec3 share) const {

@@ -34,6 +34,10 @@ class LeanTable {
 
   /// For an inclination in [0, 1]: off the curve by less than 1e-5 of its length, cubic in between.
   LeanRow row(float inclination) const;
+  /// Knot k of that.
+  LeanKnot knot(float inclination, std::size_t k) const;
+  /// Of inclinations at even steps from 0 to 1; those in between are mixed.
+  std::span<const LeanRow> rows() const { return rows_; }
 
  private:
   std::vector<LeanRow> rows_;
@@ -61,10 +65,28 @@ struct RootFields {
 /// The fields at a corner of a piece, but for what strands alone need: axes of the tile, curl and clump.
 RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner);
 
+/// How fur leans at a corner of a piece.
+struct CornerLean {
+  glm::vec3 normal{0, 1, 0};  // unit
+  float length = 0;           // of the fur, sizes
+  glm::vec3 way{0};           // along the skin, unit
+  float inclination = 0;      // [0, 1]
+};
+/// `pattern` where length and lean change with the place, null where not.
+CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
+                       const PatternBlock* pattern);
+
+/// What moves the fur at a corner from where it has grown.
+struct CornerBend {
+  CornerLean still, moved;
+};
+/// Of each corner of a piece.
+using PieceBend = std::array<CornerBend, 3>;
+
 /// The curves in which fur leans on a piece, mixed of those at its corners.
 class LeanCurves {
  public:
-  void set(int corner, const LeanRow& row, glm::vec3 lean, glm::vec3 normal, float length);
+  void set(int corner, const LeanTable& leans, const CornerLean& lean);
   /// From the root to the height s in [0, 1] of the fur there, sizes.
   glm::vec3 at(glm::vec3 share, float s) const;
   /// What leads from `other` to these.
@@ -99,8 +121,6 @@ class FurPiece {
     FurVertex fur;
     FurCorner corner;
   };
-  void prepare(int corner, glm::vec3 tangent, const LeanTable& leans, const PatternBlock* pattern);
-
   std::array<Corner, 3> corners_;
   LeanCurves curves_;
   glm::vec3 grown_, density_;  // of each corner

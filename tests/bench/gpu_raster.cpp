@@ -50,6 +50,7 @@ class Duel {
     fur_.update(model_, make_fields(model.view(), {}, {}), recipe, default_threads());
     quality_ = quality_of(frame.knobs, winding(frame.coat));
     scene_ = raster_.scene_of(model_, fur_, frame, quality_, RasterOutput::light);
+    raster_.fill_cells(scene_);
     std::printf("%zu strands\n", fur_.count());
   }
 

@@ -183,6 +183,40 @@ TEST_P(GpuRasterTwin, FollowsALight) {
   expect_same(scene.model, scene.request, "one_light");
 }
 
+TEST_P(GpuRasterTwin, FollowsALightThatStandsNear) {
+  GoldenScene scene = small_scene(0, 64);
+  const Mesh& mesh = scene.model.model.surface.mesh();
+  Light light = scene.model.settings.lights.front();
+  light.kind = LightKind::point, light.intensity *= 0.1;
+  light.position = mesh.to_model({0.1, 0.5, 0.3});
+  scene.model.settings.lights = {light};
+  expect_same(scene.model, scene.request, "light_beside");
+  scene.model.settings.lights.front().position = mesh.to_model({0.013, 0.221, 0.307});
+  expect_same(scene.model, scene.request, "light_within");
+}
+
+TEST_P(GpuRasterTwin, FollowsTheWind) {
+  GoldenScene scene = small_scene(3, 96);  // a pattern changes how it leans
+  scene.model.settings.coat.curl = 0.1;
+  const Image calm = draw(*by_gl, scene.model, scene.request);
+  std::vector<glm::vec2> blown(scene.model.fields.direction().begin(), scene.model.fields.direction().end());
+  const auto frame_of = [&](Renderer& renderer) {
+    const VertexRange all{0, static_cast<std::uint32_t>(blown.size())};
+    sync_scene(renderer, scene.model.view(), {all}, &blown, false);
+    Result<Image> drawn = renderer.draw(make_frame(scene.model.view(), scene.request));
+    return drawn ? std::move(drawn).value() : Image();
+  };
+  for (const float gust : {0.5f, -0.3f}) {
+    for (std::size_t v = 0; v < blown.size(); ++v)
+      blown[v] += gust * glm::vec2(std::cos(0.01 * static_cast<double>(v)), 1);
+    const Image expected = frame_of(by_cpu), drawn = frame_of(*by_gl);
+    EXPECT_GT(mean_difference(expected, calm), 0.5) << "the wind is seen";
+    EXPECT_LE(mean_difference(expected, drawn), 0.05);
+    EXPECT_LE(flip_between(expected, drawn), 0.02);
+  }
+  EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, calm.rgba) << "it stands as it did";
+}
+
 /// All pictures but those of colours.
 TEST_P(GpuRasterTwin, ShowsWhatIsAskedForBesideLight) {
   const GoldenScene scene = whole_creature(64);

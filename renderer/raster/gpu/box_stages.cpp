@@ -9,7 +9,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 constexpr std::size_t knot_bytes = 24, point_bytes = 16, entry_bytes = 8;
 
 /// Enough for a little more, so that the next frame has room at once.
@@ -134,13 +133,13 @@ bool BoxStages::find_skin(const DrawnBox& box, const SceneData& data) {
 
 bool BoxStages::place_strands(const DrawnBox& box, const SceneData& data) {
   if (!begin(Stage::keep, box,
-             {{points_storage, &data.pool.points()}, {words_storage, &data.pool.words()}, {plan_storage, &data.plan}}))
+             {{points_storage, &data.cells.points(data.pool)}, {words_storage, &data.pool.words()}, {plan_storage, &data.plan}}))
     return false;
   stages_.run(box.groups());
   strand_knots_.clear(0);
   for (const int writing : {0, 1}) {
     if (!begin(Stage::place, box,
-               {{points_storage, &data.pool.points()},
+               {{points_storage, &data.cells.points(data.pool)},
                 {words_storage, &data.pool.words()},
                 {plan_storage, &data.plan},
                 {hidden_storage, &hidden_},
@@ -167,13 +166,13 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
   if (!scan(box, strand_points_, box.strands.strands() + std::size_t{1})) return false;
   const bool is_field = box.scene.shown == RasterOutput::field;
   if (!begin(Stage::light, box,
-             {{points_storage, &data.pool.points()},
+             {{points_storage, &data.cells.points(data.pool)},
               {words_storage, &data.pool.words()},
               {plan_storage, &data.plan},
               {strand_points_storage, &strand_points_},
               {lit_points_storage, &lit_points_},
-              {crossed_storage, &data.model.crossed},
-              {is_field ? field_storage : near_storage, is_field ? &data.model.field : &data.model.near},
+              {crossed_storage, &data.cells.crossed},
+              {is_field ? field_storage : near_storage, is_field ? &data.model.field : &data.cells.near},
               {is_field ? triangles_storage : azimuthal_storage, is_field ? &data.model.triangles : &data.azimuthal}}))
     return false;
   stages_.run(box.groups());
@@ -245,14 +244,14 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
               {vertices_storage, &data.model.vertices},
               {corners_storage, &data.model.corners},
               {looks_storage, &data.model.looks},
-              {crossed_storage, &data.model.crossed},
+              {crossed_storage, &data.cells.crossed},
               {is_field ? field_storage : texels_storage, is_field ? &data.model.field : &data.model.texels},
               {triangles_storage, &data.model.triangles}}))
     return false;
   stages_.run(box.grid());
   if (box.scene.ground && box.scene.shown == RasterOutput::light) {
     if (!begin(Stage::ground, box,
-               {{sums_storage, &sums_}, {sky_storage, &data.model.sky}, {crossed_storage, &data.model.crossed}}))
+               {{sums_storage, &sums_}, {sky_storage, &data.cells.sky}, {crossed_storage, &data.cells.crossed}}))
       return false;
     stages_.run(box.grid());
   }
@@ -262,7 +261,7 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
 bool BoxStages::draw(const DrawnBox& box, SceneData& data) {
   reserve(box);
   data.send_rooms(box, rooms_);
-  return find_skin(box, data) && place_strands(box, data) && light_strands(box, data) && fill_tiles(box) &&
+  return data.cells.find(stages_, box.scene, data.pool, data.model) && find_skin(box, data) && place_strands(box, data) && light_strands(box, data) && fill_tiles(box) &&
          blend(box, data);
 }
 

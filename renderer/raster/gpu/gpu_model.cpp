@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-void GpuModel::update(const RasterScene& scene, bool strands_changed) {
+void GpuModel::update(const RasterScene& scene) {
   if (model_ != scene.model->id) {
     send_shape(*scene.model);
     model_ = scene.model->id, images_ = nullptr;
@@ -15,8 +15,6 @@ void GpuModel::update(const RasterScene& scene, bool strands_changed) {
   if (images && images_ != images) send_texels(*images);
   images_ = images;
   field.send(scene.field);
-  send_grid(scene, strands_changed);
-  if (scene.sky) sky.send(std::span<const float>(scene.sky->hidden));
 }
 
 void GpuModel::send_shape(const FurModel& model) {
@@ -45,21 +43,6 @@ void GpuModel::send_texels(const BaseImages& images) {
     sent.insert(sent.end(), {level.width, level.height, level.first});
   sent.insert(sent.end(), images.texels.begin(), images.texels.end());
   texels.send(std::span<const std::int32_t>(sent));
-}
-
-void GpuModel::send_grid(const RasterScene& scene, bool strands_changed) {
-  const DensityGrid& grid = *scene.grid;
-  const auto lights = static_cast<std::size_t>(scene.optics.lights);
-  const std::size_t bytes = grid.place().count() * sizeof(Crossed);
-  if (strands_changed || crossed_version_ != grid.crossed_version() || lights_ != lights) {
-    crossed.reserve(lights * bytes);
-    for (std::size_t light = 0; light < lights; ++light) crossed.send_at(light * bytes, grid.crossed(light));
-    crossed_version_ = grid.crossed_version(), lights_ = lights;
-  }
-  const NearCells& cells = *scene.near;
-  if (cells.cells().empty() || (!strands_changed && near_fills_ == cells.fills())) return;
-  near.send(cells.cells());
-  near_fills_ = cells.fills();
 }
 
 }  // namespace pelage

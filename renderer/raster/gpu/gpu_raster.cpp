@@ -15,7 +15,7 @@ struct GpuRaster::Held {
   static constexpr std::size_t max_scenes = 4;
 
   struct Scene {
-    const DensityGrid* of;  // whose fur and light are there: each model has one
+    const GrownPart* of;  // whose strands are there
     SceneData data;
   };
 
@@ -32,12 +32,12 @@ struct GpuRaster::Held {
   }
 
   SceneData& data_of(const RasterScene& scene) {
-    const auto found = std::ranges::find(scenes, scene.grid, &Scene::of);
+    const auto found = std::ranges::find(scenes, scene.parts.data(), &Scene::of);
     if (found != scenes.end()) {
       scenes.splice(scenes.begin(), scenes, found);
     } else {
       if (scenes.size() == max_scenes) scenes.pop_back();
-      scenes.push_front({scene.grid, SceneData(gl)});
+      scenes.push_front({scene.parts.data(), SceneData(gl)});
     }
     return scenes.front().data;
   }

@@ -24,10 +24,14 @@ vec3 field_at_root(uint root) {
 }
 #else
 #include "lights.glsl"
-layout(std430, binding = near_storage) readonly buffer NearCells { uint near_cells[]; };  // two in a word
+#include "near_cells.glsl"
+layout(std430, binding = near_storage) readonly buffer NearCells {
+  uint near_total[2];  // of all cells, low word first
+  uint near_cells[];   // two in a word
+};
+float near_mean;
 float near_count(vec3 cell) {
-  uvec3 part = uvec3(ivec3(cell)) * uvec3(near_of_x, near_of_y, near_of_z);
-  uint index = (part.x ^ part.y ^ part.z) & uint(near_places - 1);
+  uint index = near_index(cell);
   return float(near_cells[index / 2] >> (index % 2 * 16) & 0xffffu);
 }
 #include "../../shaders/shared/strand_light.glsl"
@@ -118,6 +122,7 @@ void main() {
   vec3 field = field_at_root(root_at(part, strand));
   for (int p = 0; p < lit.count; ++p) lit_points[first + uint(p)] = vec4(field, 0.0);
 #else
+  near_mean = (float(near_total[1]) * 4294967296.0 + float(near_total[0])) / float(near_places);
   LitStrand of = lit_strand_of(part, strand, lit);
   for (int p = 0; p < lit.count; ++p) {
     int knot = lit_knot(lit, part.segments, p);

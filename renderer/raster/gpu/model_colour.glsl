@@ -2,8 +2,6 @@
 layout(std430, binding = corners_storage) readonly buffer Corners { uint corners[]; };  // FurCorner: a whole number among floats
 layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[]; };  // width, height, first of each level; texels
 
-const uint corner_words = 15;
-
 float corner_float(uint at) { return uintBitsToFloat(corners[at]); }
 
 struct PieceCorners {

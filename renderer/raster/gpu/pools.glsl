@@ -3,8 +3,6 @@
 layout(std430, binding = points_storage) readonly buffer Points { vec4 pool_points[]; };
 layout(std430, binding = words_storage) readonly buffer Words { uint pool_words[]; };
 
-const uint root_words = 9;
-
 vec4 point_of(Part part, uint strand, int knot) {
   return pool_points[part.points + strand * uint(part.segments + 1) + uint(knot)];
 }

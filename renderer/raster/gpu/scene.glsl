@@ -16,7 +16,7 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   ivec3 grid_size;
   bool grid_there;
   float near_cell;
-  float near_mean;
+  uint fur_group_count;
   bool near_there;
   bool far_lights;
   int shading_model;
@@ -45,6 +45,8 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
 const uint tile_side = 16, tile_pixels = 256;
 const uint strand_group = 64;  // of strands of one part
 const float near_distance = 1e-4;
+const uint root_words = 9;  // StrandRoot, FurCorner
+const uint corner_words = 15;
 const uint knot_bit = 0x40000000;  // of numbers of knots that go as floats
 const float min_shown = 1e-3;  // what shows less of a pixel shows nothing
 

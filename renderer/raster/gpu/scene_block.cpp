@@ -7,18 +7,18 @@ namespace pelage {
 namespace {
 
 void add_grid(const RasterScene& scene, SceneBlock& block) {
-  if (!scene.grid) return;
-  const GridPlace& place = scene.grid->place();
+  if (!scene.cells) return;
+  const GridPlace& place = *scene.cells;
   block.grid_there = 1, block.grid_low = place.low, block.grid_cell = place.cell, block.grid_size = place.size;
-  if (!scene.near || scene.near->cells().empty()) return;
-  block.near_there = 1, block.near_cell = scene.near->cell(), block.near_mean = scene.near->mean();
+  block.near_cell = near_cell_side(place.cell);
 }
 
 void add_ground(const RasterScene& scene, SceneBlock& block) {
   if (!scene.ground) return;
   block.ground_height = scene.ground->height, block.ground_contact = scene.ground->contact;
   block.ground_shadow = scene.ground->shadow;
-  block.sky_low = scene.sky->low, block.sky_cell = scene.sky->cell, block.sky_size = scene.sky->size;
+  const SkyOverGround sky = sky_map(*scene.cells);
+  block.sky_low = sky.low, block.sky_cell = sky.cell, block.sky_size = sky.size;
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ struct SceneBlock {
   float grid_cell = 1;
   glm::ivec3 grid_size{2};
   std::uint32_t grid_there = 0;
-  float near_cell = 1, near_mean = 0;
-  std::uint32_t near_there = 0, far_lights = 0;
+  float near_cell = 1;
+  std::uint32_t fur_groups = 0, near_there = 0, far_lights = 0;
   std::int32_t shading_model = 0;
   std::uint32_t light_count = 0, key_furthest = 0;
   std::int32_t key_shift = 0;
@@ -50,6 +50,7 @@ struct SceneBlock {
 };
 static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights + max_eyes));
 
+/// `strands` that may be kept.
 SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms);
 
 }  // namespace pelage

@@ -32,7 +32,8 @@ void SceneData::send(const DrawnBox& box) {
   const RasterScene& scene = box.scene;
   frame_.send(frame_binding, scene.optics.frame), scattering_.send(scattering_binding, scene.optics.scattering);
   skin_.send(skin_binding, scene.optics.skin);
-  model.update(scene, std::exchange(strands_changed_, false)), send_azimuthal(*scene.optics.azimuthal);
+  model.update(scene), cells.prepare(scene, pool, std::exchange(strands_changed_, false));
+  send_azimuthal(*scene.optics.azimuthal);
   send_eyes(scene.optics.eyes);
   std::vector<std::uint32_t> shown(static_cast<std::size_t>(box.tiles.count()), 1);
   for (std::size_t tile = 0; scene.drawn && tile < shown.size(); ++tile) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/gl/handles.h"
+#include "renderer/raster/gpu/fur_cells.h"
 #include "renderer/raster/gpu/gpu_model.h"
 #include "renderer/raster/gpu/scene_block.h"
 #include "renderer/raster/gpu/storage.h"
@@ -42,6 +43,7 @@ class SceneData {
   explicit SceneData(const Gl& gl)
       : pool(gl),
         model(gl),
+        cells(gl),
         plan(gl),
         azimuthal(gl),
         eyes(gl),
@@ -59,11 +61,14 @@ class SceneData {
   void send(const DrawnBox& box);
   void send_plan(const StrandPlan& strands);
   void send_rooms(const DrawnBox& box, const StageRooms& rooms) {
-    scene_.send(raster_binding, scene_block(box.scene, box.pixels, box.strands.strands(), rooms));
+    SceneBlock block = scene_block(box.scene, box.pixels, box.strands.strands(), rooms);
+    block.fur_groups = cells.groups(), block.near_there = cells.has_near();
+    scene_.send(raster_binding, block);
   }
 
   StrandPool pool;
   GpuModel model;
+  FurCells cells;
   Storage plan, azimuthal, eyes, tissues, caustics;
   Storage drawn;  // whether each tile is
 

@@ -8,8 +8,12 @@
 namespace pelage {
 
 namespace shaders {
+extern const char* const bend_comp;
 extern const char* const bins_comp;
 extern const char* const blend_comp;
+extern const char* const body_comp;
+extern const char* const columns_comp;
+extern const char* const density_comp;
 extern const char* const ends_comp;
 extern const char* const finish_comp;
 extern const char* const ground_comp;
@@ -18,15 +22,20 @@ extern const char* const hidden_comp;
 extern const char* const keep_comp;
 extern const char* const light_comp;
 extern const char* const light_eyes_comp;
+extern const char* const look_back_comp;
 extern const char* const mark_comp;
 extern const char* const meet_eyes_comp;
 extern const char* const name_comp;
+extern const char* const near_comp;
 extern const char* const place_comp;
 extern const char* const resolve_comp;
 extern const char* const scan_comp;
 extern const char* const skin_comp;
 extern const char* const skin_light_comp;
+extern const char* const sky_comp;
 extern const char* const sort_comp;
+extern const char* const sweep_comp;
+extern const char* const within_comp;
 }  // namespace shaders
 
 namespace {
@@ -37,6 +46,15 @@ struct StageSource {
 
 StageSource source_of(Stage stage) {
   switch (stage) {
+    case Stage::bend: return {"bend", shaders::bend_comp};
+    case Stage::density: return {"density", shaders::density_comp};
+    case Stage::body: return {"body", shaders::body_comp};
+    case Stage::within: return {"within", shaders::within_comp};
+    case Stage::sweep: return {"sweep", shaders::sweep_comp};
+    case Stage::look_back: return {"look_back", shaders::look_back_comp};
+    case Stage::near: return {"near", shaders::near_comp};
+    case Stage::columns: return {"columns", shaders::columns_comp};
+    case Stage::sky: return {"sky", shaders::sky_comp};
     case Stage::skin: return {"skin", shaders::skin_comp};
     case Stage::meet_eyes: return {"meet_eyes", shaders::meet_eyes_comp};
     case Stage::light_eyes: return {"light_eyes", shaders::light_eyes_comp};

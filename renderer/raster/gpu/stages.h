@@ -20,6 +20,15 @@ struct StageStorage {
 };
 
 enum class Stage {
+  bend,
+  density,
+  body,
+  within,
+  sweep,
+  look_back,
+  near,
+  columns,
+  sky,
   skin,
   meet_eyes,
   ends,

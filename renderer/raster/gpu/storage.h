@@ -1,12 +1,14 @@
 // Arrays on the GPU, which stages read and write.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <span>
 
 #include "renderer/gl/handles.h"
 
 namespace pelage {
+
+inline constexpr std::size_t word_bytes = 4;
 
 /// A buffer that grows.
 class Storage {

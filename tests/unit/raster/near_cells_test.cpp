@@ -23,7 +23,7 @@ struct LawnBelow {
 
   explicit LawnBelow(float view) {
     grow();
-    scene.width = scene.height = 100;
+    scene.width = scene.height = 100, scene.cells = GridPlace{.cell = cell};
     scene.camera.forward = {0, 0, -1}, scene.camera.up = {0, 1, 0};
     look(view);
   }
@@ -41,7 +41,7 @@ double sum_of(const NearCells& near) {
 TEST(NearCells, HoldWhatIsNearAndNothingElse) {
   LawnBelow lawn(0.08f);
   NearCells near;
-  near.update(lawn.scene, cell, 1, 2);
+  near.update(lawn.scene, 1, 2);
   EXPECT_NEAR(near.cell(), cell / 5, 1e-6f);
   double all = 0;  // what strands cover, in faces of cells
   for (const GrownPart& part : lawn.fur.parts())
@@ -55,35 +55,35 @@ TEST(NearCells, HoldWhatIsNearAndNothingElse) {
   EXPECT_LT(sum_of(near), 0.5 * all);
   EXPECT_NEAR(near.mean() * NearCells::count / NearCells::one, sum_of(near), 0.001 * sum_of(near));
   lawn.look(0.5f);
-  near.update(lawn.scene, cell, 2, 2);
+  near.update(lawn.scene, 2, 2);
   EXPECT_TRUE(near.cells().empty());
   lawn.look(-0.1f);  // from below, with the lawn behind
-  near.update(lawn.scene, cell, 3, 2);
+  near.update(lawn.scene, 3, 2);
   EXPECT_TRUE(near.cells().empty());
 }
 
 TEST(NearCells, HaveTheSameBitsForAnyThreads) {
   const LawnBelow lawn(0.08f);
   NearCells one, many;
-  one.update(lawn.scene, cell, 1, 1), many.update(lawn.scene, cell, 1, 5);
+  one.update(lawn.scene, 1, 1), many.update(lawn.scene, 1, 5);
   EXPECT_TRUE(std::equal(one.cells().begin(), one.cells().end(), many.cells().begin(), many.cells().end()));
 }
 
 TEST(NearCells, SayWhenWhatIsNearHasChanged) {
   LawnBelow lawn(0.08f);
   NearCells near;
-  near.update(lawn.scene, cell, 5, 2);
+  near.update(lawn.scene, 5, 2);
   EXPECT_EQ(near.since(), 5u);
   const double before = sum_of(near);
   std::fill(lawn.patch.length.begin(), lawn.patch.length.end(), 0.02f);
   lawn.grow();
-  near.update(lawn.scene, cell, 6, 2);
+  near.update(lawn.scene, 6, 2);
   EXPECT_EQ(near.since(), 6u);
-  near.update(lawn.scene, cell, 7, 2);
+  near.update(lawn.scene, 7, 2);
   EXPECT_EQ(near.since(), 6u) << "nothing has changed";
   EXPECT_LT(sum_of(near), 0.8 * before);
   lawn.scene.camera.position.x += 0.1f;
-  near.update(lawn.scene, cell, 8, 2);
+  near.update(lawn.scene, 8, 2);
   EXPECT_EQ(near.since(), 8u);
 }
 

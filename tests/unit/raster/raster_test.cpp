@@ -131,7 +131,8 @@ LightSpread light_spread(const RasterScene& scene, const GrownPart& part) {
 TEST(Raster, SingleStrandsThrowShadowsWhereTheCameraIsNear) {
   const NearLawn lawn;
   Raster raster(2);
-  const RasterScene near = raster.scene_of(lawn.patch.model(), lawn.fur, lawn.frame, {1000, 1}, RasterOutput::light);
+  RasterScene near = raster.scene_of(lawn.patch.model(), lawn.fur, lawn.frame, {1000, 1}, RasterOutput::light);
+  raster.fill_cells(near);
   ASSERT_FALSE(near.near->cells().empty());
   RasterScene mean = near;
   mean.near = nullptr;

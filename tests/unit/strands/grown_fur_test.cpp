@@ -99,6 +99,38 @@ TEST(GrownFur, WhatMovesItBendsItToWhereItWouldHaveGrown) {
   EXPECT_LT(furthest, 2e-6f) << "of fur of .03 sizes: roots are kept to 1/65535 of a piece";
 }
 
+TEST(GrownFur, KnowsWhereItsPartsAreBentTo) {
+  const BentPatch bent;
+  GrownFur fur;
+  fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);
+  float beyond = 0;
+  for (const GrownPart& part : fur.parts())
+    for (const StrandPoint& point : part.strands->points)
+      for (int axis = 0; axis < 3; ++axis)
+        beyond = std::max({beyond, part.low[axis] - point.place[axis], point.place[axis] - part.high[axis]});
+  EXPECT_LT(beyond, 1e-4f);
+}
+
+TEST(GrownFur, LeavesToOthersToBendIt) {
+  const BentPatch bent;
+  GrownFur fur, left, still;
+  fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);
+  left.update(bent.patch.model(), bent.fields(), bent.recipe, 2, {}, Bending::left);
+  still.update(bent.patch.model(), bent.patch.fields(), bent.recipe, 2);
+  EXPECT_EQ(left.bend().pieces.size(), bent.patch.triangles.size());
+  EXPECT_TRUE(still.bend().pieces.empty());
+  for (std::size_t i = 0; i < fur.parts().size(); ++i) {
+    const GrownPart &one = fur.parts()[i], &other = left.parts()[i];
+    EXPECT_EQ(one.low, other.low);
+    EXPECT_EQ(one.high, other.high);
+    const StrandSet &left_so = *other.strands, &grown = *still.parts()[i].strands;
+    for (std::size_t k = 0; k < grown.points.size(); ++k) ASSERT_EQ(left_so.points[k].place, grown.points[k].place);
+  }
+  const std::vector<GrownPart> before = left.parts();
+  left.update(bent.patch.model(), bent.fields(), bent.recipe, 2, {}, Bending::done);
+  EXPECT_NE(left.parts().front().strands, before.front().strands) << "bent after all";
+}
+
 TEST(GrownFur, BendsAgainWhatStoodStill) {
   BentPatch bent;
   GrownFur fur;

@@ -1,0 +1,48 @@
+#version 450 core
+// How much of the sky each place of the ground sees: sky_over_ground of renderer/raster/sky_over_ground.cpp, a place a
+// lane.
+#include "../../shaders/constants.glsl"
+#include "scene.glsl"
+#include "columns.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = columns_storage) readonly buffer ColumnWords {
+  uint top;
+  uint column_words[];
+};
+layout(std430, binding = sky_storage) writeonly buffer Sky { float sky[]; };
+
+const int ways = 48;
+
+// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
+vec3 sky_way(int i) {
+  float square = (float(i) + 0.5) / float(ways), angle = 2.399963 * float(i);
+  return vec3(sqrt(square) * cos(angle), sqrt(1.0 - square), sqrt(square) * sin(angle));
+}
+
+// Whether a ray from a place meets anything.
+bool stops(vec3 from, vec3 way) {
+  vec3 low = grid_low, high = low + grid_cell * vec3(grid_size);
+  float begin = 0.0, end = (height_of(top) - from.y) / way.y;
+  for (int axis = 0; axis < 3; axis += 2) {
+    float over = 1.0 / (abs(way[axis]) > 1e-6 ? way[axis] : 1e-6);
+    float a = (low[axis] - from[axis]) * over, b = (high[axis] - from[axis]) * over;
+    begin = max(begin, min(a, b));
+    end = min(end, max(a, b));
+  }
+  float step = 2.0 * grid_cell;
+  for (float t = begin + 0.5 * step; t < end; t += step) {
+    vec3 at = from + t * way;
+    uint column = 2 * column_of(at), height = word_of(at.y);
+    if (height >= column_words[column] && height <= column_words[column + 1]) return true;
+  }
+  return false;
+}
+
+void main() {
+  uint at = lane_number();
+  if (at >= uint(sky_size.x * sky_size.y)) return;
+  vec2 place = sky_low + sky_cell * vec2(at % uint(sky_size.x), at / uint(sky_size.x));
+  int stopped = 0;
+  for (int i = 0; i < ways; ++i) stopped += int(stops(vec3(place.x, ground_height, place.y), sky_way(i)));
+  sky[at] = float(stopped) / float(ways);
+}
