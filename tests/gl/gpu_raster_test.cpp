@@ -39,14 +39,14 @@ class GpuRasterTwin : public OnBackend {
     ASSERT_TRUE(by_gl->strands_by_gl());
   }
 
-  /// Within the thresholds of issue 44. PELAGE_PICTURES: a folder that both pictures go to.
+  /// Within a twentieth of what issue 44 allows, as more would hide a fault. PELAGE_PICTURES: a folder that both pictures go to.
   void expect_same(const FurredModel& model, const FrameRequest& request, const std::string& name) {
     const Image expected = draw(by_cpu, model, request);
     gl().take_counts();
     const Image drawn = draw(*by_gl, model, request);
     EXPECT_GT(gl().take_counts().programs, 0u) << name << " was not drawn by the GL";
-    EXPECT_LE(mean_difference(expected, drawn), 1) << name;
-    EXPECT_LE(flip_between(expected, drawn), 0.02) << name;
+    EXPECT_LE(mean_difference(expected, drawn), 0.05) << name;
+    EXPECT_LE(flip_between(expected, drawn), 0.001) << name;
     if (const char* folder = std::getenv("PELAGE_PICTURES")) keep(expected, drawn, std::string(folder) + "/" + name);
   }
 
@@ -135,8 +135,13 @@ TEST_P(GpuRasterTwin, DrawsFromWithinTheFur) {
 }
 
 TEST_P(GpuRasterTwin, DrawsTheSameBitsAgain) {
-  const GoldenScene scene = small_scene(0, 96);
-  EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, draw(*by_gl, scene.model, scene.request).rgba);
+  GoldenScene scene = small_scene(0, 96);
+  const Image before = draw(*by_gl, scene.model, scene.request);
+  const Groom groom = scene.model.fields.at(5);
+  scene.model.fields.set(5, stored_groom(groom.direction, 2 * groom.length, 0));
+  EXPECT_NE(draw(*by_gl, scene.model, scene.request).rgba, before.rgba);
+  scene.model.fields.set(5, groom);  // all is found anew
+  EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, before.rgba);
 }
 
 TEST_P(GpuRasterTwin, DrawsAPartAsItDrawsTheWhole) {
@@ -212,7 +217,7 @@ TEST_P(GpuRasterTwin, FollowsTheWind) {
     const Image expected = frame_of(by_cpu), drawn = frame_of(*by_gl);
     EXPECT_GT(mean_difference(expected, calm), 0.5) << "the wind is seen";
     EXPECT_LE(mean_difference(expected, drawn), 0.05);
-    EXPECT_LE(flip_between(expected, drawn), 0.02);
+    EXPECT_LE(flip_between(expected, drawn), 0.001);
   }
   EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, calm.rgba) << "it stands as it did";
 }
