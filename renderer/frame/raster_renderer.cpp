@@ -99,7 +99,7 @@ struct RasterRenderer::Standing {
   std::optional<GrowRecipe> recipe;
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
-  Bending bending = Bending::done;
+  Bending bending = Bending::left;
 
   void grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
     wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
@@ -165,8 +165,12 @@ bool RasterRenderer::lost_gl() const { return gpu_ && gpu_->lost(); }
 bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times) {
   const DrawClock clock(times);
   if (!gpu_) return false;
-  const Standing& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, true});
-  return gpu_->can_draw(standing.copy.model(), standing.fur.parts());
+  const auto can = [&](bool by_gpu) {
+    const Standing& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
+    return gpu_->can_draw(standing.copy.model(), standing.fur);
+  };
+  const bool as_it_was = standing_for(frame, growth).bending == Bending::left;  // so that nothing is bent twice
+  return can(as_it_was) && can(true);
 }
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {

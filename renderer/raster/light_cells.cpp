@@ -123,7 +123,8 @@ struct LightCells::Way {
   std::array<CellTap, near_steps> near;
   std::array<CellTap, 8> beyond;  // about where those end
 
-  /// `beside`: the light is in the cell itself, or beside it: of each axis, 1 where it is not. No light comes from there.
+  /// `beside`: the light is in the cell itself, or beside it: of each axis, 1 where it is not. No light comes from
+  /// there.
   explicit Way(glm::vec3 to_light, glm::vec3 beside = glm::vec3(1)) {
     const glm::vec3 size = glm::abs(to_light);
     const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;

@@ -98,7 +98,7 @@ struct RasterScene {
   // What stands there, for the CPU: of the fur and the body, and of single strands of parts that are near.
   const DensityGrid* grid = nullptr;
   const NearCells* near = nullptr;
-  std::vector<EyeCamera> eyes;                    // of optics.eyes
+  std::vector<EyeCamera> eyes;  // of optics.eyes
   std::optional<FurGround> ground;
   const SkyOverGround* sky = nullptr;  // over the ground, for the CPU
   std::array<LightSize, 8> light_sizes{};

@@ -39,7 +39,8 @@ class GpuRasterTwin : public OnBackend {
     ASSERT_TRUE(by_gl->strands_by_gl());
   }
 
-  /// Within a twentieth of what issue 44 allows, as more would hide a fault. PELAGE_PICTURES: a folder that both pictures go to.
+  /// Within a twentieth of what issue 44 allows, as more would hide a fault. PELAGE_PICTURES: a folder that both
+  /// pictures go to.
   void expect_same(const FurredModel& model, const FrameRequest& request, const std::string& name) {
     const Image expected = draw(by_cpu, model, request);
     gl().take_counts();
@@ -168,15 +169,6 @@ TEST_P(GpuRasterTwin, DrawsTwoModelsInTurns) {
   EXPECT_NE(of_first.rgba, of_second.rgba);
   EXPECT_EQ(draw(*by_gl, first.model, first.request).rgba, of_first.rgba);
   EXPECT_EQ(draw(*by_gl, second.model, second.request).rgba, of_second.rgba);
-}
-
-TEST_P(GpuRasterTwin, LeavesShellsAsTheyAre) {
-  GoldenScene scene = small_scene(3, 64);
-  FrameRequest shells = scene.request;
-  shells.knobs.method = Method::shells;
-  const Image before = draw(*by_gl, scene.model, shells), strands = draw(*by_gl, scene.model, scene.request);
-  EXPECT_EQ(draw(*by_gl, scene.model, shells).rgba, before.rgba);
-  EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, strands.rgba);
 }
 
 TEST_P(GpuRasterTwin, FollowsALight) {

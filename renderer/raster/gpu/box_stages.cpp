@@ -133,7 +133,9 @@ bool BoxStages::find_skin(const DrawnBox& box, const SceneData& data) {
 
 bool BoxStages::place_strands(const DrawnBox& box, const SceneData& data) {
   if (!begin(Stage::keep, box,
-             {{points_storage, &data.cells.points(data.pool)}, {words_storage, &data.pool.words()}, {plan_storage, &data.plan}}))
+             {{points_storage, &data.cells.points(data.pool)},
+              {words_storage, &data.pool.words()},
+              {plan_storage, &data.plan}}))
     return false;
   stages_.run(box.groups());
   strand_knots_.clear(0);
@@ -261,8 +263,8 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
 bool BoxStages::draw(const DrawnBox& box, SceneData& data) {
   reserve(box);
   data.send_rooms(box, rooms_);
-  return data.cells.find(stages_, box.scene, data.pool, data.model) && find_skin(box, data) && place_strands(box, data) && light_strands(box, data) && fill_tiles(box) &&
-         blend(box, data);
+  return data.cells.find(stages_, box.scene, data.pool, data.model) && find_skin(box, data) &&
+         place_strands(box, data) && light_strands(box, data) && fill_tiles(box) && blend(box, data);
 }
 
 Totals BoxStages::totals() const {

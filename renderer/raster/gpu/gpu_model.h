@@ -12,8 +12,7 @@ namespace pelage {
 
 class GpuModel {
  public:
-  explicit GpuModel(const Gl& gl)
-      : vertices(gl), triangles(gl), corners(gl), looks(gl), texels(gl), field(gl) {}
+  explicit GpuModel(const Gl& gl) : vertices(gl), triangles(gl), corners(gl), looks(gl), texels(gl), field(gl) {}
 
   void update(const RasterScene& scene);
 

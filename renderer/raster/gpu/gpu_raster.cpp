@@ -66,14 +66,14 @@ Status lost_it() { return failure(Code::unavailable, "the GL was reset"); }
 
 void GpuRaster::forget() { held_->scenes.clear(); }
 
-bool GpuRaster::can_draw(const FurModel& model, std::span<const GrownPart> parts) const {
+bool GpuRaster::can_draw(const FurModel& model, const GrownFur& fur) const {
   std::size_t groups = 0, side = 0;
-  for (const GrownPart& part : parts) groups += (part.strands->count() + strand_group - 1) / strand_group;
+  for (const GrownPart& part : fur.parts()) groups += (part.strands->count() + strand_group - 1) / strand_group;
   for (const ImageView& image : model.images)
     side = std::max({side, static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height)});
   const std::size_t texels = 6 * side * side * model.images.size();  // with their levels, bytes
-  return groups <= max_strand_groups &&
-         std::max({StrandPool::bytes_for(parts), model.corners.size_bytes(), texels}) <= held_->stages.max_bytes();
+  return groups <= max_strand_groups && std::max({StrandPool::bytes_for(fur.parts()), fur.bend().pieces.size_bytes(),
+                                                  model.corners.size_bytes(), texels}) <= held_->stages.max_bytes();
 }
 
 void GpuRaster::measure(StageTimes* times) { held_->stages.stages().measure(times); }

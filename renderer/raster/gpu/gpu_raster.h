@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "protocol/base/status.h"
 #include "renderer/finish/encode.h"
@@ -28,7 +27,7 @@ class GpuRaster {
   ~GpuRaster();
 
   /// Whether these strands of a model can be drawn: both fit into buffers of this GL.
-  bool can_draw(const FurModel& model, std::span<const GrownPart> parts) const;
+  bool can_draw(const FurModel& model, const GrownFur& fur) const;
   /// Of a box that it draws at once.
   int box_pixels() const;
 

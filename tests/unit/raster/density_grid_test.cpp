@@ -131,8 +131,12 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
   near.kind = LightKind::point, near.position = {0.2f, 0.9f, 0.5f};
   FurLight within = near;
   within.position = {0.213f, 0.277f, 0.021f};
-  const std::vector<FurLight> lights{from({1, 0.2f, 1}),       from({-0.3f, 1, 0.4f}), from({1, 0.3f, 0.2f}),
-                                     from({-1, 0.05f, -0.6f}), from({0, 0, 1}),        near,
+  const std::vector<FurLight> lights{from({1, 0.2f, 1}),
+                                     from({-0.3f, 1, 0.4f}),
+                                     from({1, 0.3f, 0.2f}),
+                                     from({-1, 0.05f, -0.6f}),
+                                     from({0, 0, 1}),
+                                     near,
                                      within};
   DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
