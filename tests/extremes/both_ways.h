@@ -1,6 +1,7 @@
 // A scene drawn by shells and as strands that are rasterized and traced, with every number of every layer looked at.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ namespace pelage::testing {
 /// Pictures of one request: rasterized strands, shells in both orders, and traced strands in both transports.
 class BothWays {
  public:
-  explicit BothWays(Renderer& renderer) : renderer_(renderer) {}
+  /// No more strands than `max_count` on a tile of a coat.
+  explicit BothWays(Renderer& renderer, int max_count = std::numeric_limits<int>::max())
+      : renderer_(renderer), max_count_(max_count) {}
 
   /// Refused as drawing and tracing are. `complaint` says which number of which layer is wrong, "" where all are fine.
   Status look_at(Scene& scene, const FrameRequest& request, std::string& complaint);
@@ -34,6 +37,7 @@ class BothWays {
   Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
 
   Renderer& renderer_;
+  int max_count_;
   Tracer tracer_{2, std::size_t{1} << 28, false};
   std::size_t pictures_ = 0;
 };

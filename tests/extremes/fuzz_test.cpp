@@ -46,10 +46,17 @@ std::string traced_frame(const std::string& tracing) {
 
 class Fuzz : public WithRenderer {};
 
+/// Strands of a tile. Mesa's software GLs end the loops of a shader after 65,535 turns in all, and a shader takes one
+/// for each segment in 16 x 16 pixels.
+constexpr int max_count_by_software_gl = 500;
+
 class Worker {
  public:
   Worker(Renderer& renderer, SceneStore& store, bool with_shells)
-      : renderer_(renderer), store_(store), ways_(renderer), with_shells_(with_shells) {}
+      : renderer_(renderer),
+        store_(store),
+        ways_(renderer, renderer.strands_by_gl() ? max_count_by_software_gl : std::numeric_limits<int>::max()),
+        with_shells_(with_shells) {}
 
   void any_case() {
     const Row row = any_row();
