@@ -1,4 +1,5 @@
-"""Writes the constants of a GLSL file as a C++ header. A line is `const int|float NAME = VALUE;  // comment`, or a comment.
+"""Writes the constants of a GLSL file as a C++ header. A line is `const int|float NAME = VALUE;  // comment`, or a comment. A
+float is a double in C++, and one whose value ends in f a float.
 
 usage: shared_constants.py CONSTANTS.glsl HEADER.h
 """
@@ -6,17 +7,19 @@ import pathlib
 import re
 import sys
 
-TYPES = {"int": "int", "float": "double"}
+
+def type_of(kind, value):
+    return "int" if kind == "int" else "float" if value.endswith("f") else "double"
 
 
 def main():
     source, header = map(pathlib.Path, sys.argv[1:])
     lines = []
     for number, line in enumerate(source.read_text(encoding="utf-8").splitlines(), 1):
-        found = re.fullmatch(r"const (int|float) (\w+) = ([-+.\de]+);\s*(//.*)?", line)
+        found = re.fullmatch(r"const (int|float) (\w+) = ([-+.\de]+f?);\s*(//.*)?", line)
         if found:
             kind, name, value, comment = found.groups()
-            lines.append(f"inline constexpr {TYPES[kind]} {name} = {value};  {comment or ''}".rstrip())
+            lines.append(f"inline constexpr {type_of(kind, value)} {name} = {value};  {comment or ''}".rstrip())
         elif line and not line.startswith("//"):
             sys.exit(f"{source}:{number}: neither a constant nor a comment: {line}")
         else:

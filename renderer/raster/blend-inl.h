@@ -18,8 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-inline constexpr float min_through = 0.01f;  // of a pixel's light: what is less lets nothing through
-inline constexpr float min_half = 1;         // pixels: what is thinner is drawn two wide, and fainter
+inline constexpr float min_half = 1;  // pixels: what is thinner is drawn two wide, and fainter
 /// Bit column * block_rows + row of a set is one of a tile's blocks.
 inline constexpr std::uint64_t all_blocks = ~std::uint64_t{0} >> (64 - block_columns * block_rows);
 

@@ -47,7 +47,7 @@ HWY_INLINE Real coarse(Real number) {
 HWY_INLINE Real as_seen(Real number, Mask odd) {
   const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of a cell
   const Real most = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));
-  return select(body > Crossed::one * Crossed::dark, most, coarse(number));
+  return select(body > Crossed::one * dark_body, most, coarse(number));
 }
 
 template <bool for_eyes>

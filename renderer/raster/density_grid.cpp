@@ -16,7 +16,6 @@ namespace {
 constexpr float finest_cell = 0.008f;  // sizes
 constexpr double max_cells = 1 << 20, max_side = 1 << 10;
 constexpr double cells_a_step = 4;
-constexpr int max_steps = 4096;  // of a segment, so that fur of any length ends
 
 struct CellBox {
   glm::ivec3 first{0}, size{1};
@@ -114,7 +113,7 @@ class PartCells {
   void add_segment(const StrandPoint& a, const StrandPoint& b, float share) {
     const glm::vec3 way = b.place - a.place;
     const float length = glm::length(way), over = 1 / place_.cell;
-    const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_steps);
+    const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_segment_steps);
     const float step = 1 / static_cast<float>(steps);
     const float width = share * CellDensity::one * (a.radius + b.radius) * over * over * step;
     const auto whole = [](float v) {

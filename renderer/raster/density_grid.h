@@ -28,10 +28,6 @@ struct BlockPlace {
   glm::ivec3 count{0};
 };
 
-/// How much of each length that a strand goes beyond its reach lies in the shadow of its other turns. Found for curls
-/// that go six times as far as they reach (docs/notes/2026-11-28-light-of-strands.md).
-inline constexpr float curl_in_shadow = 0.3f;
-
 /// Cells around the fur of all parts, which single curves have no part in.
 GridPlace grid_place(std::span<const GrownPart> parts);
 

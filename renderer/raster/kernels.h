@@ -15,9 +15,6 @@ struct KeptStrands {
   std::vector<float> widened;
 };
 
-inline constexpr int hiding_side = 4;                  // pixels of the blocks by which skin hides strands
-inline constexpr int hidden_around = 2 * hiding_side;  // pixels about a block that its number holds for
-
 /// Places strands of a part, without their light, and leaves those in `kept` that touch `box` and are not hidden by the
 /// skin: `hidden` has one over the distance behind which nothing shows in and around each block of hiding_side pixels.
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
@@ -32,9 +29,8 @@ struct StrandBox {
 void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
                   std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes);
 
-/// Where nothing but gaps between strands shows them, some strands stand for all: the first ones, which are drawn down
-/// to their roots. Their number, where the last that is kept is `last`.
-inline constexpr std::uint32_t deep_of = 8;  // strands that one stands for
+/// Where nothing but gaps between strands shows them, one stands for deep_of: the first ones, which are drawn down to
+/// their roots. Their number, where the last that is kept is `last`.
 inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
 /// What strands send to the camera, from some points of each, evenly from `from` in [0, 1) to the tip.
@@ -86,9 +82,6 @@ inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_s
 /// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through. Where
 /// strands are shown red is the segment that covers most, from 1 on, green where on it, and blue how much it covers.
 void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums);
-
-/// What shows less of a pixel than this shows nothing.
-inline constexpr float min_shown = 1e-3f;
 
 /// Eyes in a tile whose left upper corner is given. `ends` has one over the distance of what ends the view of strands:
 /// that of an eye where it is nearest, whose number goes to `numbers`.

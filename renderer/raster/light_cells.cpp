@@ -10,10 +10,6 @@ namespace pelage {
 
 namespace {
 
-constexpr float spread = 0.08f;  // strands of one place differ in direction (light-inl.h)
-constexpr float skin_depth = 8;  // optical depth of a whole face of skin
-constexpr int near_steps = 8;    // cells
-
 /// A triangle's area facing away from a light, spread over the cells that it lies in.
 void add_skin(const GridPlace& place, glm::vec3 a, glm::vec3 b, glm::vec3 c, float away, std::vector<float>& cells) {
   const float longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
@@ -120,7 +116,7 @@ class RowSums {
 struct LightCells::Way {
   std::array<CellTap, 4> before;  // cells next to one, on its side of the light
   float longer = 1;               // of the way to them over that along an axis
-  std::array<CellTap, near_steps> near;
+  std::array<CellTap, light_near_steps> near;
   std::array<CellTap, 8> beyond;  // about where those end
 
   /// `beside`: the light is in the cell itself, or beside it: of each axis, 1 where it is not. No light comes from
@@ -139,10 +135,10 @@ struct LightCells::Way {
       const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
       before[k] = {off, off == glm::ivec3(0) ? 0.0f : share * beside[a]};
     }
-    for (int s = 1; s < near_steps; ++s)
+    for (int s = 1; s < light_near_steps; ++s)
       near[static_cast<std::size_t>(s)] = {glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))), 1};
     near[0] = {{}, 0.5f};
-    const glm::vec3 end = to_light * static_cast<float>(near_steps), low = glm::floor(end), part = end - low;
+    const glm::vec3 end = to_light * static_cast<float>(light_near_steps), low = glm::floor(end), part = end - low;
     for (int k = 0; k < 8; ++k) {
       const glm::ivec3 off(k & 1, k >> 1 & 1, k >> 2);
       const glm::vec3 share = glm::mix(1.0f - part, part, glm::vec3(off));
@@ -202,7 +198,7 @@ CellRange LightCells::find_local(std::span<const CellDensity> density, int y, in
       const glm::vec3 way(fur.sum[1], fur.sum[2], fur.sum[3]);
       const float whole = static_cast<float>(fur.sum[0]);
       const float along = glm::dot(way, to_light(glm::vec3(x, y, z) + 0.5f)) / whole;
-      const float across = std::sqrt(std::max(1 - (1 - spread) * along * along, 0.0f));
+      const float across = std::sqrt(std::max(1 - (1 - strand_spread) * along * along, 0.0f));
       strands = rounded(Crossed::one / CellDensity::one * whole * across, Crossed::max_strands);
     }
     if (local_[at].strands == strands) continue;

@@ -65,7 +65,7 @@ struct CellTap {
 /// Of a cell's face what strands across it cover, and that times their direction, in fixed point: sums do not depend on
 /// their order.
 struct CellDensity {
-  static constexpr float one = 65536;
+  static constexpr float one = density_one;
   std::array<std::int64_t, 4> sum{};
 };
 
@@ -73,10 +73,9 @@ struct CellDensity {
 /// cells that differ lie near it.
 struct Crossed {
   static constexpr float one = crossed_one;
-  static constexpr std::uint16_t max_strands = 65535, max_body = 32767;  // more are as many: nothing gets through
-  static constexpr float dark = 6;                                       // depth of a body that light ends at
-  std::uint16_t strands = 0;                                             // that the light crosses on average
-  std::uint16_t body = 0;                                                // optical depth of the skin
+  static constexpr std::uint16_t max_strands = max_crossed_strands, max_body = max_crossed_body;
+  std::uint16_t strands = 0;  // that the light crosses on average
+  std::uint16_t body = 0;     // optical depth of the skin
 
   bool operator==(const Crossed&) const = default;
 };

@@ -14,9 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 inline constexpr int max_knots = 64;
-inline constexpr float min_segment = 3;     // pixels: knots nearer than that are left out
-inline constexpr float seen_depth = 4;      // strands in front of what is left out as hidden
-inline constexpr float drawn_edge = 2.75f;  // pixels beside a strand that it is drawn over
 
 /// Knots of as many strands as there are lanes.
 struct KnotLanes {
@@ -173,9 +170,6 @@ struct KeptLane {
   float wider;            // than it has grown in a whole coat
   float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
 };
-
-/// Of the skin, that strands fill: more is as much, so that they stay within drawn_edge.
-inline constexpr float max_packed = 0.5f;
 
 /// Strands do not stand in each other. So the thicker they are for their distance the less an eye sees past them: what
 /// is too thin to be seen by itself covers more than if it stood anywhere.

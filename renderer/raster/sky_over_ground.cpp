@@ -15,8 +15,6 @@ namespace {
 constexpr float reach = 0.3f;    // of the map beyond the model, sizes
 constexpr float finest = 0.02f;  // of the map, sizes
 constexpr int max_places = 128;  // of it along each side
-constexpr float opaque = 0.5f;   // strands in a cell
-constexpr int ways = 48;         // of a place's light
 constexpr float nowhere = std::numeric_limits<float>::max();
 
 /// From where to where something stands, sizes; nothing where low is above high.
@@ -68,7 +66,7 @@ class Columns {
       for (int y = 0; y < place_.size.y; ++y) {
         const float bottom = place_.low.y + place_.cell * static_cast<float>(y);
         for (int x = 0; x < place_.size.x; ++x, ++at) {
-          if (static_cast<float>(density[at].sum[0]) < opaque * CellDensity::one) continue;
+          if (static_cast<float>(density[at].sum[0]) < solid_strands * CellDensity::one) continue;
           columns_[static_cast<std::size_t>(z) * static_cast<std::size_t>(place_.size.x) + static_cast<std::size_t>(x)]
               .add(bottom, bottom + place_.cell);
         }
@@ -93,10 +91,10 @@ class Columns {
 };
 
 /// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
-std::array<glm::vec3, ways> sky_ways() {
-  std::array<glm::vec3, ways> all;
-  for (int i = 0; i < ways; ++i) {
-    const float square = (static_cast<float>(i) + 0.5f) / ways, angle = 2.399963f * static_cast<float>(i);
+std::array<glm::vec3, sky_ways> ways_over_ground() {
+  std::array<glm::vec3, sky_ways> all;
+  for (int i = 0; i < sky_ways; ++i) {
+    const float square = (static_cast<float>(i) + 0.5f) / sky_ways, angle = 2.399963f * static_cast<float>(i);
     all[static_cast<std::size_t>(i)] = {std::sqrt(square) * std::cos(angle), std::sqrt(1 - square),
                                         std::sqrt(square) * std::sin(angle)};
   }
@@ -118,7 +116,7 @@ SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensit
                               float height, int threads) {
   const Columns columns(place, density, model);
   if (!(columns.top() > height)) return {};
-  const std::array<glm::vec3, ways> all = sky_ways();
+  const std::array<glm::vec3, sky_ways> all = ways_over_ground();
   SkyOverGround map = sky_map(place);
   map.hidden.resize(static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y));
   for_each_in_parallel(
@@ -130,7 +128,7 @@ SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensit
             return columns.stop({at.x, height, at.y}, way);
           });
           map.hidden[row * static_cast<std::size_t>(map.size.x) + static_cast<std::size_t>(i)] =
-              static_cast<float>(stopped) / ways;
+              static_cast<float>(stopped) / sky_ways;
         }
       },
       threads);

@@ -25,9 +25,6 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
   return {channel(word), channel(hn::ShiftRight<10>(word)), channel(hn::ShiftRight<20>(word))};
 }
 
-/// Added to colours, so that black can be divided by.
-inline constexpr float over_black = 0.002f;
-
 /// What strands share along their length, and their points that are lit.
 struct StrandLanes {
   Vec3 place[LitPoints::max], tangent[LitPoints::max];

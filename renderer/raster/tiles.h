@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "renderer/input/picture.h"
+#include "renderer/shaders/constants.h"
 
 namespace pelage {
-
-inline constexpr int tile_side = 16, tile_pixels = tile_side * tile_side;
 
 /// Tiles of a box, row by row.
 struct TileRows {

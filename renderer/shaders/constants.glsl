@@ -1,5 +1,5 @@
 // Numbers that shaders and C++ share. The build makes renderer/shaders/constants.h of them (cmake/shared_constants.py): a
-// float is a double there. Lengths are in sizes.
+// float is a double there, and one whose value ends in f a float. Lengths are in sizes.
 
 // Blocks of uniforms.
 const int frame_binding = 0;
@@ -102,8 +102,38 @@ const int model_scheuermann = 3;
 const int model_kajiya_kay = 4;
 const int model_marschner = 5;
 
-// What rasterized strands stand in each other's light by (renderer/raster).
+// Rasterized strands (renderer/raster).
+const int tile_side = 16;              // pixels
+const int tile_pixels = 256;
+const float near_distance = 1e-4f;     // along the view: what is nearer is not drawn
+const int hiding_side = 4;             // pixels of the blocks by which skin hides strands
+const int hidden_around = 8;           // pixels about a block that its number holds for
+const float min_segment = 3.0f;        // pixels: knots nearer than that are left out
+const float seen_depth = 4.0f;         // strands in front of what is left out as hidden
+const float drawn_edge = 2.75f;        // pixels beside a strand that it is drawn over
+const float max_packed = 0.5f;         // of the skin, that strands fill: more is as much, so that they stay within drawn_edge
+const int deep_of = 8;                 // strands that one stands for where gaps alone show them
+const float min_through = 0.01f;       // of a pixel's light: what is less lets nothing through
+const float min_shown = 1e-3f;         // what shows less of a pixel shows nothing
+const float over_black = 0.002f;       // added to colours, so that black can be divided by
+
+// What they and the skin stand in each other's light by. How much of each length that a strand goes beyond its reach lies
+// in the shadow of its other turns: found for curls that go six times as far as they reach
+// (docs/notes/2026-11-28-light-of-strands.md).
+const float curl_in_shadow = 0.3f;
+const float density_one = 65536.0f;    // strand that covers a cell's face, in whole numbers
+const int max_segment_steps = 4096;    // through cells, so that fur of any length ends
+const float strand_spread = 0.08f;     // strands of one place differ in direction (light-inl.h)
+const float skin_depth = 8.0f;         // optical depth of a whole face of skin
+const int max_crossed_strands = 65535;
+const int max_crossed_body = 32767;    // more are as many: nothing gets through
+const float dark_body = 6.0f;          // depth of a body that light ends at
+const int light_near_steps = 8;        // cells that are looked at one by one on the way to a light
+const float solid_strands = 0.5f;      // in a cell, which the sky does not get through
+const int sky_ways = 48;               // of the light of a place on the ground
+const int lean_cells = 32;             // between the heights of a lean curve that are kept
 const float crossed_one = 1024.0;      // strand that a light crosses, in whole numbers
+const float near_step_most = 512.0f;   // of a step through a near cell, so that all of a cell can be added
 const float near_one = 256.0;          // strand in a near cell
 const int near_cell_steps = 8;              // near cells that are looked at on the way to a light
 const int near_places = 8388608;       // for near cells; a few share one

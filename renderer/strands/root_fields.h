@@ -14,11 +14,10 @@
 #include "renderer/input/fur_scene.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/rest_pose.h"
+#include "renderer/shaders/constants.h"
 #include "renderer/skin/fur_vertex.h"
 
 namespace pelage {
-
-inline constexpr int lean_cells = 32;  // between the heights that are kept
 
 /// A place on the curve of a strand of length 1, (across, up), and how it moves with the height.
 struct LeanKnot {

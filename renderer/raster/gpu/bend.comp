@@ -10,7 +10,6 @@ layout(std430, binding = bends_storage) readonly buffer Bends { vec4 bends[]; };
 layout(std430, binding = leans_storage) readonly buffer Leans { vec4 leans[]; };  // LeanTable::rows
 layout(std430, binding = bent_storage) writeonly buffer Bent { vec4 bent[]; };
 
-const int lean_cells = 32;  // renderer/strands/root_fields.h
 const uint corner_bend = 4, lean = 2;  // in bends: of a corner, and what moves it after what it is without
 
 vec4 lean_knot(float inclination, int k) {

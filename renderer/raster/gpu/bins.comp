@@ -11,10 +11,6 @@ layout(std430, binding = 4) buffer TileEntries { uint tile_entries[]; };     // 
 layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };   // key, knot
 uniform bool writing;
 
-struct Knot {
-  vec2 at;
-  float inverse, thickness;
-};
 Knot read_knot(uint knot) {
   vec2 more = uintBitsToFloat(knots[3 * knot + 1]);
   return Knot(uintBitsToFloat(knots[3 * knot]), more.x, more.y);

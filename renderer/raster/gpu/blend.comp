@@ -10,7 +10,6 @@ layout(std430, binding = 2) readonly buffer Knots { uvec2 knots[]; };
 layout(std430, binding = 3) readonly buffer Ends { float ends[]; };
 layout(std430, binding = 4) writeonly buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
 
-const float min_through = 0.01;  // of a pixel's light: what is less lets nothing through
 const uint together = 64;        // segments that are read at a time
 
 // A segment over the tile: pixels from its corner.

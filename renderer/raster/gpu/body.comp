@@ -10,7 +10,6 @@ layout(std430, binding = corners_storage) readonly buffer Corners { float corner
 layout(std430, binding = body_sums_storage) buffer BodySums { uint body_sums[]; };  // a light after another
 
 const uint corner_weight = 14;  // in a FurCorner
-const float skin_depth = 8.0;  // optical depth of a whole face of skin
 const uint enough = 1u << 31;  // that nothing gets through
 
 float facing_away(vec3 a, vec3 b, vec3 c, uint light) {

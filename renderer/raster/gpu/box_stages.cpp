@@ -17,6 +17,12 @@ std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t mo
   return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, most));
 }
 
+/// Those of a model of few are large.
+std::size_t lanes_a_triangle(std::size_t triangles) {
+  constexpr std::size_t enough = 1 << 18, least = 8, most = 1024;
+  return std::clamp(enough / std::max<std::size_t>(triangles, 1), least, most);
+}
+
 /// Before anything was found.
 StageRooms first_rooms(std::size_t max_bytes) {
   const auto held = [=](std::size_t room, std::size_t bytes) {
@@ -114,9 +120,11 @@ bool BoxStages::find_skin(const DrawnBox& box, const SceneData& data) {
   gl_.ClearNamedBufferData(skin_pixels_.id(), GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, nothing.data());
   if (!begin(Stage::skin, box, {{0, &data.model.vertices}, {1, &data.model.triangles}, {2, &skin_pixels_}}))
     return false;
+  const std::size_t triangles = box.scene.model->triangles.size(), lanes = lanes_a_triangle(triangles);
+  current_->set("lanes_a_triangle", static_cast<unsigned>(lanes));
   for (const int naming : {0, 1}) {
     current_->set("naming", naming);
-    stages_.run((box.scene.model->triangles.size() + 7) / 8);
+    stages_.run((triangles * lanes + strand_group - 1) / strand_group);
   }
   if (!box.scene.eyes.empty()) {
     if (!begin_eyes(Stage::meet_eyes, box, data, skin_pixels_)) return false;

@@ -1,7 +1,5 @@
 // Cells of the grid that light goes through: renderer/raster/light_cells.h.
 const uint sum_words = 8;         // of a cell: what strands cover of its face, and that times their direction, 64 bits each
-const float density_one = 65536.0;
-const uint max_strands = 65535, max_body = 32767;
 const uint body_steps = 16;       // in which the sums of skin are as fine again as crossed_one
 
 uint cell_count() { return uint(grid_size.x * grid_size.y * grid_size.z); }
@@ -18,7 +16,7 @@ struct Crossed {
 };
 Crossed crossed_of(uint word) { return Crossed(float(word & 0xffffu), float(word >> 16)); }
 uint crossed_word(Crossed sum) {
-  uint strands = uint(min(sum.strands + 0.5, float(max_strands))), body = uint(min(sum.body + 0.5, float(max_body)));
+  uint strands = uint(min(sum.strands + 0.5, float(max_crossed_strands))), body = uint(min(sum.body + 0.5, float(max_crossed_body)));
   return strands | body << 16;
 }
 

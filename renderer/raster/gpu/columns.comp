@@ -14,15 +14,13 @@ layout(std430, binding = columns_storage) buffer ColumnWords {
 };
 uniform bool of_skin;
 
-const float opaque = 0.5;  // strands in a cell
-
 void find_fur(uint column) {
   uint across = uint(grid_size.x);
   if (column >= across * uint(grid_size.z)) return;
   uint low = ~0u, high = 0;
   for (int y = 0; y < grid_size.y; ++y) {
     uint at = sum_words * cell_index(ivec3(column % across, y, column / across));
-    if (cell_sums[at + 1] == 0 && float(cell_sums[at]) < opaque * density_one) continue;
+    if (cell_sums[at + 1] == 0 && float(cell_sums[at]) < solid_strands * density_one) continue;
     float bottom = grid_low.y + grid_cell * float(y);
     low = min(low, word_of(bottom));
     high = max(high, word_of(bottom + grid_cell));

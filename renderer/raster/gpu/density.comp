@@ -10,9 +10,6 @@ layout(local_size_x = 64) in;
 layout(std430, binding = points_storage) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = cell_sums_storage) buffer CellSums { uint cell_sums[]; };
 
-const int max_steps = 4096;  // of a segment
-const float curl_in_shadow = 0.3;
-
 float share_in_the_open(FurStrand own) {
   float way = 0.0;
   uint last = own.first + uint(own.part.segments);
@@ -37,7 +34,7 @@ void add(uint at, float value) {
 void add_segment(vec4 a, vec4 b, float share) {
   vec3 way = b.xyz - a.xyz;
   float size = length(way), over = 1.0 / grid_cell;
-  int steps = clamp(int(min(ceil(size * over), 1e6)), 1, max_steps);
+  int steps = clamp(int(min(ceil(size * over), 1e6)), 1, max_segment_steps);
   float part = 1.0 / float(steps);
   float width = share * density_one * (a.w + b.w) * over * over * part;
   for (int s = 0; s < steps; ++s) {

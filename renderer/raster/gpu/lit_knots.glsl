@@ -14,8 +14,6 @@ int lit_knot(LitKnots lit, int segments, int point) {
   return lit.first + point * (segments - lit.first) / (lit.count - 1);
 }
 
-const float over_black = 0.002;  // added to colours, so that black can be divided by
-
 // pack_colour, undone.
 vec3 unpacked_colour(uint word) {
   vec3 share = vec3(word & 1023u, word >> 10 & 1023u, word >> 20 & 1023u) * (1.0 / 1023.0);

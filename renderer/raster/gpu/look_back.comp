@@ -10,9 +10,6 @@ layout(std430, binding = within_storage) readonly buffer Within { uint within[];
 layout(std430, binding = through_storage) readonly buffer Through { uint through[]; };
 layout(std430, binding = crossed_storage) writeonly buffer CrossedCells { uint crossed_cells[]; };
 
-const int near_steps = 8;  // cells
-const float dark = 6.0;    // depth of a body that light ends at
-
 // To 6 bits, in steps of 1/64 strand at least: coarse of renderer/raster/cell_rows-inl.h.
 float coarse(float number) {
   const float step = crossed_one / 64.0;
@@ -21,7 +18,7 @@ float coarse(float number) {
 }
 
 Crossed as_seen(Crossed sum) {
-  if (sum.body > crossed_one * dark) return Crossed(float(max_strands), float(max_body));
+  if (sum.body > crossed_one * dark_body) return Crossed(float(max_crossed_strands), float(max_crossed_body));
   return Crossed(coarse(sum.strands), coarse(sum.body));
 }
 
@@ -35,11 +32,11 @@ Crossed crossed_to(uint light, ivec3 cell) {
   uint first = light * cell_count();
   vec3 way = to_light(light, cell);
   Crossed sum = Crossed(0.0, 0.0);
-  for (int s = 0; s < near_steps; ++s) {
+  for (int s = 0; s < light_near_steps; ++s) {
     ivec3 at = cell + ivec3(floor(0.5 + way * float(s)));
     if (has_cell(at)) add(sum, within[first + cell_index(at)], s == 0 ? 0.5 : 1.0);
   }
-  vec3 end = way * float(near_steps), low = floor(end), part = end - low;
+  vec3 end = way * float(light_near_steps), low = floor(end), part = end - low;
   for (int k = 0; k < 8; ++k) {
     ivec3 off = ivec3(k & 1, k >> 1 & 1, k >> 2), at = cell + ivec3(low) + off;
     vec3 share = mix(1.0 - part, part, vec3(off));

@@ -4,11 +4,6 @@ layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[];
 
 float corner_float(uint at) { return uintBitsToFloat(corners[at]); }
 
-struct PieceCorners {
-  uint piece;
-  float b, c;  // shares of the second and the third corner
-};
-
 float mixed_corner(PieceCorners at, uint number) {
   uint first = 3 * corner_words * at.piece + number;
   float a = corner_float(first), b = corner_float(first + corner_words), c = corner_float(first + 2 * corner_words);

@@ -14,12 +14,11 @@ layout(std430, binding = near_storage) buffer NearCells {
 shared uint sum_of_group;
 
 uint add_segment(vec4 a, vec4 b) {
-  const float most = 512.0;  // of a step, so that all of a cell can be added
   float over = 1.0 / near_cell;
   vec3 way = b.xyz - a.xyz;
   float size = length(way);
   float steps = clamp(ceil(size * over), 1.0, 1024.0), part = 1.0 / steps;
-  uint added = uint(clamp(near_one * (a.w + b.w) * size * over * over * part, 0.0, most) + 0.5);
+  uint added = uint(clamp(near_one * (a.w + b.w) * size * over * over * part, 0.0, near_step_most) + 0.5);
   if (added == 0) return 0;
   for (float s = 0.5; s < steps; ++s) {
     uint cell = near_index(floor(clamp((a.xyz + way * (s * part)) * over, -1e9, 1e9)));

@@ -23,8 +23,6 @@ layout(std430, binding = plan_storage) buffer Plan {
   Part parts[];
 };
 
-const uint deep_of = 8;  // strands that one stands for where gaps alone show them
-
 // The first ones are drawn down to their roots.
 uint whole_strands(Part part) { return (max(part.last, 1u) - 1) / deep_of + 1; }
 // The first ones are lit, and hand it on.

@@ -42,13 +42,23 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   ivec4 eye_boxes[max_eyes];      // pixels that an eye may touch
 };
 
-const uint tile_side = 16, tile_pixels = 256;
+// A knot of a strand on the picture.
+struct Knot {
+  vec2 at;          // pixels
+  float inverse;    // one over the distance along the view; 0 for what is too near to be drawn
+  float thickness;  // half of it, pixels
+};
+
+// A place on a piece of the skin.
+struct PieceCorners {
+  uint piece;
+  float b, c;  // shares of the second and the third corner
+};
+
 const uint strand_group = 64;  // of strands of one part
-const float near_distance = 1e-4;
 const uint root_words = 9;  // StrandRoot, FurCorner
 const uint corner_words = 15;
 const uint knot_bit = 0x40000000;  // of numbers of knots that go as floats
-const float min_shown = 1e-3;  // what shows less of a pixel shows nothing
 
 // Through a place of the picture; 1 along the view.
 vec3 ray_through(vec2 pixel) {

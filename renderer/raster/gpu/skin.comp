@@ -1,5 +1,5 @@
 #version 450 core
-// Which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, eight lanes a triangle. First
+// Which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, some lanes a triangle. First
 // one over the distance, then the first triangle that lies as near.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
@@ -8,8 +8,7 @@ layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };  // 
 layout(std430, binding = 1) readonly buffer Triangles { uint triangles[]; };
 layout(std430, binding = 2) buffer SkinPixels { uint skin_pixels[]; };  // of each pixel bits of one over the distance, piece
 uniform bool naming;
-
-const uint lanes_a_triangle = 8;
+uniform uint lanes_a_triangle;  // in which its rows lie in turns
 
 // A corner on the picture, in double: those of near triangles lie millions of pixels away.
 struct FlatCorner {
@@ -54,7 +53,7 @@ void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ive
   for (int x = begin; x <= end; ++x) meet(ivec2(x, y), found + rise * float(x - begin), piece);
 }
 
-void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece) {
+void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece, uint lane) {
   dvec2 low = min(min(a.at, b.at), c.at) - dvec2(box.xy), high = max(max(a.at, b.at), c.at) - dvec2(box.xy);
   dvec2 size = dvec2(box.zw - box.xy);
   if (!(high.x > 0.0lf && low.x < size.x && high.y > 0.0lf && low.y < size.y)) return;
@@ -63,12 +62,12 @@ void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece) {
   if (!(abs(area) > 1e-12lf)) return;
   ivec2 first = ivec2(clamp(floor(low), dvec2(0.0lf), size - 1.0lf));
   ivec2 last = ivec2(clamp(floor(high), dvec2(0.0lf), size - 1.0lf));
-  for (int y = first.y + int(gl_LocalInvocationIndex % lanes_a_triangle); y <= last.y; y += int(lanes_a_triangle))
+  for (int y = first.y + int(lane); y <= last.y; y += int(lanes_a_triangle))
     cover_row(a, b, c, area, y, ivec2(first.x, last.x), piece);
 }
 
 // What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): a fan of up to two.
-void clip_and_cover(dvec3 corners[3], uint piece) {
+void clip_and_cover(dvec3 corners[3], uint piece, uint lane) {
   const double least = double(near_distance);
   FlatCorner kept[4];
   int count = 0;
@@ -80,7 +79,7 @@ void clip_and_cover(dvec3 corners[3], uint piece) {
       kept[count++] = flat_corner(dvec3(between.xy, least));
     }
   }
-  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], piece);
+  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], piece, lane);
 }
 
 void main() {
@@ -88,5 +87,5 @@ void main() {
   if (piece >= triangle_count) return;
   dvec3 corners[3];
   for (uint k = 0; k < 3; ++k) corners[k] = in_view(triangles[3 * piece + k]);
-  clip_and_cover(corners, piece);
+  clip_and_cover(corners, piece, lane_number() % lanes_a_triangle);
 }

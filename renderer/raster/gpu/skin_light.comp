@@ -12,10 +12,6 @@ layout(std430, binding = vertices_storage) readonly buffer Vertices { float vert
 layout(std430, binding = looks_storage) readonly buffer Looks { float looks[]; };           // SkinLook of each corner
 
 #ifdef SHOWN_FIELD
-struct PieceCorners {
-  uint piece;
-  float b, c;
-};
 #include "field.glsl"
 #else
 layout(std430, binding = triangles_storage) readonly buffer Triangles { uint triangles[]; };

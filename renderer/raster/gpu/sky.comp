@@ -11,11 +11,9 @@ layout(std430, binding = columns_storage) readonly buffer ColumnWords {
 };
 layout(std430, binding = sky_storage) writeonly buffer Sky { float sky[]; };
 
-const int ways = 48;
-
 // Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
 vec3 sky_way(int i) {
-  float square = (float(i) + 0.5) / float(ways), angle = 2.399963 * float(i);
+  float square = (float(i) + 0.5) / float(sky_ways), angle = 2.399963 * float(i);
   return vec3(sqrt(square) * cos(angle), sqrt(1.0 - square), sqrt(square) * sin(angle));
 }
 
@@ -43,6 +41,6 @@ void main() {
   if (at >= uint(sky_size.x * sky_size.y)) return;
   vec2 place = sky_low + sky_cell * vec2(at % uint(sky_size.x), at / uint(sky_size.x));
   int stopped = 0;
-  for (int i = 0; i < ways; ++i) stopped += int(stops(vec3(place.x, ground_height, place.y), sky_way(i)));
-  sky[at] = float(stopped) / float(ways);
+  for (int i = 0; i < sky_ways; ++i) stopped += int(stops(vec3(place.x, ground_height, place.y), sky_way(i)));
+  sky[at] = float(stopped) / float(sky_ways);
 }

@@ -1,18 +1,4 @@
 // Where strands lie on the picture: renderer/raster/place-inl.h, a strand a lane.
-const float min_segment = 3.0;    // pixels: knots nearer than that are left out
-const float seen_depth = 4.0;     // strands in front of what is left out as hidden
-const float drawn_edge = 2.75;    // pixels beside a strand that it is drawn over
-const float hidden_around = 8.0;  // pixels about a block that its number holds for
-const int hiding_side = 4;        // pixels of a block
-const float max_packed = 0.5;
-const float curl_in_shadow = 0.3;  // renderer/raster/density_grid.h
-
-// A knot on the picture.
-struct Knot {
-  vec2 at;         // pixels
-  float inverse;   // one over the distance along the view; 0 for what is too near to be drawn
-  float thickness; // half of it, pixels
-};
 
 Knot knot_of(Part part, uint strand, int number, float widened) {
   vec4 point = point_of(part, strand, number);

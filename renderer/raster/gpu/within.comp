@@ -9,8 +9,6 @@ layout(std430, binding = cell_sums_storage) readonly buffer CellSums { uint cell
 layout(std430, binding = body_sums_storage) readonly buffer BodySums { uint body_sums[]; };
 layout(std430, binding = within_storage) writeonly buffer Within { uint within[]; };  // a light after another
 
-const float spread = 0.08;  // strands of one place differ in direction
-
 float sum_of(uint at) {
   uint low = cell_sums[at], high = cell_sums[at + 1];
   bool negative = int(high) < 0;
@@ -32,7 +30,7 @@ void main() {
     Crossed crossed = Crossed(0.0, float(body_sums[light * cell_count() + cell]) / float(body_steps));
     if (whole > 0.0) {
       float along = dot(way, to_light(light, cell_at(cell))) / whole;
-      float across = sqrt(max(1.0 - (1.0 - spread) * along * along, 0.0));
+      float across = sqrt(max(1.0 - (1.0 - strand_spread) * along * along, 0.0));
       crossed.strands = crossed_one / density_one * whole * across;
     }
     within[light * cell_count() + cell] = crossed_word(crossed);
