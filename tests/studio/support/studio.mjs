@@ -26,7 +26,7 @@ export class Studio {
     studio.page = await studio.context.newPage();
     studio.said = [];
     studio.expected = [];
-    studio.page.on("console", (message) => { if (["error", "warning"].includes(message.type())) studio.said.push(`${message.type()}: ${message.text()}`); });
+    studio.page.on("console", (message) => { if (["error", "warning"].includes(message.type())) studio.said.push(`${message.type()}: ${message.text()} ${message.location().url ?? ""}`.trim()); });
     studio.page.on("pageerror", (error) => studio.said.push(`thrown: ${error.message}`));
     await studio.page.goto(`${address}/${scene ? `?scene=${scene}` : ""}`);
     return studio;
