@@ -268,8 +268,8 @@ namespace {
 TriangleMesh creature_mesh(int triangles) {
   constexpr double kCell = 0.0125;            // the ears are about three cells thin
   constexpr int kEvenest = 2000, kMin = 400;  // fewer even triangles than this lose the ears; the least that has legs
-  const ImplicitSurface surface(creature_volumes());
-  const TriangleMesh fine = largest_part(polygonise(surface, kCell));
+  static const ImplicitSurface surface(creature_volumes());
+  static const TriangleMesh fine = largest_part(polygonise(surface, kCell));  // whatever the count
   const TriangleMesh even = remesh(surface, fine, std::max(triangles, kEvenest));
   return triangles < kEvenest ? decimate(even, std::max(triangles, kMin)) : even;
 }

@@ -172,9 +172,10 @@ class Polygoniser {
  public:
   Polygoniser(const ImplicitSurface& surface, double cell) : cell_(cell), origin_(surface.lower() - 2 * cell) {
     count_ = glm::ivec3(glm::ceil((surface.upper() + 2 * cell - origin_) / cell)) + 1;
-    distance_.reserve(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y * count_.z));
-    for (int z = 0; z < count_.z; ++z)
-      for (int y = 0; y < count_.y; ++y) sample_row(surface, y, z);
+    distance_.resize(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y * count_.z));
+    for (int z = 0; z < count_.z; z += kBlock)
+      for (int y = 0; y < count_.y; y += kBlock)
+        for (int x = 0; x < count_.x; x += kBlock) sample_block(surface, {x, y, z});
     vertex_of_edge_.assign(7 * distance_.size(), kNone);
   }
 
@@ -187,14 +188,33 @@ class Polygoniser {
   }
 
  private:
-  /// Far from the surface the next points need no look: they have the same sign.
-  void sample_row(const ImplicitSurface& surface, int y, int z) {
-    constexpr double kSafe = 0.4;  // a flattened volume's distance may be too large, though never twice
-    for (int x = 0; x < count_.x;) {
-      const double distance = surface.sample(point({x, y, z})).distance;
-      const int alike = std::clamp(static_cast<int>(kSafe * std::abs(distance) / cell_), 1, count_.x - x);
-      distance_.insert(distance_.end(), static_cast<std::size_t>(alike), distance);
-      x += alike;
+  static constexpr int kBlock = 8;        // points along a side
+  static constexpr double kSafe = 0.4;  // a flattened volume's distance may be too large, though never twice
+
+  /// Far from the surface all points have the same sign: one is looked at.
+  void sample_block(const ImplicitSurface& surface, glm::ivec3 low) {
+    const glm::ivec3 end = glm::min(low + kBlock, count_);
+    const glm::dvec3 half = 0.5 * cell_ * glm::dvec3(end - 1 - low);
+    const double middle = surface.sample(point(low) + half).distance;
+    const bool far = kSafe * std::abs(middle) > glm::length(half) + 2 * cell_;
+    for (int z = low.z; z < end.z; ++z) {
+      for (int y = low.y; y < end.y; ++y) {
+        double* row = &distance_[index({0, y, z})];
+        if (far)
+          std::fill(row + low.x, row + end.x, middle);
+        else
+          sample_row(surface, {low.x, y, z}, end.x, row);
+      }
+    }
+  }
+
+  /// The same along a row.
+  void sample_row(const ImplicitSurface& surface, glm::ivec3 at, int end, double* row) {
+    while (at.x < end) {
+      const double distance = surface.sample(point(at)).distance;
+      const int alike = std::clamp(static_cast<int>(kSafe * std::abs(distance) / cell_), 1, end - at.x);
+      std::fill_n(row + at.x, alike, distance);
+      at.x += alike;
     }
   }
 
