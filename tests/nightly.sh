@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# What takes too long for each change: all tests with all cases on OSMesa, benchmarks that run,
-# the soak, many fuzzed scenes, clang-tidy over all sources, all suites under the sanitizers, and ten minutes of the fuzzer. usage: tests/nightly.sh [SEED]
+# What takes too long for each change: all tests with all cases on each GL, benchmarks that run, the soak, many fuzzed
+# scenes, clang-tidy over all sources, all suites under the sanitizers, and ten minutes of the fuzzer.
+# usage: tests/nightly.sh [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,16 +1,14 @@
 #!/usr/bin/env bash
 # clang-tidy over the product's sources as build/tests compiles them, several files of a folder at a time.
-# usage: tests/tidy.sh [PART OF]     (all; or part PART of OF parts, from 0 on)
+# usage: tests/tidy.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-part=${1:-0} of=${2:-1}
 [ -f build/tests/compile_commands.json ] || { echo "$0: run tests/run.sh first, which makes build/tests" >&2; exit 2; }
-/usr/bin/python3 - "$part" "$of" <<'PY' | xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/tests --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null
-import json, sys
-part, of = map(int, sys.argv[1:])
+/usr/bin/python3 - <<'PY' | xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/tests --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null
+import json
 files = sorted(entry["file"] for entry in json.load(open("build/tests/compile_commands.json")))
 product = [f for f in files if any(f"/build/tests/{top}/" in f for top in ("protocol", "renderer", "server", "clients")) and "/Unity/" in f]
-print("\n".join(f for i, f in enumerate(product) if i % of == part))
+print("\n".join(product))
 PY
-echo "clang-tidy: part $part of $of finds nothing"
+echo "clang-tidy: nothing found"

@@ -188,7 +188,7 @@ class Polygoniser {
   }
 
  private:
-  static constexpr int kBlock = 8;        // points along a side
+  static constexpr int kBlock = 8;      // points along a side
   static constexpr double kSafe = 0.4;  // a flattened volume's distance may be too large, though never twice
 
   /// Far from the surface all points have the same sign: one is looked at.

@@ -311,6 +311,7 @@ TEST_F(PaintedFrames, ExtremesGiveFinitePictures) {
   FurredModel model = ball(0.08, 300);
   model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
   model.settings.coat.curl_turns = 20, model.settings.coat.clump_size = 0.5, model.settings.coat.tile = 0.01;
+  model.settings.coat.count = 10;  // on each of the many tiles
   request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
   model.settings.coat.guard_hairs = 500;

@@ -112,13 +112,13 @@ TEST(Upkeep, AfterManyStrokesTheWorldIsAsNewAndTakesAsMuch) {
   World world(plenty);
   const GrowRecipe recipe{.coat = coat_of(glm::vec3(0.5f), 300)};
   std::size_t partly = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 120; ++i) {
     stroke(ball, random);
     const auto change = world.update(ball.model(), ball.fields(), {}, recipe, {2, false}, always);
     ASSERT_TRUE(change);
     partly += change->grown < change->strands;
   }
-  EXPECT_GT(partly, 200u);
+  EXPECT_GT(partly, 80u);
   World fresh(plenty);
   ASSERT_TRUE(fresh.update(ball.model(), ball.fields(), {}, recipe, {1, false}, always));
   EXPECT_EQ(met_by_grid(world), met_by_grid(fresh));
@@ -131,7 +131,7 @@ TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
   World world(plenty);
   Coat coat = coat_of(glm::vec3(0.5f), 200);
   std::size_t first = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 40; ++i) {
     coat.bend = 0.01 * (i % 10);
     for (float& length : ball.length) length = 0.04f + 1e-4f * static_cast<float>(i % 10);
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {coat}, {2, false}, always));
@@ -180,7 +180,7 @@ TEST(Upkeep, CoverageStaysFromAnyDistance) {
     }
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {view_from(2).coat}, {2, false}, always));
     std::size_t max = 0, min = 1u << 30;
-    for (const double distance : {0.8, 2.0, 8.0, 32.0, 128.0}) {
+    for (const double distance : {0.8, 8.0, 128.0}) {
       const FurFrame frame = view_from(distance);
       const Traced picture = traced(ball, frame);
       const double pixels = double(frame.width) * frame.height;
