@@ -4,18 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
-#include "protocol/base/caught.h"
-#include "protocol/base/limits.h"
-#include "protocol/base/temporary_name.h"
+#include "base/caught.h"
+#include "base/limits.h"
+#include "base/temporary_name.h"
 #include "renderer/picture_files/picture_files.h"
-#include "server/calibration/calibrate.h"
+#include "server/frames/calibrate.h"
 #include "server/frames/frame_planner.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/scene_tracer.h"
@@ -23,13 +27,37 @@
 #include "server/import/import.h"
 #include "server/log/server_log.h"
 #include "server/process/signals.h"
-#include "server/process/stop_deadline.h"
 #include "server/scene/scene_memory.h"
 #include "server/scene/scene_store.h"
 
 namespace {
 
 using namespace pelage;
+
+/// Ends the program with code 0 when some time has gone by since begin(), unless it is destroyed before: the first that
+/// is made, so that all that has to be waited for is destroyed before it. What was answered is on disk by then, and
+/// what has not ended by itself is for nobody.
+class StopDeadline {
+ public:
+  /// 1 s after the transport cuts off those who still wait, which ends what they wait for.
+  static constexpr std::chrono::seconds time{9};
+
+  void begin() {
+    thread_ = std::jthread([](const std::stop_token& ended) {
+      std::mutex mutex;
+      std::condition_variable_any passed;
+      std::unique_lock lock(mutex);
+      passed.wait_for(lock, ended, time, [] { return false; });
+      if (ended.stop_requested()) return;
+      std::fputs("pelaged: stopped, and cut off what had not ended\n", stdout);
+      std::fflush(stdout);
+      _exit(0);
+    });
+  }
+
+ private:
+  std::jthread thread_;
+};
 
 // Exit codes of all programs of the project.
 constexpr int failed = 1, usage = 2, no_gl = 4;

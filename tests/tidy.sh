@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 /usr/bin/python3 - <<'PY' | xargs -P "$(nproc)" -n 1 clang-tidy-14 -p build/tests --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null
 import json
 files = sorted(entry["file"] for entry in json.load(open("build/tests/compile_commands.json")))
-product = [f for f in files if any(f"/build/tests/{top}/" in f for top in ("protocol", "renderer", "server", "clients")) and "/Unity/" in f]
+product = [f for f in files if any(f"/build/tests/{top}/" in f for top in ("base", "protocol", "renderer", "server", "clients")) and "/Unity/" in f]
 print("\n".join(product))
 PY
 echo "clang-tidy: nothing found"

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "base/status.h"
 #include "clients/cli/http/connection.h"
 #include "clients/cli/options.h"
 #include "clients/cli/terminal/report.h"
-#include "protocol/base/status.h"
 
 namespace pelage {
 

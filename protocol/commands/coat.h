@@ -1,6 +1,4 @@
-// A coat: its pattern, and the strands, colours and tufts that it is made of.
-//
-// Markings of a coat and its slow changes over the body, as functions of where a strand's root is. Places are internal
+// A coat: its pattern and slow variation over the body, its strands, colours and tufts. Places are internal
 // coordinates (y up, the nose at +z, the middle of the box at 0, its diagonal 1), so no model needs UVs.
 #pragma once
 
@@ -8,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 
 namespace pelage {
 

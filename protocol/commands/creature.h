@@ -1,6 +1,4 @@
-// What stands on a body beside fur: eyes, bare skin and guided curves.
-//
-// Eyes that are placed in a scene: part of it, set by a command and logged.
+// Things on a body other than fur: eyes, regions of bare skin and groups of guided curves.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The fields on a model's surface: what each holds, in which unit and range.
+// The fields on a model's surface, each with its unit and range, and the edit layers that change them.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+// Frame requests: camera, view, format, overlay, AOVs, and the knobs of the drawing methods.
 #pragma once
 
 #include <cstddef>
@@ -53,9 +54,9 @@ enum class Background { colour, transparent, studio };  // studio: a soft gradie
 /// holds, [height, width, channels] in the order of its AOVs.
 enum class FrameFormat { png, png16, jpeg, webp, exr, npy, npy_linear };
 
-/// Whether the format holds linear light and AOVs, without exposure, tone map and background.
+/// Returns whether the format holds linear light and AOVs, without exposure, tone map and background.
 constexpr bool is_linear(FrameFormat format) { return format == FrameFormat::exr || format == FrameFormat::npy_linear; }
-/// Whether it leaves out what is hardly seen.
+/// Returns whether it leaves out what is hardly seen.
 constexpr bool is_lossy(FrameFormat format) { return format == FrameFormat::jpeg || format == FrameFormat::webp; }
 enum class ExrType { half, single };
 /// What a picture can show over the frame: a field, on the fur; or, instead of it, the shape of the model.

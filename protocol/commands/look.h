@@ -114,7 +114,7 @@ struct Ground {
 /// Key, fill and rim: what a new scene is lit by.
 std::vector<Light> default_lights();
 
-/// Whether the fur takes the colours of a model that has some, or has none.
+/// Returns whether the fur takes the colours of a model that has some, or has none.
 inline bool takes_model_colours(const Look& look, bool model_has_colours) {
   return look.colour_source == ColourSource::model ||
          (look.colour_source == ColourSource::automatic && model_has_colours);

@@ -1,4 +1,4 @@
-// Maps: fields as pictures through the model's own texture coordinates.
+// Maps: fields as pictures through the model's own texture coordinates; also the answer to an uploaded picture.
 #pragma once
 
 #include <cstdint>
@@ -94,7 +94,7 @@ constexpr MapEncoding encoding_of(Field field, MapEncoding encoding) {
   return field == Field::direction ? MapEncoding::uv_tangent : MapEncoding::value;
 }
 
-/// Whether a field can be kept in this way.
+/// Returns whether a field can be kept in this way.
 constexpr bool fits(Field field, MapEncoding encoding) {
   if (encoding == MapEncoding::vertices) return true;
   return (field == Field::direction) != (encoding_of(field, encoding) == MapEncoding::value);

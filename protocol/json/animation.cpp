@@ -98,7 +98,7 @@ struct Animation::Impl {
   bool takes(const std::string& parameter, const json::json_pointer& path, const json& value) const;
 };
 
-/// Whether the parameter, in its place, is not what is refused.
+/// Returns whether the parameter, in its place, is not what is refused.
 bool Animation::Impl::takes(const std::string& parameter, const json::json_pointer& path, const json& value) const {
   json changed = document;
   changed[path] = value;

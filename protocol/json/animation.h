@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "protocol/commands/settings.h"
 
@@ -20,7 +20,7 @@ class Animation {
   /// The request, and the commands that set what keyframes change. Refused (invalid) as decoding does, with the pointer
   /// of the parameter ("/lights/0/intensity") and the frame in the message.
   Result<AnimatedFrame> at(double frame) const;
-  /// Whether the job itself says the requests' max_seconds.
+  /// Returns whether the job itself says the requests' max_seconds.
   bool limits_seconds() const;
 
  private:

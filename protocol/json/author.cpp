@@ -3,7 +3,7 @@
 #include <cctype>
 #include <cstring>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/reader.h"
 
 namespace pelage {

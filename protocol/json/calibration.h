@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/quality.h"
 
 namespace pelage {

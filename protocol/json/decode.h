@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/export.h"

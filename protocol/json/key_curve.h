@@ -1,4 +1,4 @@
-// A parameter of a job over frames.
+// A parameter of a job as a curve over frames, and monotone cubic interpolation between its keys.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 
 namespace pelage::json_parts {

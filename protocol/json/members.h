@@ -10,7 +10,7 @@
 
 #include <type_traits>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/names.h"
 #include "protocol/json/ranges.h"
 
@@ -40,7 +40,7 @@ constexpr MemberName sparse(const char* name) { return {name, Presence::sparse};
 constexpr MemberName tag(const char* name) { return {name, Presence::tag}; }
 constexpr MemberName bare(const char* name) { return {name, Presence::bare}; }
 
-/// Whether a member has to be there; `answer`: in a struct of which all have to, but for sparse ones.
+/// Returns whether a member has to be there; `answer`: in a struct of which all have to, but for sparse ones.
 constexpr bool is_required(MemberName name, bool answer) {
   return name.presence == Presence::required || name.presence == Presence::tag ||
          (answer && name.presence == Presence::defaulted);

@@ -1,6 +1,4 @@
-// Coats, bodies, looks and lights on the wire.
-//
-// The coat on the wire.
+// The JSON members of coats, bodies, looks and lights.
 #pragma once
 
 #include "protocol/commands/coat.h"

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <vector>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 
 namespace pelage {
 

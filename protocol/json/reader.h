@@ -1,6 +1,4 @@
-// Reading values of a JSON tree, with pointers and nearest names in refusals.
-//
-// Helping with typing mistakes.
+// Reading values of a JSON tree: a refusal has the JSON pointer and, for a typing mistake, the nearest known name.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/json/names.h"
 #include "protocol/json/ranges.h"
 
@@ -41,7 +39,7 @@ class Value {
   /// Refuses what lies below this value; `path` is a JSON pointer without its first slash.
   void refuse_below(const std::string& path, std::string message, std::string limit = {}) const;
 
-  /// Whether nothing of the document was refused so far.
+  /// Returns whether nothing of the document was refused so far.
   bool fine() const { return failure_->ok(); }
   const nlohmann::json& tree() const { return *json_; }
   bool tolerant() const { return tolerant_; }

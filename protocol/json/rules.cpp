@@ -282,7 +282,7 @@ bool are_colours(const std::vector<Field>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), is_colour);
 }
 
-/// Whether all that the tool changes differs from root to tip.
+/// Returns whether all that the tool changes differs from root to tip.
 template <class Tool>
 bool changes_colours_only(const Tool& tool) {
   if constexpr (requires { tool.field; }) return is_colour(tool.field);

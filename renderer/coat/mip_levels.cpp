@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/coat/strand_cover.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/shaders/constants.h"
@@ -144,7 +144,8 @@ struct SlantedRays {
     return sum / static_cast<double>(here.size());
   }
 
-  /// What so many rays cannot tell: half of their standard error, as rays that lie evenly err less than random ones.
+  /// The uncertainty for this number of rays: half of their standard error, because evenly spread rays err less than
+  /// random ones.
   double uncertainty(double factor) const {
     const double mean = let_through(factor);
     double squares = 0;

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/coat/mip_levels.h"
 #include "renderer/coat/strand_tile.h"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <optional>
 
-#include "protocol/base/colour_space.h"
-#include "protocol/base/random.h"
+#include "base/colour_space.h"
+#include "base/random.h"
 #include "renderer/shaders/constants.h"
 
 namespace pelage {
@@ -98,8 +98,8 @@ struct Clumps {
   std::optional<ClumpGrid> fine, lodged;
 };
 
-/// Where the lodged patch around `place` presses its strands, as the tangent of their angle from the normal: whole in
-/// the patch's middle, nothing at its edge, and a third of the patches stands.
+/// The tangent of the angle from the normal to which the lodged patch around `place` presses its strands: full in the
+/// patch's middle, 0 at its edge. A third of the patches stand upright.
 glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
   const StrandClump patch = patches.nearest(place);
   const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;

@@ -1,6 +1,5 @@
-// The clumps of a sample tile, and its strands.
-//
-// Clumps scattered over the periodic tile, one to a cell of a grid: tufts, the locks inside them, and lodged patches.
+// A coat's sample tile: its clumps (tufts, locks inside them, lodged patches) and strands, with their tint and
+// colours, and the effect of water on the coat.
 #pragma once
 
 #include <cstdint>
@@ -99,7 +98,7 @@ glm::vec3 ramp_colour(const Coat& coat, double q);
 /// The strand's colour at `q` in [0, 1], linear: from the ramp or its own; may be over 1.
 glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q);
 
-/// Whether both coats give the same strands: patterns, variation and the lean do not count.
+/// Returns whether both coats give the same strands: patterns, variation and the lean do not count.
 bool same_strands(const Coat& a, const Coat& b);
 
 /// The way along a strand over its length as curls and waves wind it, 1 or more; not painted ones.

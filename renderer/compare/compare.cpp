@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/compare/flip.h"
 
 namespace pelage {

@@ -1,4 +1,4 @@
-// The colour spaces that LDR-FLIP works in. Linear RGB has sRGB's primaries and white (D65); values are in [0, 1].
+// The comparison of two pictures: LDR-FLIP's colour spaces, masks, and the figures of the error.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/compare/compare.h"
 
 namespace pelage {

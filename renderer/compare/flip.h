@@ -1,4 +1,4 @@
-// The one-dimensional filters of LDR-FLIP (Andersson et al. 2020, 4.1.1 and 4.2; all of its filters are separable).
+// LDR-FLIP (Andersson et al. 2020): its separable filter kernels (4.1.1, 4.2) and the error map of two pictures.
 #pragma once
 
 #include <vector>

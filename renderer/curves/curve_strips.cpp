@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 
 namespace pelage {
 

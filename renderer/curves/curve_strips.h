@@ -1,4 +1,4 @@
-// A smooth curve through points (Catmull and Rom 1974).
+// Smooth curves through points (Catmull and Rom 1974), and the strips of triangles that draw them.
 #pragma once
 
 #include <glm/glm.hpp>

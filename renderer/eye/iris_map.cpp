@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "protocol/base/parallel.h"
-#include "protocol/base/random.h"
+#include "base/parallel.h"
+#include "base/random.h"
 
 namespace pelage {
 

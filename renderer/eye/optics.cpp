@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/shading/fibre.h"
 
 namespace pelage {

@@ -1,7 +1,7 @@
 // From premultiplied linear light to the picture: size, exposure, tone map, background, sRGB, overlay.
 #pragma once
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/finish/encode.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 

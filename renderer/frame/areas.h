@@ -14,7 +14,7 @@ Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture);
 /// The pixels of a frame's light that its picture is made of: all, or those that its crop reads.
 Area drawn_area(const FurFrame& frame, glm::ivec2 light);
 
-/// What lies in both; no pixels for nothing.
+/// The intersection of two areas; it has no pixels if they do not overlap.
 Area common_area(const Area& a, const Area& b);
 
 }  // namespace pelage

@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "protocol/commands/answers.h"
 
 namespace pelage {

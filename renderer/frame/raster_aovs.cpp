@@ -48,7 +48,8 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   }
 }
 
-/// What cannot be mixed, in the middle of each pixel: between surfaces and between strands there is nothing.
+/// Resamples values that cannot be interpolated, by the value at the middle of each pixel: between two surfaces or two
+/// strands there is no value in between.
 FloatImage picked(const FloatImage& drawn, int width, int height) {
   auto picture = empty_picture<FloatImage>(width, height);
   const auto nearest = [](int at, int to, int from) { return std::min((2 * at + 1) * from / (2 * to), from - 1); };
@@ -64,7 +65,8 @@ FloatImage picked(const FloatImage& drawn, int width, int height) {
   return picture;
 }
 
-/// Where the strands stand whose numbers a picture has; its alpha is 0 where it has none.
+/// Replaces the strand numbers in a picture by the root positions of those strands; alpha is 0 where there is no
+/// strand.
 void to_roots(std::span<const GrownPart> parts, FloatImage& picture) {
   std::vector<std::size_t> ends;  // numbers of the last strands
   for (const GrownPart& part : parts) ends.push_back((ends.empty() ? 0 : ends.back()) + part.strands->count());

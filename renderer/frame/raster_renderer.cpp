@@ -63,7 +63,7 @@ Area whole_area(const FurFrame& frame) {
 /// The share of a coat that is enough for drafts which keep no more of it: it grows in a third of the time.
 constexpr double thin_share = 0.34;
 
-/// Whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
+/// Returns whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
 bool keeps_thin_share(const FurFrame& frame) {
   constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
   const RasterQuality quality = quality_of(frame.knobs, winding(frame.coat));

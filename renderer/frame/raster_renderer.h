@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/view_cache.h"
 #include "renderer/image/float_image.h"
@@ -46,7 +46,7 @@ class RasterRenderer {
   /// them, or has no room for a frame's strands.
   void take_gl(const Gl* gl);
   bool has_gl() const { return gpu_ != nullptr; }
-  /// Whether the GL that draws was reset.
+  /// Returns whether the GL that draws was reset.
   bool lost_gl() const;
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
@@ -88,8 +88,8 @@ class RasterRenderer {
     bool by_gpu = false;
   };
   Standing& standing_for(const FurFrame& frame, Growth growth);
-  /// Grows what changed, as who draws it wants it. What is kept of other models is dropped where all take too much, the
-  /// longest unused first.
+  /// Grows what has changed, as `wanted` asks. Drops what is cached of other models if all of it takes too much memory,
+  /// the longest unused first.
   Standing& grown(const FurFrame& frame, const Wanted& wanted);
   void keep_within_bounds(const Model& own);
   RasterScene scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const;
@@ -100,12 +100,12 @@ class RasterRenderer {
                    FloatImage& picture);
   Status draw_boxes(const FurFrame& frame, std::span<const PixelBox> boxes, const Wanted& wanted, DrawTimes& times,
                     const Pause& pause, FloatImage& picture);
-  /// Whether a failure of the GPU is one that the CPU makes up for. A GPU that cannot build a shader draws nothing
-  /// more.
+  /// Returns whether the CPU can make up for a failure of the GPU. A GPU that cannot build a shader draws nothing more.
   bool cpu_goes_on(const Status& failed);
-  /// Whether the GPU draws a frame's strands, which are grown first.
+  /// Returns whether the GPU draws a frame's strands, which are grown first.
   bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
-  /// A whole picture that nothing lies over, finished on the GPU; none where it does not draws_on_gpu or has no room.
+  /// Draws a whole picture without an overlay and finishes it on the GPU; empty if draws_on_gpu is false or memory is
+  /// short.
   Result<std::optional<Image>> draw_on_gpu(const FurFrame& frame, DrawTimes& times);
   /// What the ground is seen of, where there is one.
   void darken(const FurFrame& frame, Standing& standing, const Wanted& wanted, FloatImage& picture) const;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/parallel.h"
-#include "protocol/base/status.h"
+#include "base/parallel.h"
+#include "base/status.h"
 #include "renderer/frame/raster_renderer.h"
 #include "renderer/shells/shells_renderer.h"
 
@@ -33,18 +33,18 @@ class Renderer {
   /// Draws by another GL from here on, by none where it is null; what the one before was sent is gone. Fails as
   /// create, and then has none.
   Status take_gl(const Gl* gl);
-  /// Whether its GL was reset or does not answer: it draws nothing more.
+  /// Returns whether its GL was reset or does not answer: it draws nothing more.
   bool lost_gl() const { return (shells_ && shells_->lost()) || raster_.lost_gl(); }
 
-  /// Whether its GL rasterizes strands.
+  /// Returns whether its GL rasterizes strands.
   bool strands_by_gl() const { return raster_.has_gl(); }
 
   bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
   UploadCount add(const FurModel& model, const FurFields& fields);
-  /// Whether a frame can be drawn: not shells without a GL (invalid, with a pointer into the request).
+  /// Returns whether a frame can be drawn: not shells without a GL (invalid, with a pointer into the request).
   Status can_draw(const FurFrame& frame) const;
-  /// Whether it has what shells of a model need, and taking that, where there is a GL.
+  /// Returns whether it has what shells of a model need, and taking that, where there is a GL.
   bool has_shells(std::uint64_t model) const { return shells_ && shells_->has(model); }
   UploadCount add_shells(const FurModel& model, const FurFields& fields);
   /// Takes over the dirty ranges of a model that it has.
@@ -66,9 +66,10 @@ class Renderer {
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs,
                                             DrawTimes* times = nullptr, const Pause& pause = {});
 
-  /// What traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows, ground
-  /// and curves. Of the knobs only eye_steps counts. Twice the frame's size where that is at most 2048 a side, else the
-  /// frame's. The skin under fur has the colour of the roots. Fails with too_large when there is no memory for it.
+  /// Draws what traced strands stand on: skin, bare skin and eyes in the light of all lights, without fur, shadows,
+  /// ground and curves. Of the knobs only eye_steps counts. The result has twice the frame's size if that is at most
+  /// 2048 a side, else the frame's size. The skin under fur has the colour of the roots. Fails with too_large if there
+  /// is no memory for it.
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes* times = nullptr);
   /// A traced picture of the frame's size, as `draw` shows what it has drawn: exposure, tone map, background and
   /// overlay. `light` is premultiplied linear light.
@@ -77,7 +78,8 @@ class Renderer {
 
   /// Makes the next frame be drawn whole, for who measures or doubts.
   void clear_view_cache() { raster_.clear_view_cache(); }
-  /// Whether the frame reads slices that the renderer does not have yet: it gets them from its source once it draws.
+  /// Returns whether the frame reads slices that the renderer does not have yet: it gets them from its source once it
+  /// draws.
   bool misses_coat(const FurFrame& frame) const;
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;

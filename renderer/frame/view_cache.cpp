@@ -21,10 +21,10 @@ FurFrame light_of(const FurFrame& frame) {
   return light;
 }
 
-/// Whether both have the same light but for the fields.
+/// Returns whether both have the same light but for the fields.
 bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
 
-/// Whether light is made a picture the same way.
+/// Returns whether light is made a picture the same way.
 bool same_finish(const FurFrame& a, const FurFrame& b) {
   return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
          a.tone_map == b.tone_map;

@@ -32,14 +32,15 @@ struct CachedView {
   std::int64_t pixels() const { return light.width * static_cast<std::int64_t>(light.height); }
 };
 
-/// So that several who groom, or look from several sides, do not cost each other whole frames.
+/// The views that were drawn last, kept so that several clients who groom, or look from several sides, do not cost each
+/// other whole frames.
 class ViewCache {
  public:
   /// The view that shows the frame's light: this frame but for changes of the model's fields. Its picture is lost where
   /// it is of another format, or finished otherwise. If there is none, one that may be drawn over.
   CachedView take(const FurFrame& frame, int format);
-  /// What is too many or too large is given back: first what shows nothing, then what was asked for once, as an orbit
-  /// asks for each of its frames, then what is oldest.
+  /// Keeps a view, and evicts views that are too many or too large: first those that show nothing, then those that were
+  /// requested once, as an orbit requests each of its frames, then the oldest.
   void keep(CachedView view);
   void clear_shown() {
     for (CachedView& view : views_) view.shown.reset();

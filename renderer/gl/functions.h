@@ -125,7 +125,7 @@ struct Gl {
   std::size_t bytes_of_buffer(GLuint buffer) const { return bytes_of({Kind::buffer, buffer}); }
   std::size_t bytes_of_texture(GLuint texture) const { return bytes_of({Kind::texture, texture}); }
 
-  /// Whether the CPU draws, as Mesa's software drivers have it.
+  /// Returns whether the CPU draws, as Mesa's software drivers have it.
   bool is_software() const;
   /// Loads every function. Returns the first name that the context lacks, or "".
   std::string load(const LoadFunction& find);

@@ -1,3 +1,4 @@
+// A linked OpenGL shader program.
 #pragma once
 
 #include <glm/glm.hpp>

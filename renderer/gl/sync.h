@@ -1,11 +1,9 @@
-// What is asked of the GL once it has drawn.
-//
-// How many fragments were drawn, as the GL counts them.
+// Queries to the GL about its drawing: a counter of drawn fragments, and a wait until the GL has finished.
 #pragma once
 
 #include <cstdint>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/handles.h"
 

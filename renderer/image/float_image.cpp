@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 
 namespace pelage {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/parallel.h"
-#include "protocol/base/status.h"
+#include "base/parallel.h"
+#include "base/status.h"
 
 namespace pelage {
 

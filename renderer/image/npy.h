@@ -17,7 +17,7 @@ inline constexpr const char* npy_type = "application/x-npy";  // no media type i
 std::string encode_npy(std::span<const std::size_t> shape, std::span<const float> values);
 std::string encode_npy(std::span<const std::size_t> shape, std::span<const std::uint8_t> values);
 
-/// Whether the bytes begin as such a file does.
+/// Returns whether the bytes begin as such a file does.
 bool is_npy(std::string_view bytes);
 
 /// Numbers of 8 and 16 bits without a sign, and floats of 32 and 64 bits, little endian in C order; one of 64 bits

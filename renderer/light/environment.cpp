@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/look.h"
 
 namespace pelage {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "protocol/base/clamped_index.h"
+#include "base/clamped_index.h"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/input/picture.h"
 #include "renderer/upload/blocks.h"
 
@@ -230,7 +230,7 @@ struct Shape {
     return corners;
   }
 
-  /// Whether the pixel to the right or below shows another triangle.
+  /// Returns whether the pixel to the right or below shows another triangle.
   bool is_edge(int x, int y) const {
     const auto differs = [&](int beside_x, int beside_y) {
       if (beside_x >= frame.width || beside_y >= frame.height) return false;

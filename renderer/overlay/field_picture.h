@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// Whether an overlay shows a field: one that is painted or combed, strokes along the fur, or the difference.
+/// Returns whether an overlay shows a field: one that is painted or combed, strokes along the fur, or the difference.
 bool is_field(Overlay overlay);
 
 /// What fields say at a vertex.

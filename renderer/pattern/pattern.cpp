@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/cells.h"
 

@@ -31,7 +31,7 @@ struct PatternBlock {
 
 PatternBlock make_pattern_block(const Coat& coat);
 
-/// Whether colours or forms of this coat change with the place: programs without the pattern do where not.
+/// Returns whether colours or forms of this coat change with the place: programs without the pattern do where not.
 bool has_pattern(const Coat& coat);
 
 // Markings and slow changes over the body. They are functions of the root's place (internal coordinates) and need no

@@ -21,7 +21,7 @@ class Filler {
     filled_.assign(cells, false);
   }
 
-  /// `rest_pose_point(middle)`: where the middle of a cell about the place lies in the rest pose.
+  /// Fills the eight cells around a place. `rest_pose_point(middle)` gives a cell's middle in the rest pose.
   template <class RestPose>
   void fill_about(glm::vec3 place, const RestPose& rest_pose_point) {
     const glm::ivec3 first(glm::floor((place - volume_.origin) / volume_.cell - 0.5f));

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/image/float_image.h"
 #include "renderer/image/image.h"
 

@@ -15,8 +15,9 @@ int tile_of(float pixel, int first, int tiles) {
   return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(tiles - 1)));
 }
 
-/// Of a segment what lies nearest to the middle of a tile, but half a tile off its ends: so short ones go by their
-/// middle in each tile, and do not change places with others from tile to tile.
+/// Returns one over the distance of the segment's point that is nearest to the middle of a tile, at least half a tile
+/// away from the segment's ends. So short segments use their own middle in every tile, and do not swap order with
+/// others from tile to tile.
 float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
   const float across = b.x - a.x, down = b.y - a.y, squared = std::max(across * across + down * down, 1e-6f);
   const float along = ((x - a.x) * across + (y - a.y) * down) / squared;
@@ -24,7 +25,7 @@ float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
   return a.inverse + (b.inverse - a.inverse) * std::clamp(along, end, 1 - end);
 }
 
-/// Whether a segment passes a tile by, though its box does not.
+/// Returns whether a segment passes a tile by, though its box does not.
 bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float wide) {
   constexpr float corner = 0.71f * tile_side;  // from the middle
   const float across = b.x - a.x, down = b.y - a.y;
@@ -32,7 +33,7 @@ bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float
   return std::abs(off) > (corner + wide) * std::sqrt(across * across + down * down);
 }
 
-/// Whether two numbers of pixels are in the same row or column of tiles, in the box or beyond it.
+/// Returns whether two numbers of pixels are in the same row or column of tiles, in the box or beyond it.
 bool same_tiles(float a, float b, int first) {
   const auto of = [&](float at) { return std::floor((at - static_cast<float>(first)) * (1.0f / tile_side)); };
   return of(a) == of(b);

@@ -1,4 +1,4 @@
-// What of each strand falls into each tile of a box, nearest first.
+// The segments of strands that fall into each tile of a box, nearest first.
 #pragma once
 
 #include <span>
@@ -23,12 +23,13 @@ class Bins {
   /// Begins with nothing in a box, in memory that it has already.
   void begin(const PixelBox& box, std::size_t batches);
 
-  /// What of a batch falls into tiles in front of what lies behind: `furthest` has one over its distance for each.
+  /// Finds the segments of a batch that fall into tiles in front of the background: `furthest` has one over the
+  /// background's distance for each tile.
   void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest, const DistanceKeys& keys);
   /// After all batches were found.
   void make_room();
   void put(std::size_t batch);
-  /// After all were put: in the order of batches, strands and knots.
+  /// Returns a tile's entries in the order of batches, strands and knots. Call it after all batches were put.
   std::span<const BinEntry> tile(int number) const {
     const auto at = static_cast<std::size_t>(number);
     return std::span(entries_).subspan(first_[at], first_[at + 1] - first_[at]);

@@ -35,7 +35,7 @@ HWY_INLINE Mask odd_lanes() {
   return {hn::MaskFromVec(hn::BitCast(float_tag, hn::Neg(hn::And(hn::Iota(int_tag, 0), whole(1)))))};
 }
 
-/// To 6 bits of each number, in steps of 1/64 strand at least: their size is not seen.
+/// Rounds each number to 6 bits, in steps of at least 1/64 strand: nobody sees steps of that size.
 HWY_INLINE Real coarse(Real number) {
   constexpr float step = Crossed::one / 64, bits_kept_from = Crossed::one;
   const Int bits = hn::Add(hn::BitCast(int_tag, number.v), whole(1 << 16));
@@ -43,7 +43,7 @@ HWY_INLINE Real coarse(Real number) {
   return select(number < bits_kept_from, floor(number * (1 / step) + 0.5f) * step, kept);
 }
 
-/// As cells are read: in coarse steps, and all alike behind a body that no light gets through.
+/// Rounds a number as cells are read: in coarse steps, and to the maximum behind a body that no light gets through.
 HWY_INLINE Real as_seen(Real number, Mask odd) {
   const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of a cell
   const Real most = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <vector>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/parallel.h"
+#include "base/clamped_index.h"
+#include "base/parallel.h"
 #include "renderer/raster/cull.h"
 
 namespace pelage {
@@ -28,8 +28,8 @@ Corners corners_of(const PictureCamera& camera, const GridBlock& block) {
   return corners;
 }
 
-/// Whether a block lies behind the camera, or past one edge of the picture with all that is drawn beside it: by planes
-/// through the camera, which hold for what reaches behind it too.
+/// Returns whether a block lies behind the camera, or past one edge of the picture with all that is drawn beside it: by
+/// planes through the camera, which hold for what reaches behind it too.
 bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thickest) {
   const PictureCamera& camera = scene.camera;
   const float edge = drawn_beside(scene, 0, 1), wide = drawn_beside(scene, thickest, 1);
@@ -43,7 +43,7 @@ bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thic
          past({0, -1}, static_cast<float>(scene.height) - camera.middle.y) || past({0, 1}, camera.middle.y);
 }
 
-/// What strands in a block may be drawn over, or its skin.
+/// Returns the pixels that strands in a block may cover, or its skin.
 PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickest) {
   const PictureCamera& camera = scene.camera;
   const Corners corners = corners_of(camera, block);
@@ -61,8 +61,8 @@ PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickes
           held(last.x + beside + 1, scene.width), held(last.y + beside + 1, scene.height)};
 }
 
-/// Strands of a part that are drawn and look another way: they are others, or what shines at the knots of the strand
-/// whose light they have is.
+/// Marks the tiles of a part's drawn strands whose look has changed: the strands themselves are different, or the light
+/// at the knots of the strand that they take their light from is.
 void add_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::int32_t> blocks,
                  TileMask& mask) {
   KeptStrands kept;

@@ -35,8 +35,8 @@ double kept_share(const RasterScene& scene, const GrownPart& part) {
   return scene.quality.kept_share(on_a_pixel, width_at(part, pixel));
 }
 
-/// Cosine between a root's normal and the way to the camera below which its strand stays behind the body: the longer it
-/// is, the further it reaches around.
+/// Returns the cosine between a root's normal and the direction to the camera below which its strand stays behind the
+/// body. Longer strands reach further around it.
 float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.longest, 2.0f); }
 
 }  // namespace

@@ -5,21 +5,22 @@
 
 namespace pelage {
 
-/// Whether a part may show in the box.
+/// Returns whether a part may show in the box.
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box);
 
-/// Pixels beside their places that strands may be drawn over, with so half a thickness from such a distance on, sizes:
-/// thinned ones are wide, and hidden roots wider.
+/// Returns how far, in pixels, strands may be drawn outside their exact positions. `thickest` is half the largest
+/// thickness and `nearest` the smallest distance, both in sizes. Thinned strands are drawn wider, and hidden roots
+/// wider still.
 float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 
-/// Of so many of a part's strands one hands its light on to the others: of fewer where they are thick, each where they
-/// are seen one by one.
+/// Returns the size of a group of strands in a part in which one is lit and shares its light with the others. Groups
+/// are smaller where strands are thick, and 1 where strands are seen one by one.
 std::uint32_t strands_of_lit(const RasterScene& scene, const GrownPart& part);
 /// How many of a part's strands, from the first on, may hand their light on to the others up to `last`.
 std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last);
 
-/// Share of a strand's colour that is its own, (0, 1]; the rest is that of the mean strand in its place. Of n strands
-/// that it stands for the mean varies by 1 / sqrt(n) of what one does.
+/// Returns the share of a strand's colour that is its own, (0, 1]; the rest is that of the mean strand at its position.
+/// The mean of the n strands that it stands for varies by 1 / sqrt(n) of what one strand does.
 float own_colour(const RasterScene& scene, const GrownPart& part);
 
 /// Which of a part's strands are drawn, and how wide.
@@ -37,10 +38,10 @@ struct StrandCull {
 };
 StrandCull strand_cull(const RasterScene& scene, const GrownPart& part);
 
-/// Its strands that are drawn: the first ones, as many as the quality wants, but for those that stand on the far side
-/// of the body. Those that are left are wider by what they stand for, and the last eighth of them the narrower the
-/// later they come, so that none appears at once when the camera comes nearer. Which they are depends on the skin, on
-/// the part's longest strand and on how thick its first one is, beside what they are themselves.
+/// Keeps the part's strands that are drawn: the first ones, as many as the quality asks for, without those on the far
+/// side of the body. Kept strands are widened to stand for the others. In the last eighth of them, later strands are
+/// narrower, so that no strand pops in when the camera comes nearer. The choice depends on the skin, on the part's
+/// longest strand and on the thickness of its first one, as well as on the strands themselves.
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept);
 
 }  // namespace pelage

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 
@@ -47,7 +47,7 @@ StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
   return ids;
 }
 
-/// Whether a view keeps the same strands of both (keep_strands), and widens them alike.
+/// Returns whether a view keeps the same strands of both (keep_strands), and widens them alike.
 bool keeps_as(const GrownPart& a, const GrownPart& b) {
   const StrandSet &one = *a.strands, &other = *b.strands;
   if (one.count() != other.count() || one.segments != other.segments || a.longest != b.longest) return false;
@@ -68,8 +68,8 @@ struct PartChange {
   }
 };
 
-/// The share of a strand that stops light as if it lay alone: turns of a curl lie in the shadow of each other, and of
-/// those of the strands that curl with it. 1 for a straight one.
+/// Returns the share of a strand that stops light as if it lay alone: the turns of a curl shadow each other and the
+/// turns of the strands that curl with it. 1 for a straight strand.
 float share_in_the_open(std::span<const StrandPoint> points) {
   float way = 0;
   for (std::size_t k = 1; k < points.size(); ++k) way += glm::distance(points[k - 1].place, points[k].place);
@@ -83,8 +83,8 @@ class PartCells {
   /// `named`: the cells are asked for, of all strands.
   PartCells(const GridPlace& place, bool named) : place_(place), named_(named) {}
 
-  /// Adds the strands of a change to the grid's cells, which several threads do at a time: `sign` is -1 for what goes.
-  /// Gives the cells as well, where they are named.
+  /// Adds the strands of a change to the grid's cells; several threads may do this at a time. `sign` is -1 for strands
+  /// that are removed. Also gives the touched cells if `named` is set.
   void add(const GrownPart& part, const PartChange& change, int sign, std::vector<CellDensity>& cells,
            std::vector<glm::ivec3>& touched) {
     const CellBox box = cells_of(place_, part.low, part.high);
@@ -265,7 +265,8 @@ void DensityGrid::mark_skin(const GrownPart& part) {
   each_block(block_of(part.low), block_of(part.high), [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
 }
 
-/// With what reads the cells from beside: between their middles, and a little off the place itself.
+/// Marks the blocks of changed cells and of their neighbours, because lookups read neighbouring cells: they interpolate
+/// between cell middles, a little away from the place itself.
 void DensityGrid::mark_light(std::span<const std::uint32_t> cells) {
   constexpr int beside = 2;
   for (const std::uint32_t index : cells) {

@@ -31,8 +31,8 @@ struct BlockPlace {
 /// Cells around the fur of all parts, which single curves have no part in.
 GridPlace grid_place(std::span<const GrownPart> parts);
 
-/// So many of a part's first strands stand for all of them: more of them than this stand on a cell's face, and any
-/// first part of them lies evenly.
+/// Returns how many of a part's first strands are summed to stand for all: about 8 on each cell face, where more stand
+/// there. They suffice because any first part of the strands lies evenly.
 std::uint32_t summed_strands(const GrownPart& part, float cell);
 
 class DensityGrid {
@@ -54,14 +54,15 @@ class DensityGrid {
   std::uint64_t fur_version() const { return fur_version_; }
   /// Of the last update that changed what a light crosses.
   std::uint64_t crossed_version() const { return crossed_version_; }
-  /// Whether all may be another since then.
+  /// Returns whether all may be another since then.
   bool all_changed(std::uint64_t since) const { return since < whole_version_; }
   BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
-  /// Of each block, row by row: bits of BlockChange for what may be another in it or around it as far as that is read.
+  /// Returns for each block, row by row, the bits of BlockChange for what may have changed in it, or around it as far
+  /// as lookups read.
   std::vector<std::int32_t> changed_flags(std::uint64_t since) const;
-  /// Whether that is so anywhere in a box.
+  /// Returns whether that is so anywhere in a box.
   bool changed_in(glm::vec3 low, glm::vec3 high, std::uint64_t since) const;
-  /// Blocks in which it is so for skin, or where fur stands or stood that has changed.
+  /// Returns the blocks whose skin may look different, or in which fur that has changed stands or stood.
   std::vector<GridBlock> changed_blocks(std::uint64_t since) const;
 
  private:

@@ -25,7 +25,7 @@ HWY_INLINE Vec3 block_rays(const RasterScene& scene, int left, int top, int bloc
   return ray_through(scene.camera, at.x + static_cast<float>(left), at.y + static_cast<float>(top));
 }
 
-/// Where the eye is nearer than what is there already.
+/// Marks the pixels of a block where the eye is nearer than what is already there.
 HWY_INLINE void meet_in_block(const RasterScene& scene, std::size_t number, Vec3 way, float* ends,
                               std::int8_t* numbers) {
   const EyeCamera& camera = scene.eyes[number];

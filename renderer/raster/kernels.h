@@ -45,8 +45,8 @@ struct LitPoints {
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
                    LitPoints& light);
 
-/// The strand whose light a strand has: one of the first `own` of its part, or itself where that is much shorter, and
-/// so has none of its upper half.
+/// Returns the strand whose light a strand takes: one of the first `own` of its part, or the strand itself where that
+/// one is much shorter, and so has no light for the upper half.
 inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uint32_t own) {
   constexpr float taller = 1.3f;
   std::uint32_t lit = id;

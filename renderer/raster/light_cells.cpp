@@ -23,8 +23,8 @@ void add_skin(const GridPlace& place, glm::vec3 a, glm::vec3 b, glm::vec3 c, flo
   if (place.has(cell)) cells[place.index(cell)] += away / (place.cell * place.cell);
 }
 
-/// Of each cell's face what skin covers. Only what faces away from the light stops it: then nothing lies in its own
-/// shadow, whatever the size of cells.
+/// Returns how much of each cell's face the skin covers. Only skin that faces away from the light stops it, so that
+/// nothing lies in its own shadow, whatever the size of the cells.
 std::vector<float> skin_facing_away(const GridPlace& place, const FurModel& model, const FurLight& light) {
   std::vector<float> cells(place.count());
   for (std::size_t i = 0; i < model.triangles.size(); ++i) {
@@ -187,7 +187,8 @@ std::vector<std::uint32_t> LightCells::follow(std::span<const CellDensity> densi
   return look_back(way, local, sweep(way, local));
 }
 
-/// How many strands light crosses in each cell on a way of its width. Gives the cells where that is another.
+/// Finds how many strands a light ray crosses within each cell, over a path as long as the cell is wide. Returns the
+/// cells where that has changed.
 CellRange LightCells::find_local(std::span<const CellDensity> density, int y, int z, CellRange cells) {
   CellRange changed;
   for (int x = cells.begin; x < cells.end; ++x) {
@@ -208,7 +209,7 @@ CellRange LightCells::find_local(std::span<const CellDensity> density, int y, in
   return changed;
 }
 
-/// Marks cells that see by a tap what has changed.
+/// Marks the cells that see a changed cell by a tap.
 void LightCells::add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const {
   if (tap.share == 0) return;
   for (int z = std::max(0, -tap.off.z); z < std::min(place_.size.z, place_.size.z - tap.off.z); ++z)
@@ -271,7 +272,8 @@ std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows&
   return changed;
 }
 
-/// From each cell a light that stands near lies another way: so all cells are swept again, and looked back from.
+/// The direction to a nearby light differs from cell to cell, so this sweeps all cells again, and each cell reads what
+/// has come through the cells before it on its way from the light.
 std::vector<std::uint32_t> LightCells::follow_near() {
   const auto add = [&](const auto& taps, glm::ivec3 cell, const std::vector<Crossed>& from, Sum& sum) {
     for (const CellTap& tap : taps)

@@ -62,15 +62,15 @@ struct CellTap {
   }
 };
 
-/// Of a cell's face what strands across it cover, and that times their direction, in fixed point: sums do not depend on
-/// their order.
+/// What the strands across a cell's face cover of it, and that times their direction, in fixed point: sums do not
+/// depend on the order of their terms.
 struct CellDensity {
   static constexpr float one = density_one;
   std::array<std::int64_t, 4> sum{};
 };
 
-/// What lies between a cell's middle and a light, in fixed point: what a change far away adds is rounded away, so that
-/// cells that differ lie near it.
+/// What lies between a cell's middle and a light, in fixed point. Rounding removes what a distant change adds, so that
+/// a change only affects cells near it.
 struct Crossed {
   static constexpr float one = crossed_one;
   static constexpr std::uint16_t max_strands = max_crossed_strands, max_body = max_crossed_body;

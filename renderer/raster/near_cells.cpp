@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/raster/raster_scene.h"
 
@@ -22,7 +22,7 @@ float distance_of(const RasterScene& scene, const GrownPart& part) {
   return glm::dot(part.middle - scene.camera.position, scene.camera.forward);
 }
 
-/// Whether a part's skin is near enough and in the picture, or just beside it. No stroke changes that.
+/// Returns whether a part's skin is near enough and in the picture, or just beside it. No stroke changes that.
 bool is_near(const RasterScene& scene, const GrownPart& part) {
   const PictureCamera& camera = scene.camera;
   const glm::vec3 apart = part.middle - camera.position;

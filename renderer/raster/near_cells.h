@@ -35,8 +35,8 @@ class NearCells {
   std::span<const std::uint16_t> cells() const { return cells_; }
   /// The mean over all cells: so much of other cells lies in each.
   float mean() const { return mean_; }
-  /// Of the grid, when what is near became as it is: of places that share cells, and of the mean, all may look
-  /// another way since.
+  /// The version of the density grid at which the near cells last changed. Such a change may alter the look of every
+  /// place, because places share cells and the mean changes too.
   std::uint64_t since() const { return since_; }
   std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
 

@@ -100,9 +100,9 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
   return hidden;
 }
 
-/// Whether lanes touch the box and may show in it: not where each knot lies in the box behind all skin that is as near
-/// to it on the picture as it is drawn long and wide: two segments may be drawn as one, and what is deep in the fur
-/// `wider`. So what is left out shows nowhere, whatever the box.
+/// Returns which lanes touch the box and may show in it. A lane may not show if each of its knots lies in the box
+/// behind all skin that is as near to it on the picture as it is drawn long and wide; this allows for two segments
+/// drawn as one, and for deep parts drawn `wider`. So what is left out shows nowhere, whatever the box.
 HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, Real wider,
                            const PixelBox& box, std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
@@ -171,8 +171,9 @@ struct KeptLane {
   float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
 };
 
-/// Strands do not stand in each other. So the thicker they are for their distance the less an eye sees past them: what
-/// is too thin to be seen by itself covers more than if it stood anywhere.
+/// Returns the half width of a knot, widened for packing. Strands do not intersect each other, so the thicker they are
+/// for their distance, the less the eye sees between them: strands too thin to be seen singly cover more than randomly
+/// placed ones would.
 HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
   const float unresolved = std::clamp(1.5f - knot.half_width, 0.0f, 1.0f);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/raster/bins.h"
 #include "renderer/raster/cull.h"
 #include "renderer/raster/kernels.h"
@@ -117,7 +117,7 @@ void TileDrawer::draw(int tile, Room& room) const {
   write(left, top, sums);
 }
 
-/// From the segment that covers most of a pixel to its strand; none where skin or an eye shows more.
+/// Replaces the segment that covers most of a pixel by its strand; none where skin or an eye shows more.
 void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums) const {
   for (int pixel = 0; pixel < tile_pixels; ++pixel) {
     const auto segment = static_cast<std::size_t>(sums.red[pixel]);

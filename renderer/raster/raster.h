@@ -53,16 +53,15 @@ class Raster {
   /// Of what was drawn, for changed_since.
   std::uint64_t version() const;
 
-  /// The same in boxes of whole tiles, for who has other things to do in between: those of a frame, row by row, of
-  /// about so many pixels at most.
+  /// Returns boxes of whole tiles that cover a frame, row by row, of at most about `pixels` pixels each. They let a
+  /// caller draw the same picture in steps and do other things in between.
   static std::vector<PixelBox> boxes_of(const FurFrame& frame, int pixels = 1 << 20);
   /// What a frame is drawn from; views of all that is given and of this object, until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);
-  /// Finds what stands in the way of a scene's light, which who draws it with this object asks for first.
+  /// Finds what stands in the way of a scene's light. Call it before drawing the scene with this object.
   void fill_cells(RasterScene& scene);
-  /// The same of the skin and the eyes alone, in light that nothing stands in the way of; `skin` has the look of each
-  /// piece.
+  /// The scene of the skin and the eyes alone, in unshadowed light; `skin` has the look of each piece's corners.
   RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,
                             RasterOutput shown);
   /// Into a picture of the frame's size, without the ground.

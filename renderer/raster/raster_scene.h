@@ -44,11 +44,11 @@ enum class RasterOutput {
   count,     // red: segments of strands that were blended; not premultiplied
   strand     // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its role from 1 on
 };
-/// Whether it goes as the colour of strands does.
+/// Returns whether it goes as the colour of strands does.
 constexpr bool is_coloured(RasterOutput shown) {
   return shown == RasterOutput::light || shown == RasterOutput::direct || shown == RasterOutput::albedo;
 }
-/// Whether strands send something of their own, from knot to knot.
+/// Returns whether strands send something of their own, from knot to knot.
 constexpr bool sends(RasterOutput shown) {
   return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
          shown != RasterOutput::count && shown != RasterOutput::strand;

@@ -36,8 +36,8 @@ struct KnotColours {
   HWY_INLINE Colour at(std::size_t knot) const { return hn::Mul(colour_over_black(own[knot]), factor); }
 };
 
-/// Light along a strand, from that of the points of the one that is lit, which it is so many times `taller` than: knots
-/// have the light of the same height.
+/// Light along a strand, derived from the points of the lit strand; the strand is `taller` times as tall as that one.
+/// Knots have the light of the same height.
 template <bool by_colour>
 struct LightAlong {
   static constexpr ColourTag tag{};

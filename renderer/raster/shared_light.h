@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// One of some neighbours is lit, and hands its light on by their colours. Kept by a thread, for the room of its
-/// arrays.
+/// Lights one of several neighbouring strands and gives its light to the others, each by its own colours. A thread
+/// keeps one of these to reuse its arrays.
 class SharedLight {
  public:
   /// Writes the light of the strands `ids` of a part to their knots, which are those of `placed` from strand `first`

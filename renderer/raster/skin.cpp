@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/raster/kernels.h"
 
 namespace pelage {
@@ -63,7 +63,7 @@ std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>
   return count < 3 ? 0 : count - 2;
 }
 
-/// Whether the middle of a pixel of the box may lie in a triangle: few of a fine mesh's have one.
+/// Returns whether the middle of a pixel of the box may lie in a triangle: few of a fine mesh's have one.
 bool meets_pixel(const FlatTriangle& triangle, const PixelBox& box) {
   constexpr double beside = 0.5 - 2e-3;  // more than covered_pixels overlaps
   const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 
@@ -17,7 +17,7 @@ constexpr float finest = 0.02f;  // of the map, sizes
 constexpr int max_places = 128;  // of it along each side
 constexpr float nowhere = std::numeric_limits<float>::max();
 
-/// From where to where something stands, sizes; nothing where low is above high.
+/// The lowest and the highest point of what stands in a column, sizes; the column is empty if low is above high.
 struct Column {
   float low = nowhere, high = -nowhere;
   void add(float bottom, float top) { low = std::min(low, bottom), high = std::max(high, top); }
@@ -35,7 +35,7 @@ class Columns {
 
   float top() const { return top_; }
 
-  /// Whether a ray from a place meets anything.
+  /// Returns whether a ray from a place meets anything.
   bool stop(glm::vec3 from, glm::vec3 way) const {
     const glm::vec3 low = place_.low, high = low + place_.cell * glm::vec3(place_.size);
     float begin = 0, end = (top_ - from.y) / way.y;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/base/clamped_index.h"
+#include "base/clamped_index.h"
 
 namespace pelage {
 

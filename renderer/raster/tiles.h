@@ -28,7 +28,7 @@ class TileMask {
   void add(float left, float top, float right, float bottom);
   void add(const TileMask& other);
   bool has(int left, int top) const { return on_[at(left / tile_side, top / tile_side)] != 0; }
-  /// Whether a box of pixels touches any of them.
+  /// Returns whether a box of pixels touches any of them.
   bool touches(float left, float top, float right, float bottom) const;
   /// Around all of them, within the picture; no pixels where there are none.
   PixelBox bounds() const;

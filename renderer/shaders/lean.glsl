@@ -1,4 +1,4 @@
-// The lean curves of protocol/base/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
+// The lean curves of base/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
 float lean_sinc(float x) { return abs(x) < 1e-2 ? 1.0 - x * x / 6.0 : sin(x) / x; }
 
 float parabola_length(float u) {
@@ -29,7 +29,7 @@ vec3 lean_point(bool root_curve, float inclination, float root_share, float s) {
   return root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
 }
 
-// Unit, along the skin: where fur leans whose direction field has this value; lean_of of protocol/base/lean_curve.h.
+// Unit, along the skin: where fur leans whose direction field has this value; lean_of of base/lean_curve.h.
 vec3 lean_along(vec2 direction, vec3 normal, vec3 tangent) {
   float inclination = min(length(direction), 1.0);
   vec2 heading = inclination > 1e-6 ? direction / inclination : vec2(1.0, 0.0);

@@ -32,8 +32,8 @@ vec2 clump_middle = vec2(0.0);  // from here, tiles
 float clump_gather = 0.0;       // at the tip
 vec2 clump_shift = vec2(0.0);   // to the root of the strand that is here, tiles
 
-// As tufts.glsl, on the tile: the strand that is here at height s grows further out in its clump, and past the border of
-// the clump there is none. What is finer than pixels stays. Answers the factor on the optical depth.
+// Does the same as tufts.glsl, on the tile: the strand that is here at height s grows further out in its clump, and
+// past the border of the clump there is none. What is finer than pixels stays. Returns the factor on the optical depth.
 float gather_to_clump(float s) {
   float own = paint_block.coat.x, water = min(own + amounts.z, 1.0) - own;  // what `own` draws together is in the tile
   float gather = max_clump_gather * min(forms.y + water_gathers * water, 1.0) * (1.0 - smoothstep(4.0, 6.0, level));

@@ -86,9 +86,9 @@ vec2 blockers(int i, LightDisc disc, float radius, int taps) {
   return sum;
 }
 
-// What part of the light the body leaves in sight of a place: as wide as the light is seen, the map is looked at where its
-// rays pass what hides it (Fernando 2005).
-// What lies no further in front than fur is high is fur that it grows into, in folds, and does not count.
+// Returns the share of the light that the body leaves visible from a place. Looks at the map over an area as wide as
+// the light appears, where the light's rays pass what hides it (Fernando 2005). What lies no further in front than the
+// fur is high does not count: it is fur that the place grows into, in folds.
 float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
   LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, min_fold)));
   float min_radius = 1.5 * disc.texel, max_radius = disc.spread * furthest_caster;

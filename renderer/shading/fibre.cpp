@@ -240,7 +240,7 @@ float FibrePaths::pdf(glm::vec3 light) const {
   return sum;
 }
 
-/// By the lobes' shares; one of none only where all have none.
+/// Chooses a path by the lobes' shares. It chooses a lobe with share 0 only if all shares are 0.
 std::size_t FibrePaths::choose(float u) const {
   std::size_t chosen = 0;
   for (std::size_t p = 0; p < lobe_count; ++p) {

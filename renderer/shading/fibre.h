@@ -1,3 +1,4 @@
+// Fibre scattering: Fresnel, absorption, the lobes of a fibre, and sampling of its paths.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Shells have no offset across a fibre: they see 1/2 the integral of Ap Np over h in [-1, 1] (science.md 4).
+// Azimuthal averages of fibre scattering over the width of a fibre, for shells, and the lobes of marschner.
+// Shells see no offset across a fibre: 1/2 the integral of Ap Np over h in [-1, 1] (science.md 4).
 #pragma once
 
 #include <array>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/shaders/constants.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/shading/marschner.h"

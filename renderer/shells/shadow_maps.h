@@ -24,7 +24,7 @@ class ShadowMaps {
   /// "" when the programs so far were built.
   std::string failure() const { return shells_.failure() + scene_.failure(); }
 
-  /// Whether a frame has shadows from maps at all.
+  /// Returns whether a frame has shadows from maps at all.
   static bool wanted(const FurFrame& frame);
 
   /// Makes the maps unless the kept ones serve; true when it drew. `block` is the frame's own, the drawing's variant

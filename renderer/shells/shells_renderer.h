@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "renderer/coat/slices.h"
 #include "renderer/gl/handles.h"
@@ -45,7 +45,7 @@ class ShellsRenderer {
 
   bool lost() const { return lost_; }
 
-  /// Whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
+  /// Returns whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
   bool misses_coat(const FurFrame& frame) const { return !has(frame.coat); }
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;

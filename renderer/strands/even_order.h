@@ -15,8 +15,8 @@ std::uint64_t place_on_curve(glm::dvec3 place);
 /// Corput 1935), so that each first part of n leaves gaps of at most twice their mean on the curve. Deterministic.
 struct EvenOrder {
   std::vector<std::uint32_t> order;
-  /// Of each but the first in that order, an earlier one that lies near: the last before it on the curve of those that
-  /// were there when it came. Of the first itself.
+  /// For each root but the first in that order, an earlier root near it: the last one before it on the curve among the
+  /// roots that come earlier in the order. The first root is its own neighbour.
   std::vector<std::uint32_t> neighbour;
 };
 EvenOrder even_order(std::span<const glm::vec3> roots);

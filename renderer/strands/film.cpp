@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/strands/filter.h"
 
 namespace pelage {

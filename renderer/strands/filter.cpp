@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 

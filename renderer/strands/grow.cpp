@@ -81,7 +81,7 @@ std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const 
   return hashes;
 }
 
-/// None where nothing moves.
+/// The vertices with the moved directions; empty if nothing moves.
 std::vector<FurVertex> moved_vertices(const std::vector<FurVertex>& vertices, std::span<const glm::vec2> directions) {
   if (directions.empty()) return {};
   std::vector<FurVertex> moved(vertices);

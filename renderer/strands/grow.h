@@ -68,8 +68,8 @@ class Grower {
   /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
   /// where strands have no width.
   StrandSet grow(const StrandChunk& chunk, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
-  /// Moves strands that grew of a chunk where `still` has them to where `direction` leads (FurFields::still, not
-  /// empty).
+  /// Moves strands that grew from a chunk, from where `still` has them to where `direction` leads (FurFields::still,
+  /// not empty).
   void bend(const StrandChunk& chunk, StrandSet& set) const;
   /// By which `bend` moves the strands of a piece.
   PieceBend bend_of(std::uint32_t piece) const;
@@ -77,7 +77,8 @@ class Grower {
   const LeanTable& leans() const;
   /// Of the corners of a piece.
   std::array<SkinLook, 3> skin(std::uint32_t piece) const;
-  /// Of all that `grow(chunk)` and `skin` of its pieces depend on: the same while they would give the same. 64 bits.
+  /// Returns a 64-bit fingerprint of all that `grow(chunk)` and `skin` of its pieces depend on. It stays the same while
+  /// they would give the same result.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
   /// Of what `bend(chunk)` depends on besides; 0 where nothing is bent.
   std::uint64_t bend_fingerprint(const StrandChunk& chunk) const;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/colour_space.h"
+#include "base/clamped_index.h"
+#include "base/colour_space.h"
 #include "renderer/light/environment.h"
 #include "renderer/shaders/constants.h"
 

@@ -30,9 +30,9 @@ class StrandLights {
   StrandLights(std::span<const FurLight> lights, const Environment& environment, double ambient);
 
   int count() const { return static_cast<int>(lights_.size()); }
-  /// A random place of light i as seen from `place`; u in [0, 1)^2. The mean over u is the light of all of it: a
-  /// directional light is a disc of directions, a point or spot light a ball (from within it, its middle), an area
-  /// light a rectangle that shines to one side. A spot's cone is that of its middle.
+  /// Returns a random position on light i as seen from `place`; u in [0, 1)^2. The mean over u is the light of all of
+  /// it: a directional light is a disc of directions, a point or spot light a ball (from within it, its middle), an
+  /// area light a rectangle that shines to one side. A spot's cone is that of its middle.
   LightSample sample(int i, glm::vec3 place, glm::vec2 u) const;
   /// What light i brings to `place` seen as a point, luminance: for choosing among lights.
   float importance(int i, glm::vec3 place) const;

@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <optional>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/strands/sampling.h"
 
@@ -117,7 +117,7 @@ DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsd
   return {.lights = radiance, .unshadowed_lights = radiance};
 }
 
-/// Whether sample_direct leaves the environment at a position to the paths.
+/// Returns whether sample_direct leaves the environment at a position to the paths.
 bool any_light_reaches(const StrandLights& lights, glm::vec3 position) {
   for (int i = 0; i < lights.count(); ++i) {
     if (lights.importance(i, position) > 0) return true;

@@ -1,6 +1,6 @@
-// The true way to light traced strands: light goes from strand to strand and to the skin, along whole paths (Kajiya
-// 1986), scattered by energy_conserving at the offset where each strand was hit. Nothing is made or lost but at the
-// bound of bounces and of brightness.
+// Traces the full light transport of strands: light goes from strand to strand and to the skin, along whole paths
+// (Kajiya 1986), scattered by energy_conserving at the offset where each strand was hit. Energy is conserved except for
+// the bounds on bounces and on brightness.
 #pragma once
 
 #include "renderer/strands/transmitted_light.h"

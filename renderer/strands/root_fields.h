@@ -1,7 +1,5 @@
-// The fields at a root of a strand, and the table of lean curves that strands there follow.
-//
-// The lean curve (protocol/base/lean_curve.h) by inclination and height: strands need it at more places than can be
-// worked out for each.
+// The fields at a strand's root, and the table of lean curves by inclination and height (base/lean_curve.h): strands
+// need the curve at more places than can be computed for each.
 #pragma once
 
 #include <array>
@@ -31,7 +29,8 @@ class LeanTable {
  public:
   LeanTable(LeanCurve curve, double root_share);
 
-  /// For an inclination in [0, 1]: off the curve by less than 1e-5 of its length, cubic in between.
+  /// Returns the row for an inclination in [0, 1]. Cubic interpolation between its knots is off the curve by less than
+  /// 1e-5 of its length.
   LeanRow row(float inclination) const;
   /// Knot k of that.
   LeanKnot knot(float inclination, std::size_t k) const;

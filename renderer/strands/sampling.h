@@ -1,6 +1,4 @@
-// Random directions, hashes and the frame about a strand.
-//
-// A 64-bit hash of numbers as they are in memory, to tell whether anything changed.
+// A 64-bit hash that detects changes, random samplers and discrete distributions, and the frame about a fibre.
 #pragma once
 
 #include <array>
@@ -10,8 +8,8 @@
 #include <span>
 #include <type_traits>
 
-#include "protocol/base/colour_space.h"
-#include "protocol/base/random.h"
+#include "base/colour_space.h"
+#include "base/random.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/image/float_image.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/pattern/tufts.h"

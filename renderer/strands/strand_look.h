@@ -1,7 +1,5 @@
-// The form and the colours of strands.
-//
-// How strands go to the side of their lean curve: by the tile's offsets, and by paint and tufts as
-// renderer/shaders/paint_form.glsl and tufts.glsl draw them.
+// The form and the colours of strands: their offset from the lean curve by the tile, paint and tufts (as
+// renderer/shaders/paint_form.glsl and tufts.glsl draw them), and the colour at each point.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// Where a piece lies on the plane that the tile repeats over.
+// A part of the traced strands with its memory budget, and how many strands a piece of the surface is expected to
+// grow.
 #pragma once
 
 #include <algorithm>

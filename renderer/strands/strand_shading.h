@@ -15,7 +15,7 @@ class StrandShading {
  public:
   explicit StrandShading(const FurFrame& frame);
 
-  /// Whether it would be the same for that frame.
+  /// Returns whether it would be the same for that frame.
   bool fits(const FurFrame& frame) const;
 
   ShadingModel model() const { return look_.shading; }

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/colour_space.h"
-#include "protocol/base/random.h"
+#include "base/clamped_index.h"
+#include "base/colour_space.h"
+#include "base/random.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/strands/sampling.h"
@@ -167,7 +167,7 @@ Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high)
   return span;
 }
 
-/// Whether a strand is among the share of the tile that is looked at.
+/// Returns whether a strand is among the share of the tile that is looked at.
 bool stays(std::uint32_t strand, double share) {
   return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/colour_space.h"
+#include "base/clamped_index.h"
+#include "base/colour_space.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

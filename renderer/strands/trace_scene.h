@@ -38,7 +38,7 @@ class TraceScene {
   Ray ray_at(glm::vec2 place) const;
   float pixel_at(float distance) const;  // size of a pixel there, sizes
   BackplatePixel backplate_at(glm::vec2 place) const;
-  /// Whether the ray comes near an eye, which the backplate knows better than the rays.
+  /// Returns whether the ray comes near an eye, which the backplate knows better than the rays.
   bool near_eye(const Ray& ray) const;
 
  private:

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "renderer/strands/film.h"
 #include "renderer/strands/paths.h"
 #include "renderer/strands/trace_scene.h"
@@ -73,7 +73,7 @@ struct Tracer::Impl {
   Result<World::Change> grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
                              std::size_t picture_bytes, const GoOn& go_on);
 
-  Workers workers;
+  WorkThreads workers;
   std::size_t memory;
   World world;
   std::shared_ptr<const StrandShading> shading;
@@ -187,8 +187,8 @@ Status Tracer::add_pass(const GoOn& go_on) {
   if (picture.report.end != TraceEnd::none) return {};
   const Stopwatch passed;
   const std::vector<int>& tiles = picture.active;
-  const bool whole = for_each_piece(impl_->workers, tiles.size(),
-                                    [&](std::size_t i) { return picture.trace_tile(impl_->world, tiles[i], go_on); });
+  const bool whole = for_each_until_false(
+      impl_->workers, tiles.size(), [&](std::size_t i) { return picture.trace_tile(impl_->world, tiles[i], go_on); });
   picture.report.trace_ms += passed.milliseconds();
   if (!whole) return not_wanted();
   ++picture.report.passes;

@@ -1,5 +1,5 @@
-// What lies under the fur, drawn by the shells' passes: skin, bare skin and eyes in the light of all lights, without
-// fur, shadows and ground.
+// The ray tracer of fur, pass by pass, and its backplate: skin, bare skin and eyes in the light of all lights, drawn
+// by the shells' passes without fur, shadows and ground.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/image/float_image.h"
 #include "renderer/input/fur_scene.h"
 
@@ -35,7 +35,7 @@ class Tracer {
   Tracer(int threads, std::size_t memory, bool yielding);
   ~Tracer();
 
-  /// Whether a picture may be begun in that memory with its backplate and its AOVs, before any of it is made.
+  /// Returns whether a picture may be begun in that memory with its backplate and its AOVs, before any of it is made.
   /// too_large where not.
   Status admit(int width, int height, std::span<const Aov> aovs, bool filter) const;
   /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/shading/fibre.h"
 #include "renderer/skin/bare.h"
 #include "renderer/strands/sampling.h"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "protocol/base/parallel.h"
 #include "renderer/strands/strand_part.h"
 
 namespace pelage {
@@ -228,7 +227,7 @@ World::~World() = default;
 void World::set_memory(std::size_t memory) { impl_->budget.set_limit(memory); }
 
 Result<World::Change> World::update(const FurModel& model, const FurFields& fields, const FurFrame& frame,
-                                    const GrowRecipe& recipe, const Workers& workers,
+                                    const GrowRecipe& recipe, const WorkThreads& workers,
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
   world.all.reset();                      // it holds the parts that are to go
@@ -237,7 +236,7 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
   const Grower grower(model, fields, recipe);
   std::atomic<std::size_t> grown{0};
   std::atomic<bool> wanted{true};
-  const bool whole = for_each_piece(workers, world.chunks.size(), [&](std::size_t chunk) {
+  const bool whole = for_each_until_false(workers, world.chunks.size(), [&](std::size_t chunk) {
     if (!go_on()) wanted = false;
     return wanted && world.grow(grower, chunk, grown);
   });

@@ -9,10 +9,10 @@
 #include <memory>
 #include <span>
 
-#include "protocol/base/status.h"
+#include "base/parallel.h"
+#include "base/status.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/strands/grow.h"
-#include "renderer/strands/parallel.h"
 
 namespace pelage {
 
@@ -83,13 +83,13 @@ class World {
   /// Brings strands, skin and eyes up to date. Fails with too_large when memory does not do, with unavailable when
   /// `go_on` answered false; what a ray hits is then undefined until an update succeeds.
   Result<Change> update(const FurModel& model, const FurFields& fields, const FurFrame& frame, const GrowRecipe& recipe,
-                        const Workers& workers, const std::function<bool()>& go_on);
+                        const WorkThreads& workers, const std::function<bool()>& go_on);
 
   std::size_t bytes() const;  // of strands and index
 
   /// Rays from beyond 1e18 sizes, of no direction or of numbers that are not finite hit nothing.
   Hit intersect(const Ray& ray) const;
-  /// Whether anything lies on the ray before t_max.
+  /// Returns whether anything lies on the ray before t_max.
   bool occluded(const Ray& ray) const;
   /// Transmittance along a ray, by channel: 0 through skin; each strand adds an optical depth of `depth` times what its
   /// colour absorbs; below 1/250 it counts as 0.

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "protocol/base/colour_space.h"
-#include "protocol/base/limits.h"
+#include "base/colour_space.h"
+#include "base/limits.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/light/environment.h"

@@ -1,6 +1,4 @@
-// Uniform blocks of a frame, its shadows and its bare skin.
-//
-// The uniform block of renderer/shaders/frame.glsl, laid out as std140 wants it.
+// The uniform blocks of a frame, its shadows and its bare skin (renderer/shaders/frame.glsl), laid out as std140.
 #pragma once
 
 #include <array>
@@ -9,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "renderer/coat/slices.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/shaders/constants.h"

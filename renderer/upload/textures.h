@@ -1,6 +1,4 @@
-// Textures of coats, tufts, patterns and scattering.
-//
-// A volume about a surface as a texture.
+// The textures of coats, paint, tufts, patterns and scattering, and volume textures about a surface.
 #pragma once
 
 #include <cstdint>

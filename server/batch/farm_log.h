@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

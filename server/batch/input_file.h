@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/scene.h"
 
 namespace pelage {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "server/batch/model_moments.h"
 #include "server/batch/output_pattern.h"

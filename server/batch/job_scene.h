@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "server/export/temporary_folder.h"
 #include "server/scene/scene_store.h"

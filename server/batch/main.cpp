@@ -11,7 +11,7 @@
 #include <new>
 #include <thread>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/batch/input_file.h"
 #include "server/batch/model_files.h"

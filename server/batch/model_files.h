@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/batch/job_frames.h"
 #include "server/batch/job_scene.h"
 #include "server/batch/model_moments.h"

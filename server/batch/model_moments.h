@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "protocol/commands/scene.h"
 #include "server/batch/file_pattern.h"

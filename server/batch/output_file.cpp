@@ -13,8 +13,8 @@
 #include <limits>
 #include <span>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/temporary_name.h"
+#include "base/limits.h"
+#include "base/temporary_name.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
 #include "renderer/picture_files/picture_files.h"

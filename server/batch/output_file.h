@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/image/image.h"
 #include "server/batch/job_frames.h"
 #include "server/frames/frame_service.h"
@@ -15,11 +15,11 @@ namespace pelage {
 /// (internal, with what the system says) leaves nothing.
 Status write_whole(const std::string& path, std::string_view bytes);
 
-/// Whether a file can be made in the path's folder, or in the one where that will be made. Leaves nothing; fails as
-/// write_whole.
+/// Returns whether a file can be made in the path's folder, or in the one where that will be made. Leaves nothing;
+/// fails as write_whole.
 Status try_folder_of(const std::string& path);
 
-/// Whether the file is a whole picture with this fingerprint.
+/// Returns whether the file is a whole picture with this fingerprint.
 bool is_drawn(const std::string& path, const std::string& fingerprint);
 
 /// Keys of what a frame's file says of it.

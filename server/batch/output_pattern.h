@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "server/batch/file_pattern.h"
 

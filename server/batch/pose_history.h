@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/scene/moving_model.h"
 
 namespace pelage {

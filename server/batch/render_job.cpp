@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/batch/input_file.h"
 #include "server/batch/model_files.h"

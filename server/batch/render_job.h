@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/status.h"
+#include "base/limits.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "renderer/gl/context/context.h"
 #include "server/batch/farm_log.h"

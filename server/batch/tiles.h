@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/job.h"
 #include "server/batch/job_frames.h"
 #include "server/scene/scene.h"

@@ -13,7 +13,7 @@ glm::dmat3 turn_about_y(double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(std::remainder(degrees, 360.0)), glm::dvec3(0, 1, 0)));
 }
 
-/// With a place of its own.
+/// The camera with an explicit position in place of an automatic view.
 Camera placed(const Camera& camera, double aspect, const Mesh& mesh) {
   if (camera.automatic == AutoView::none) return camera;
   const PlacedCamera at = place_camera(camera, aspect, mesh);

@@ -1,4 +1,4 @@
-// What the built-in models share.
+// The built-in models (torus, knot, sphere, plane, cloth, creature), and how each is made by its name.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -303,7 +303,8 @@ class Remesher {
     }
   }
 
-  /// Whether the fan around the origin of `h` neither folds nor gets too long an edge when its hub moves to `to`.
+  /// Returns whether the fan around the origin of `h` neither folds nor gets too long an edge when its hub moves to
+  /// `to`.
   bool stays_sound(std::uint32_t h, glm::dvec3 to, double longest) const {
     bool sound = !mesh_.folds(h, to);
     mesh_.around(mesh_.origin(h), [&](std::uint32_t spoke) {
@@ -320,7 +321,7 @@ class Remesher {
     }
   }
 
-  /// Whether a flip brings the four valences nearer to six.
+  /// Returns whether a flip brings the four valences nearer to six.
   bool flip_evens(std::uint32_t h) const {
     const auto excess = [&](std::uint32_t vertex) { return mesh_.valence(vertex) - 6; };
     const int a = excess(mesh_.origin(h)), b = excess(mesh_.target(h));

@@ -52,15 +52,15 @@ class HalfEdgeMesh {
   /// Puts a vertex into the edge; returns it.
   std::uint32_t split(std::uint32_t h, glm::dvec3 at);
 
-  /// Whether merging the edge's ends keeps the mesh a manifold of the same genus.
+  /// Returns whether merging the edge's ends keeps the mesh a manifold of the same genus.
   bool can_collapse(std::uint32_t h) const;
-  /// Whether moving the edge's origin to `to` would tilt a triangle around it by more than about 70 degrees or flatten
-  /// it. The edge's own two triangles do not count.
+  /// Returns whether moving the edge's origin to `to` would tilt a triangle around it by more than about 70 degrees or
+  /// flatten it. The edge's own two triangles do not count.
   bool folds(std::uint32_t h, glm::dvec3 to) const;
   /// Merges the edge's origin into its target, which moves to `to`. Needs can_collapse.
   void collapse(std::uint32_t h, glm::dvec3 to);
 
-  /// Whether the edge's two apexes can be joined instead of its ends.
+  /// Returns whether the edge's two apexes can be joined instead of its ends.
   bool can_flip(std::uint32_t h) const;
   void flip(std::uint32_t h);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/colour_space.h"
-#include "protocol/base/random.h"
+#include "base/clamped_index.h"
+#include "base/colour_space.h"
+#include "base/random.h"
 
 namespace pelage {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "protocol/base/clamped_index.h"
+#include "base/clamped_index.h"
 
 namespace pelage {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {

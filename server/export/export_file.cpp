@@ -4,7 +4,7 @@
 #include <memory>
 #include <numeric>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "server/export/cards.h"
 #include "server/export/mesh_fields.h"
 #include "server/export/shells.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/status.h"
+#include "base/limits.h"
+#include "base/status.h"
 #include "protocol/commands/export.h"
 #include "server/scene/scene.h"
 #include "server/scene/scene_store.h"

@@ -17,7 +17,7 @@ float step(double edge, double soft, double value) {
   return static_cast<float>(std::clamp((value - edge) / soft + 1, 0.0, 1.0));
 }
 
-/// Whether the lids leave the place open: between two arcs that meet in the corners.
+/// Returns whether the lids leave the place open: between two arcs that meet in the corners.
 bool is_open(const FurLids& lids, glm::vec3 direction) {
   const glm::dvec3 at(glm::transpose(lids.frame) * direction);
   const glm::dvec3 opening(lids.opening);

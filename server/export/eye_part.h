@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
-#include "server/glb/glb_writer.h"
+#include "server/export/glb_writer.h"
 
 namespace pelage {
 

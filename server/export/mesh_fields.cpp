@@ -8,9 +8,9 @@
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
 #include "server/export/corner_mesh.h"
+#include "server/export/glb_writer.h"
 #include "server/export/layer_texture.h"
 #include "server/export/vertex_colours.h"
-#include "server/glb/glb_writer.h"
 
 namespace pelage {
 

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/coat/slices.h"
 #include "renderer/image/image.h"
 #include "server/export/corner_mesh.h"
 #include "server/export/eye_part.h"
+#include "server/export/glb_writer.h"
 #include "server/export/layer_texture.h"
 #include "server/export/skin_part.h"
 #include "server/export/vertex_colours.h"
 #include "server/frames/fur_view.h"
-#include "server/glb/glb_writer.h"
 
 namespace pelage {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "renderer/coat/slices.h"
+#include "server/export/glb_writer.h"
 #include "server/export/vertex_colours.h"
-#include "server/glb/glb_writer.h"
 #include "server/scene/scene.h"
 
 namespace pelage {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/parallel.h"
+#include "base/limits.h"
+#include "base/parallel.h"
 #include "renderer/strands/grow.h"
 #include "server/frames/fur_view.h"
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/export.h"
 #include "renderer/strands/strand_set.h"
 #include "server/groom/cancel.h"

@@ -1,4 +1,5 @@
-// One field at one vertex on all its sheets, and the way from there to what is seen.
+// The stack of edit layers of a field at a vertex, the value that is seen through it, and commands that change
+// layers.
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/field.h"
 #include "server/fields/field_set.h"
 

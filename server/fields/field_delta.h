@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/commands/field.h"
 
 namespace pelage {
@@ -60,7 +60,7 @@ inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::
   part.flips.insert(part.flips.end(), flips, flips + channels);
 }
 
-/// Whether the first part comes before the second in a delta.
+/// Returns whether the first part comes before the second in a delta.
 bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second);
 
 /// Both, one after the other, in either order; what turns over twice is dropped.

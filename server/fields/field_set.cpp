@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 
 namespace pelage {
 

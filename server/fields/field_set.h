@@ -1,4 +1,4 @@
-// Colours that are painted in numbers that can be added and averaged.
+// All fields of a model with their edit layers, the rounding of stored values, and the difference between two sets.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class FieldSet {
   /// What a sheet holds at one vertex. at its default under_sheet holds NaN: what is seen lies there too; edit layers
   /// hold 0.
   glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
-  /// Whether no vertex of the field has anything on the sheet.
+  /// Returns whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;
 
   /// All values, channel by channel for each vertex; empty while nothing has touched the field, and after a delta that
@@ -75,7 +75,7 @@ class FieldSet {
   /// What it will be once the delta is applied.
   FieldsHash hash_after(const FieldDelta& delta) const;
 
-  /// Whether the delta's vertices are there; a broken contract in apply.
+  /// Returns whether the delta's vertices are there; a broken contract in apply.
   bool accepts(const FieldDelta& delta) const;
   void apply(const FieldDelta& delta);
   void set(Field field, std::uint32_t vertex, glm::vec4 value);

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "server/fields/field_set.h"
 
 namespace pelage {

@@ -67,7 +67,7 @@ std::size_t CoatBaker::held_bytes() const {
   return bytes;
 }
 
-/// The one that was asked for first among those that fit.
+/// Takes the bake that was requested first among those that wait and fit the room. Returns null if there is none.
 CoatBaker::BakePtr CoatBaker::take_fitting() {
   const std::size_t held = held_bytes();
   for (const std::weak_ptr<Bake>& known : bakes_) {

@@ -16,14 +16,14 @@
 
 namespace pelage {
 
-/// A coat that is baked, or waits to be. All who want it hold it; once nobody does, its baking ends.
+/// A coat that is being baked or waits to be. Everybody who wants the coat holds it; once nobody does, its baking ends.
 class Bake {
  public:
   explicit Bake(Coat coat) : coat_(std::move(coat)) {}
 
-  /// Whether its slices are the coat's, now or later.
+  /// Returns whether its slices are the coat's, now or later.
   bool fits(const Coat& coat) const;
-  /// Whether nothing is to be waited for any more.
+  /// Returns whether nothing is to be waited for any more.
   bool settled() const { return stage_ >= Stage::baked; }
   bool failed() const { return stage_ == Stage::failed; }
   /// What was thrown, of one that failed.
@@ -41,8 +41,9 @@ class Bake {
   std::atomic<Stage> stage_{Stage::waiting};
 };
 
-/// Thread-safe. A coat is baked once for all who ask for it meanwhile. What is baked and what is still held take at
-/// most `room` bytes together: a coat that does not fit waits for the others, and one alone is always baked.
+/// Bakes coats. Thread-safe. Bakes a coat once for all who ask for it meanwhile. Coats that are being baked or are
+/// still held take at most `room` bytes together: a coat that does not fit waits for the others, but one alone is
+/// always baked.
 class CoatBaker {
  public:
   using Handle = std::shared_ptr<const Bake>;
@@ -57,7 +58,7 @@ class CoatBaker {
   /// Waits for the slices, as CoatSource has it. Throws what baking them threw.
   std::shared_ptr<const Slices> wait(const Coat& coat);
 
-  /// Of what is baked and held.
+  /// Returns the bytes of the coats that are being baked or are held.
   std::size_t bytes() const;
   /// Coats that were baked to the end since the start.
   std::uint64_t baked() const { return baked_; }

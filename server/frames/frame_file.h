@@ -20,18 +20,19 @@ using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times, const Pause& pause = {});
 
-/// The same of light that was traced, for all formats but EXR. Conflict where an overlay needs a model that the
-/// renderer no longer has.
+/// Finishes traced light in the same way, for all formats but EXR. Returns conflict if an overlay needs a model that
+/// the renderer no longer has.
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 
 /// AOVs of a whole frame, as they were traced, for a request that may have a crop.
 DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& request);
 
-/// The picture as a file of the asked format; the same picture gives the same bytes. EXR: the channels are R, G, B and
-/// A of beauty, A of alpha, Z of depth, and AOV.X, .Y, .Z (position, normal, tangent), AOV.R, .G, .B (albedo, direct)
-/// or AOV.Y (shadow, sample_count) of the others. `png` remembers pictures of 8 bits. PNG and EXR carry the texts.
-/// `knobs` are those that it was drawn with: what is lossy keeps as much as they do.
+/// Encodes the picture as a file of the requested format; the same picture gives the same bytes. The channels of an EXR
+/// are R, G, B and A of beauty, A of alpha, Z of depth, AOV.X, .Y, .Z of position, normal and tangent, AOV.R, .G, .B of
+/// albedo and direct, and AOV.Y of shadow and sample_count. `png` remembers 8-bit pictures. PNG and EXR carry the
+/// texts. `knobs` are those that the picture was drawn with: they determine the quality of a lossy format, unless the
+/// request names one.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
                          const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
 

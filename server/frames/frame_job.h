@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "protocol/base/status.h"
-#include "protocol/base/stopwatch.h"
+#include "base/status.h"
+#include "base/stopwatch.h"
 #include "protocol/commands/quality.h"
 #include "server/frames/coat_baker.h"
 #include "server/frames/frame_file.h"
@@ -53,12 +53,12 @@ struct FrameJob {
   double paused = 0;      // milliseconds
 
   bool left() const { return abandoned && abandoned(); }
-  /// Whether the render thread has something to do for it.
+  /// Returns whether the render thread has something to do for it.
   bool ready() const { return !coat || coat->settled() || left(); }
   bool same_view(const FrameJob& other) const {
     return !request.view.empty() && scene == other.scene && request.view == other.request.view;
   }
-  /// Whether both draw what the renderer has of one scene, which changes with the scene.
+  /// Returns whether both draw what the renderer has of one scene, which changes with the scene.
   bool same_subject(const FrameJob& other) const { return scene == other.scene && past.copy == other.past.copy; }
   bool shows_same(const FrameJob& other) const { return revision == other.revision && moment == other.moment; }
 };

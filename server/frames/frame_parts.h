@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocol/base/temporary_name.h"
+#include "base/temporary_name.h"
 #include "protocol/json/calibration.h"
 #include "renderer/quality/planner.h"
 

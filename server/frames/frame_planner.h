@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/quality/cost_log.h"
@@ -13,14 +13,14 @@
 
 namespace pelage {
 
-/// What is known of a machine that was never measured: so many threads share the work.
+/// Returns the calibration to assume for a machine that was never measured, on which `threads` threads share the work.
 Calibration default_calibration(int threads);
 
-/// Reads a file that write_calibration has written. Fails with not_found where there is none, and (invalid) with what
-/// is wrong with it: not readable as a calibration, or measured with another GL or another number of threads.
+/// Reads a file that write_calibration wrote. Fails with not_found if there is no file, and with invalid, saying what
+/// is wrong, if the file cannot be read as a calibration or was measured with another GL or another number of threads.
 Result<Calibration> read_calibration(const std::string& path, const std::string& machine, int threads);
 
-/// By rename, so that readers see no half of it. Fails with internal.
+/// Writes the file and renames it into place, so that readers never see half of it. Fails with internal.
 Status write_calibration(const std::string& path, const Calibration& calibration);
 
 /// The dial of a server: the price of its machine, and what its scenes' frames have cost. All but `use` belongs to the
@@ -33,9 +33,9 @@ class FramePlanner {
   /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame; none where
   /// the request names knobs that are no row.
   std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame);
-  /// What drawing a frame with its knobs is expected to take, once it was planned.
+  /// Estimates the cost of drawing a planned frame with its knobs.
   FrameCost cost_of(const ViewFeatures& view, const FurFrame& frame) const;
-  /// What the frame has cost. Frames that draw more than shells in light are not counted.
+  /// Learns from the measured cost of a frame. Ignores frames with a linear format or an overlay.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
  private:

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "renderer/raster/kernels.h"
 
 namespace pelage {

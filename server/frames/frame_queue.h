@@ -1,6 +1,5 @@
-// Frames that wait: their expected cost, and the queue that takes the shortest first.
-//
-// What frames are drawn on, and what a view's estimates are estimated from.
+// The queue of waiting frames, which takes the shortest first and lets subjects take turns, and the expected cost
+// of a frame and the renderer that draws it.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +23,10 @@ namespace pelage {
 /// Threads that the CPU draws on; `asked` as of select_context: 0 for all cores.
 int drawing_threads(int asked);
 
-/// With a GL where there is a context. Fails as Renderer::create does.
+/// Makes a renderer, with a GL if there is a context. Fails as Renderer::create does.
 Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats = bake_here);
-/// What draws: "AVX2 on the CPU", with a GPU "EGL device 0, NVIDIA ..., OpenGL 4.5", with a software GL, which draws
-/// shells alone, "AVX2 on the CPU, shells by OSMesa, ...".
+/// Describes what draws: "AVX2 on the CPU"; with a GPU "EGL device 0, NVIDIA ..., OpenGL 4.5"; with a software GL,
+/// which draws only shells, "AVX2 on the CPU, shells by OSMesa, ...".
 std::string drawn_by(const Context* context, bool strands_by_gl);
 
 /// Milliseconds that a frame may take, above 0: a guess before its view is known, to order requests by.
@@ -44,7 +43,8 @@ struct Subject {
   bool operator<(const Subject& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
 };
 
-/// How often each of those who wait was served. Who comes anew has had as many turns as the one with the fewest.
+/// Counts the turns that each waiting subject has had. A new subject starts with as many turns as the one with the
+/// fewest.
 class Turns {
  public:
   void join(Subject subject);
@@ -58,15 +58,16 @@ class Turns {
   std::map<Subject, Waits> waiting_;
 };
 
-/// Scenes take turns, and within a scene its views do: a scene of which a thousand frames wait holds up no other. Of
-/// one subject a job is due `idle_timeout` times its expected cost after it came, and what is due first goes first: the
-/// short pass the long, but none that came so much later. Of those that are due together the one that came first. The
-/// clock is the caller's: milliseconds from any moment.
+/// A queue in which scenes take turns, and within a scene its views: a scene with a thousand waiting frames holds up no
+/// other scene. Within a subject, a job is due `idle_timeout` times its expected cost after it came, and the job that
+/// is due first goes first: short jobs overtake long ones, unless they come much later. Of jobs that are due at the
+/// same time, the one that came first goes first. The caller supplies the clock, in milliseconds from any moment.
 template <class Job>
 class ShortestFirst {
  public:
   static constexpr double idle_timeout = 8;
-  /// What is let in between the pieces of a running job costs at most this share of it.
+  /// The maximum cost of a job that is let in between the pieces of a running job, as a share of the running job's
+  /// cost.
   static constexpr double let_in_share = 0.5;
 
   bool empty() const { return waiting_.empty(); }
@@ -101,10 +102,10 @@ class ShortestFirst {
     return std::any_of(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
   }
 
-  /// Marks those that wait now.
+  /// Returns a mark for take_beside: the jobs that wait now came before it.
   std::uint64_t moment() const { return came_; }
-  /// The first of those that came before the moment, cost little beside a running job and are let in by `may`. So a
-  /// running job that lets in those that wait when it pauses goes on however many come.
+  /// Takes the first job that came before the moment, costs at most let_in_share of the running job and is accepted by
+  /// `may`. A running job that lets in only the jobs that wait when it pauses thus continues, however many come.
   std::optional<Taken> take_beside(double running_cost, std::uint64_t moment,
                                    const std::function<bool(const Job&)>& may) {
     return take_of(

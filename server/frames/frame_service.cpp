@@ -1,14 +1,15 @@
 #include "server/frames/frame_service.h"
 
+#include <algorithm>
 #include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "renderer/image/cropped.h"
+#include "renderer/quality/planner.h"
 #include "server/frames/frame_file.h"
-#include "server/frames/missed_goals.h"
 #include "server/frames/render_thread.h"
 
 namespace pelage {
@@ -21,6 +22,25 @@ void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest
   answer.bytes = encode_frame(std::move(picture), request, answer.knobs, placement, png,
                               texts ? texts(answer) : std::vector<ImageText>());
   answer.timings.encode = passed.milliseconds();
+}
+
+/// Names of the request's members that the picture missed, with ", " between them; "" where it kept all. `budget_ms`
+/// and `seconds` of tracing are missed where more than budget_margin times as much passed, `max_error` where no knobs
+/// are known that keep it.
+std::string missed_goals(const FrameRequest& request, const FrameAnswer& answer) {
+  std::string missed;
+  const auto name_if = [&](bool is_missed, const char* name) {
+    if (is_missed) missed += (missed.empty() ? "" : ", ") + std::string(name);
+  };
+  const bool traced = answer.trace && answer.trace->passes > 0;
+  name_if(!traced && request.budget_ms && answer.timings.draw > *request.budget_ms * budget_margin, "budget_ms");
+  name_if(!traced && request.max_error && answer.estimate &&
+              std::min(1.0, answer.estimate->error * answer.estimate->error_safety) > *request.max_error,
+          "max_error");
+  const double seconds = request.knobs.trace.seconds;
+  name_if(traced && seconds > 0 && answer.trace->grow_ms + answer.trace->trace_ms > 1e3 * seconds * budget_margin,
+          "seconds");
+  return missed;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
@@ -35,7 +35,7 @@ struct FrameAnswer {
 /// Texts that the file of a picture carries, by all of the answer but its bytes; null for none.
 using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
 
-/// What a picture is traced from, all of one revision.
+/// Everything that a picture is traced from, all of one revision.
 struct TraceStart {
   SceneCopy scene;
   FurFrame frame;
@@ -51,33 +51,33 @@ struct TraceStart {
 /// Thread-safe. Encoding runs on the caller's thread.
 class FrameService {
  public:
-  /// Starts the render thread and opens its context there. Fails (unavailable) with what was tried when a GL that was
-  /// asked for does not work. `threads` bounds those that the CPU draws on, 0 for all cores. What yields at the gate
-  /// waits while frames are drawn and encoded. Coats that are baked at a time take at most `coat_memory` bytes
-  /// together; one alone is always baked. A context that is lost is opened again, and its frame drawn again; where that
-  /// fails twice the frame is refused (unavailable), where there is no GL any more the next ones are as by a server
-  /// without one.
+  /// Starts the render thread and opens its context there. Fails (unavailable), saying what was tried, if a GL that was
+  /// asked for does not work. `threads` is the maximum number of threads that the CPU draws on, 0 for all cores. Work
+  /// that yields at the gate waits while frames are drawn and encoded. Coats that are baked at the same time take at
+  /// most `coat_memory` bytes together; one alone is always baked. If a context is lost, it is opened again and its
+  /// frame is drawn again; if that fails twice, the frame is refused (unavailable). If there is no GL any more, the
+  /// next frames are drawn as by a server without one.
   static Result<std::unique_ptr<FrameService>> start(ContextSource contexts, int threads, YieldGate& gate,
                                                      std::size_t coat_memory = std::numeric_limits<std::size_t>::max());
   ~FrameService();
 
-  /// What frames are planned by from now on; the safe defaults until then.
+  /// Sets the calibration that frames are planned by from now on; until the first call the safe defaults apply.
   void plan_by(Calibration calibration);
-  /// That the CPU draws on.
+  /// Returns the number of threads that the CPU draws on.
   int threads() const;
 
-  /// Draws and encodes; with a budget or an error with knobs that the planner chooses. Scenes take turns, and
-  /// short frames of one go before long ones; they are let in between the pieces of one that is drawn. A frame whose
-  /// scene changed meanwhile begins anew. A coat that is not there yet is baked beside, once for all who wait for it.
-  /// Superseded by a newer request of the same scene and named view: conflict. `abandoned` is asked on the render
-  /// thread before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable). Refused
-  /// (invalid, "/overlay_from" or "/revision") when the scene's model has no such revision, and (invalid,
-  /// "/max_seconds") when drawing is expected to take longer than asked, or does.
+  /// Draws and encodes a frame; with a budget or an error, the planner chooses the knobs. Scenes take turns, and short
+  /// frames of a scene go before its long ones; they are let in between the pieces of a frame that is being drawn. A
+  /// frame whose scene changes meanwhile begins anew. A coat that is not there yet is baked in the background, once for
+  /// all who wait for it. Returns conflict if a newer request of the same scene and named view supersedes the frame.
+  /// `abandoned` is called on the render thread before drawing starts and between pieces; a frame that nobody waits for
+  /// is dropped (unavailable). Refused (invalid, "/overlay_from" or "/revision") if the scene's model has no such
+  /// revision, and (invalid, "/max_seconds") if drawing is expected to take longer than asked, or does.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
-  /// The same in two steps: what gives the file of a frame that is drawn, on any thread, while others are drawn. It is
-  /// called once at most, before this service ends.
+  /// Does the same in two steps: returns a function that makes the file of the drawn frame, on any thread, while other
+  /// frames are drawn. It is called at most once, before this service ends.
   using Encode = std::function<FrameAnswer(const FileTexts& texts)>;
   Result<Encode> begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                              const std::function<bool()>& abandoned = {});
@@ -86,22 +86,22 @@ class FrameService {
   Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                               const std::function<bool()>& abandoned = {});
 
-  /// What drawing the frame is expected to take; nothing is drawn. Refused as `frame` is.
+  /// Estimates the cost of drawing the frame, without drawing it. Refused as `frame` is.
   Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The scene's frames that are drawn or wait.
   FrameProgressList progress(const Scene& scene) const;
 
-  /// Of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits until no frame
-  /// does. Refused as frame is.
+  /// Prepares tracing of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits
+  /// until no frame is drawn or waits. Refused as `frame` is.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The file of a picture, by the request that it was drawn or traced for. Conflict where an overlay shows fields of a
   /// model that the scene no longer has. Waits until no frame does.
   Result<FrameAnswer> finish(const LinearPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
 
-  /// What the renderer's copies of a model take in memory, with their GL objects, as of its last frame, and what is
-  /// kept of its earlier revisions. Waits for no frame.
+  /// Returns the bytes of memory that the renderer's copies of a model take, with their GL objects, as of its last
+  /// frame, plus those of its cached earlier revisions. Waits for no frame.
   std::size_t copy_bytes(std::uint64_t model_id) const;
-  /// What baked coats take in memory, and those that are being baked.
+  /// Returns the bytes of memory that baked coats take, and those that are being baked.
   std::size_t coat_bytes() const;
   /// Since the start.
   std::uint64_t coats_baked() const;
@@ -114,7 +114,7 @@ class FrameService {
   std::string description() const;
   /// False once drawing has failed for no reason of the frame's; the server is then not ready.
   bool healthy() const;
-  /// How often the GL was lost.
+  /// Returns how many times the GL was lost.
   std::size_t lost_contexts() const;
   std::size_t frames_drawn() const;
   double seconds_drawing() const;

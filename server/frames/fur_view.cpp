@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "protocol/base/lean_curve.h"
-#include "protocol/base/random.h"
+#include "base/lean_curve.h"
+#include "base/random.h"
 #include "server/frames/moved_curves.h"
 #include "server/frames/moved_fur.h"
 #include "server/groom/evaluate.h"
@@ -94,7 +94,7 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
   return {static_cast<float>(height), static_cast<float>(ground.shadow), static_cast<float>(ground.contact)};
 }
 
-/// What the renderer keeps the model in its present colours by.
+/// Returns the id under which the renderer caches the model in its present colours.
 std::uint64_t copy_id(const SceneView& scene) {
   if (!scene.skin_texture) return scene.copy_id;
   std::uint64_t picture = 0;

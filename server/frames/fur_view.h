@@ -1,6 +1,4 @@
-// A scene as the renderer wants it: curves, bare skin, model, fields and frame.
-//
-// Guided curves as the renderer wants them.
+// A scene in the form that the renderer takes: curves, bare skin, model, fields and frame.
 #pragma once
 
 #include <array>
@@ -16,19 +14,20 @@
 
 namespace pelage {
 
-/// In internal coordinates; each guide knows the skin nearest to its root and the fur that stands there now.
+/// Makes curves in internal coordinates; each guide knows the skin nearest to its root and the fur that stands there
+/// now.
 FurCurves make_curves(const CurveGroup& group, const SceneView& scene);
 
 // Bare skin as the renderer wants it.
 
-/// In internal coordinates, in the same order.
+/// Makes skin regions in internal coordinates, in the same order.
 std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, const Mesh& mesh);
 
 // The renderer's view of a scene: the only place that fills a FurModel.
 
-/// Brings the renderer's copy of the scene up to date: all of it for a model that the renderer does not have in these
-/// colours, else the dirty vertex ranges.
-/// The fur leans as `moved` says, where it is not null; `dirty` is then of both. With `shells` also what those need.
+/// Brings the renderer's copy of the scene up to date: uploads everything for a model that the renderer does not have
+/// in these colours, else the dirty vertex ranges. If `moved` is not null, the fur leans as it says, and `dirty` covers
+/// the changes of the scene and of `moved`. With `shells`, also uploads what shells need.
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
                        const std::vector<glm::vec2>* moved = nullptr, bool shells = false);
 

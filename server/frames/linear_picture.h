@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// With all that its file needs. Never changes once it is made.
+/// A picture with everything that its file needs. Never changes once it is made.
 struct LinearPicture {
   Revision revision = 0;
   TraceReport report = {};            // of traced strands
@@ -35,14 +35,14 @@ FrameRequest linear_request(const FrameRequest& request);
 /// The knobs that draw the same picture again.
 Knobs knobs_of(const LinearPicture& picture);
 
-/// What a shutter sees that is open while a scene moves: the mean of pictures of one frame at so many moments. Depth,
-/// position, normal and tangent, whose mean would be nowhere, are those of the middle one.
+/// The picture that an open shutter sees while a scene moves: the mean of pictures of one frame at several moments.
+/// Depth, position, normal and tangent, whose mean would lie nowhere, come from the middle picture.
 class MeanPicture {
  public:
   /// `aovs`: of each picture.
   MeanPicture(std::vector<Aov> aovs, int count) : kinds_(std::move(aovs)), count_(count) {}
 
-  /// In the order of their moments. All are of one size.
+  /// Adds the next picture, in the order of the moments. All pictures have the same size.
   void add(LinearPicture picture);
   /// After `count` pictures.
   LinearPicture take() &&;

@@ -23,7 +23,8 @@ glm::dvec3 across(glm::dvec3 along) {
   return glm::normalize(other - glm::dot(other, along) * along);
 }
 
-/// Turns each piece of a curve about `axis`, the last one by `angle`, those before it by less.
+/// Bends a curve about `axis`: turns its last segment by `angle`, and earlier segments by less, in proportion to their
+/// arc length from the root.
 void bend(std::vector<glm::dvec3>& points, double length, glm::dvec3 axis, double angle) {
   double passed = 0;
   glm::dvec3 place = points.front(), before = place;
@@ -47,7 +48,7 @@ BodyMotion motion_under(const FurCurves& curves, const Surface& surface, const B
   return {acceleration, swing.step};
 }
 
-/// As `swayed` moves fur that stands along the curve.
+/// Moves the curves as `swayed` moves fur that stands along them.
 void sway_curves(FurCurves& curves, const Wind& wind, double moment, const BodyMotion* body) {
   if (!blows(wind) && !body) return;
   std::vector<glm::vec3> roots, along, side;

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// How the skin under each curve of a group moves: as the vertex at its root.
+/// Returns the motion of the skin under each curve of a group: that of the vertex at the curve's root.
 BodyMotion motion_under(const FurCurves& curves, const Surface& surface, const BodySwing& swing);
 
 /// Turns the curves of a group as the wind and the body have bent them at a moment, each as one strand of the length of

@@ -19,7 +19,7 @@ using MovedDirection = std::shared_ptr<const std::vector<glm::vec2>>;
 /// The scene's at a moment.
 MovedDirection moved_at(const SceneView& scene, double moment);
 
-/// When a frame shows the scene; none where nothing blows and nothing swings.
+/// The moment at which a frame shows the scene; empty if no wind blows and nothing swings.
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request);
 
 /// Belongs to the render thread. A renderer's copy of a scene holds one direction field: the scene's own, or that of a
@@ -33,7 +33,7 @@ class MovedFur {
   /// What the renderer is about to be given of the scene. Computes it unless the copy holds it already.
   Shown show(const SceneView& scene, std::optional<double> moment);
 
-  /// By SceneView::copy_id.
+  /// Drops what is held for a copy; `copy` is a SceneView::copy_id.
   void forget(std::uint64_t copy) { held_.erase(copy); }
 
  private:

@@ -27,7 +27,8 @@ PastCopy PastScenes::find_kept(std::uint64_t present, Revision revision) {
   return kept_.back().copy;
 }
 
-/// Two who ask for the same at once may make it twice; the older then gives way.
+/// Caches a copy, and evicts the least recently used one if there are too many. Two callers that ask for the same copy
+/// at once may both make it; the older one is then evicted first.
 void PastScenes::keep(Kept copy) {
   PastCopy dropped;  // freed without the lock
   const std::lock_guard lock(mutex_);

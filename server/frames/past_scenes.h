@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -20,8 +20,9 @@ class PastScenes {
  public:
   static constexpr std::size_t max_kept = 2;
 
-  /// Null where the scene is at the revision now. A copy that is not kept is made from the journal; commands go on
-  /// meanwhile. Refused (invalid, "/revision") when the scene's model has no such revision.
+  /// Finds the scene as it was at a revision; null if that is the present revision. A copy that is not cached is made
+  /// from the journal; commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such
+  /// revision.
   Result<PastCopy> find(const Scene& scene, Revision revision);
 
   /// Drops the copies of a scene, by its own copy_id.
@@ -31,7 +32,7 @@ class PastScenes {
   std::vector<std::uint64_t> take_gone();
   bool has_gone() const;
 
-  /// Those that are kept of a scene, by its own copy_id.
+  /// Returns the cached copies of a scene, which is named by its own copy_id.
   std::vector<PastCopy> kept(std::uint64_t present) const;
 
  private:

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "renderer/strands/tracer.h"
 #include "server/frames/linear_picture.h"
@@ -34,10 +34,11 @@ class PictureTracer {
   virtual std::unique_ptr<Aside> set_aside() = 0;
   /// What that takes in memory.
   virtual std::size_t bytes() const = 0;
-  /// Goes on with a picture, at its own revision and with the bits that it would have had. Fails as `begin` does.
+  /// Continues a picture, at its own revision and with the same bits as without the interruption. Fails as `begin`
+  /// does.
   virtual Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) = 0;
   virtual TraceReport report() const = 0;
-  /// Of at least one pass.
+  /// Returns the picture so far, of at least one pass.
   virtual LinearPicture picture() const = 0;
 };
 

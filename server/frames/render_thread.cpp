@@ -55,7 +55,7 @@ bool FrameService::Impl::has_work() const {
 }
 
 void FrameService::Impl::serve(Renderer& renderer) {
-  // What is thrown beside a frame's drawing has lost one job, whose client is told so; the others are served.
+  // An exception outside a frame's drawing has lost one job, whose client gets an error; the loop serves the others.
   for (Result<bool> go_on = true; !go_on || *go_on;) go_on = caught([&] { return Result<bool>(serve_next(renderer)); });
   while (auto job = jobs.take()) job->job->answer.set_value(server_stopping());
   for (const RenderTask& task : tasks) task(nullptr);

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/caught.h"
-#include "protocol/base/stopwatch.h"
+#include "base/caught.h"
+#include "base/stopwatch.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/image/png.h"
 #include "server/frames/frame_job.h"
@@ -27,7 +27,7 @@
 
 namespace pelage {
 
-/// What tracing needs of the render thread; null when that is stopping.
+/// A task that tracing runs on the render thread; the renderer is null if that thread is stopping.
 using RenderTask = std::function<void(Renderer*)>;
 
 struct FrameService::Impl {
@@ -65,18 +65,19 @@ struct FrameService::Impl {
     const std::lock_guard lock(mutex);
     wake.notify_one();
   }
-  /// Whether the render thread has anything to do. Needs the lock.
+  /// Returns whether the render thread has anything to do. Needs the lock.
   bool has_work() const;
-  /// Whether the frame waits for its coat to be baked, which it then asks for.
+  /// Returns whether the frame waits for its coat to be baked, which it then asks for.
   bool waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job);
   /// Drops the copies of models that are gone; whether there were any. Needs the lock.
   bool forget_gone(Renderer& renderer);
   /// Draws a job that was taken and answers it, or puts it back where its coat is not there yet.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
-  /// Between the pieces of a job: draws those that wait now and are short beside it. Whether the job goes on.
+  /// Runs between the pieces of a job: draws the jobs that wait now and are short compared to it. Returns whether the
+  /// job continues.
   bool let_in(Renderer& renderer, FrameJob& job);
-  /// In place of a GL that is lost: another one, or none where none is to be had.
+  /// Replaces a lost GL by another one, or by none if none can be had.
   void renew_gl(Renderer& renderer);
   /// Running frames of the job's scene that show another revision have to begin anew.
   void mark_outdated(const FrameJob& job);

@@ -26,7 +26,7 @@ class RendererMemory {
     gl_ = renderer.gl_bytes();
   }
 
-  /// Of the model's copies with their GL objects; 0 where there are none.
+  /// Returns the bytes of the model's copies with their GL objects; 0 if there are none.
   std::size_t of_copies(std::uint64_t model) const {
     const std::lock_guard lock(mutex_);
     const auto found = copies_.find(model);

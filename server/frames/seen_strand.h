@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// Whether the request asks for a strand: it names a pixel, and not skin alone.
+/// Returns whether the request asks for a strand: it names a pixel, and not skin alone.
 bool reaches_fur(const PickRequest& wanted);
 
 /// The strand that covers most of the pixel in an interactive frame of the view, of which the pixel alone is drawn;

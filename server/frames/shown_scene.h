@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/quality/view_features.h"
@@ -46,9 +46,10 @@ Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastS
 
 // What two states of the fields differ in, as one number for each vertex.
 
-/// For each vertex the largest over all fields of |change| / what counts as much, held at 1: 1 for direction and
-/// colours (the length of the difference), the longest fur of either state for length, the range for other fields.
-/// Above 0 wherever any value differs, and 0 elsewhere. Both have the same vertices.
+/// Returns for each vertex how much it changed: the largest over all fields of |change| / reference, clamped to 1. The
+/// reference is 1 for direction and colours (the change is the length of the difference), the longest fur of either
+/// state for length, and the range for other fields. The result is above 0 wherever any value differs, and 0 elsewhere.
+/// Both sets have the same vertices.
 std::vector<float> change_shares(const FieldSet& from, const FieldSet& to);
 
 }  // namespace pelage

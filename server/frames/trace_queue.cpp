@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/base/caught.h"
-#include "protocol/base/stopwatch.h"
+#include "base/caught.h"
+#include "base/stopwatch.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {
@@ -171,7 +171,7 @@ void TraceQueue::drop_view(const Scene& scene, const std::string& view, const Jo
   }
 }
 
-/// The progressive picture that ended and that nobody has asked for the longest gives way.
+/// Drops the ended progressive picture that nobody has requested for the longest, if the queue has no room.
 void TraceQueue::make_room() {
   if (jobs_.size() < limits_.max_progressive) return;
   const auto oldest = std::min_element(jobs_.begin(), jobs_.end(), [](const JobPtr& a, const JobPtr& b) {
@@ -313,8 +313,8 @@ bool TraceQueue::offer(const JobPtr& job) {
   return last;
 }
 
-/// Without a status it gave way. What was dropped is out of the list already. A progressive picture stays, for those
-/// who ask for its picture or its failure.
+/// Ends a job's turn. Without a status, the job gave way to another one. A dropped job is out of the list already. A
+/// progressive picture stays in the list, for callers that ask for its picture or its failure.
 void TraceQueue::end(const JobPtr& job, std::optional<Status> status, double seconds) {
   {
     const std::lock_guard lock(mutex_);

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/frame.h"
 #include "server/frames/picture_tracer.h"
 #include "server/frames/yield_gate.h"
@@ -34,12 +34,12 @@ struct TraceCounts {
   double seconds = 0;
 };
 
-/// Thread-safe. Pictures take turns: the one with the fewest passes is traced next, of those with as many the one that
-/// somebody asked for last. So a picture gives way after a pass while another has none, and else after as many passes
-/// as it had, 64 at most, while another has fewer; where there is no room to set it aside it goes on. A job is either a
-/// picture that its caller waits for, or a progressive picture: a picture of one revision that gets better while
-/// somebody asks for it, and is dropped as soon as the scene leaves that revision. Jobs of a named view give way to the
-/// view's next request.
+/// Traces pictures in turns. Thread-safe. The picture with the fewest passes is traced next; of those with equally
+/// many, the one that was requested last. So a picture yields after one pass while another has none; otherwise, while
+/// another has fewer, it yields after as many passes as it had, at most 64. If there is no room to set it aside, it
+/// continues. A job is either a picture that its caller waits for, or a progressive picture: a picture of one revision
+/// that gets better while somebody asks for it, and is dropped as soon as the scene leaves that revision. Jobs of a
+/// named view yield to the view's next request.
 class TraceQueue {
  public:
   using Clock = std::chrono::steady_clock;
@@ -64,12 +64,12 @@ class TraceQueue {
   Result<std::shared_ptr<const LinearPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                                      const std::function<bool()>& abandoned = {});
 
-  /// Somebody looks at a revision of the scene by this request (its `progressive`): starts the progressive picture
-  /// where there is none. Unavailable when too many wait.
+  /// Records that somebody looks at a revision of the scene by this request (its `progressive`), and starts the
+  /// progressive picture if there is none. Unavailable if too many wait.
   Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
 
-  /// The progressive picture's newest picture, when it is of the revision and has more passes than was seen; its
-  /// failure when there is none; nothing else. Does not wait: when that changes, the scene is woken (Scene::wake).
+  /// Returns the progressive picture's newest picture if it is of the revision and has more passes than were seen; else
+  /// its failure if it failed; else nothing. Does not wait: when the answer changes, the scene is woken (Scene::wake).
   std::optional<Result<std::shared_ptr<const LinearPicture>>> better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen);
 
@@ -92,7 +92,7 @@ class TraceQueue {
   JobPtr next();
   /// Begins a picture or goes on with it.
   Status start(const JobPtr& job, const std::function<bool()>& go_on);
-  /// How it ended; none where it gave way.
+  /// Traces the job for its turn. Returns how the picture ended, or nothing if the job gave way to another one.
   std::optional<Status> trace_job(const JobPtr& job);
   bool give_way(const JobPtr& job);
   bool offer(const JobPtr& job);

@@ -10,7 +10,7 @@ namespace pelage {
 /// Thread-safe. Those who go first never wait.
 class YieldGate {
  public:
-  /// Holds back those who yield until it is destroyed.
+  /// Holds back threads that yield until it is destroyed.
   class Turn {
    public:
     explicit Turn(YieldGate& gate);

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/groom/vertex_frame.h"
 #include "server/surface/geodesics.h"
 

@@ -4,14 +4,14 @@
 #include <functional>
 #include <utility>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 
 /// Thrown out of an evaluation that nobody waits for any more; nothing has changed then.
 struct Cancelled {};
 
-/// What whoever asked is told then, should they listen after all.
+/// The status that the caller of a cancelled evaluation gets, in case the caller still listens.
 inline Status nobody_waits() {
   return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
 }

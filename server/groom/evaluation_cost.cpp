@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/standing_fur.h"
 

@@ -1,7 +1,7 @@
 // How much work a command is, known before it begins: counted from what it asks for, never timed.
 #pragma once
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/command.h"
 #include "server/surface/surface.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/keys.h"

@@ -49,7 +49,7 @@ class GaussianMean {
     }
   }
 
-  /// Whether any source reached it.
+  /// Returns whether any source reached it.
   bool reached() const { return weight_ > 0; }
   /// Of what reached it; there must be something.
   Value mean() const { return sum_ / weight_; }

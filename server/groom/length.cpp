@@ -2,7 +2,7 @@
 #include <bit>
 #include <cassert>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"
@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// In [-1, 1], by the place and not by the number of the vertex.
+/// Returns a random number in [-1, 1] that depends on the position and not on the number of the vertex.
 double random_at(glm::vec3 position, std::uint32_t seed) {
   const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0f)}; };
   const std::uint64_t place = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);

@@ -81,8 +81,9 @@ double combined(const ChangeMask& command, double now, double chosen) {
   return now;
 }
 
-/// The largest value within a distance along edges. The largest values start first, and of those the ways that have
-/// most left; a way that comes to a vertex with no more left than one before it can bring nothing new.
+/// Returns for each vertex the largest value within a distance along edges. Starts with the largest values, and among
+/// equal ones with the paths that have the most distance left; a path that reaches a vertex with no more distance left
+/// than an earlier one can bring nothing new.
 Values grown(const Surface& surface, const Values& mask, double distance) {
   struct Way {
     double value, left;

@@ -2,7 +2,7 @@
 #include <bit>
 #include <optional>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"

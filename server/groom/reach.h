@@ -5,12 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/status.h"
+#include "base/limits.h"
+#include "base/status.h"
 
 namespace pelage {
 
-/// Whether a place in internal coordinates lies within limits::command_coordinate_sizes along each axis; NaN does not.
+/// Returns whether a place in internal coordinates lies within limits::command_coordinate_sizes along each axis; NaN
+/// does not.
 inline bool reachable(glm::dvec3 internal) {
   const glm::dvec3 distance = glm::abs(internal);
   return distance.x <= limits::command_coordinate_sizes && distance.y <= limits::command_coordinate_sizes &&

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/reach.h"
@@ -63,7 +63,8 @@ class SeenPlaces {
         fur_(fur),
         brush_(seen_from(view_), brush, surface) {}
 
-  /// On the fur that lies before any skin, else on the skin; nothing beside both.
+  /// The position under a pixel: on the fur if the fur is in front of all skin, else on the skin; empty if neither is
+  /// hit.
   std::optional<decltype(StrokeSample::place)> at(glm::dvec2 pixel) const {
     const glm::dvec3 direction = glm::normalize(pixel_ray(camera_, pixel, view_.width, view_.height));
     const std::optional<SurfacePoint> skin = surface_.raycast(camera_.position, direction);
@@ -88,7 +89,7 @@ class SeenPlaces {
   BrushStroke brush_;
 };
 
-/// With the visits of the stroke so far.
+/// Checks the cost, with the visits of the stroke so far.
 Status check_visits(const SeenFur& fur, double visits) {
   if (fur.cancel.asked()) return nobody_waits();
   if (fur.visits + visits <= limits::evaluation_visits) return {};

@@ -53,7 +53,8 @@ class ModelMap : public PlaceMap {
 
   glm::dvec3 place(glm::dvec3 position) const override { return laid_.place(position); }
 
-  /// What lay on the skin lies on it again, and what was off it is as far off, the same way.
+  /// Maps a position on one model's skin to the other model's skin; a position off the skin keeps its distance and its
+  /// direction from it.
   glm::dvec3 on_skin(glm::dvec3 position) const override {
     const Mesh &mesh = from_.mesh(), &other = to_.mesh();
     const glm::dvec3 skin = mesh.to_model(from_.position(from_.nearest(mesh.to_internal(position))));
@@ -109,7 +110,8 @@ using Corners = std::array<MixShare, 3>;
 
 constexpr double far_away = 0.05;  // sizes of the source
 
-/// For each vertex the corners of the source's triangle with its nearest place, and how many of those are far away.
+/// The corners of the source triangle nearest to each vertex, and the number of vertices that lie farther than far_away
+/// from it.
 struct Nearest {
   std::vector<Corners> corners;
   std::size_t far = 0;
@@ -138,7 +140,8 @@ std::string far_warning(std::size_t far, std::size_t vertices) {
          " vertices lie farther than .05 sizes from the model that they take their fur from";
 }
 
-/// Whether the command takes the field. The mask chooses where tools work, and goes along only when it is asked for.
+/// Returns whether the command takes the field. The mask chooses where tools work, and goes along only when it is asked
+/// for.
 bool takes(const Retarget& command, Field field) {
   if (command.fields.empty()) return field != Field::mask;
   return std::count(command.fields.begin(), command.fields.end(), field) > 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "server/groom/vertex_frame.h"
 
 namespace pelage {

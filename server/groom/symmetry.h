@@ -1,6 +1,4 @@
-// Moving commands: to their images under a symmetry, and to other models.
-//
-// Everything in a command that says where, visited once: for images under a symmetry and for other models.
+// Moving commands to their images under a symmetry or to another model: a visit of every position in a command.
 #pragma once
 
 #include "protocol/commands/command.h"

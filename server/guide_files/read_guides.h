@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/creature.h"
 #include "protocol/commands/guides.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 
 namespace pelage {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/history/rows.h"
 
 namespace pelage {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/history/sqlite.h"
 
 struct sqlite3;

@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/fields/field_delta.h"
 #include "server/patches/subdivide.h"
 #include "server/surface/prepare.h"
 
 namespace pelage {
 
-/// For each field that changes: its number, the count, the gaps between vertices as variable-length numbers, then the
-/// flips as 32-bit words. A combed vertex takes 9 to 11 bytes.
+/// Encodes a delta. Writes for each field that changes: its number, the count, the gaps between vertices as
+/// variable-length numbers, then the flips as 32-bit words. A combed vertex takes 9 to 11 bytes.
 std::string encode_delta(const FieldDelta& delta);
 
 /// Refused (internal) unless the bytes are a whole delta of rising fields and vertices.
@@ -23,15 +23,16 @@ Result<FieldDelta> decode_delta(std::span<const std::byte> bytes);
 
 // Subdivisions of a model as bytes, for the journal. Little-endian.
 
-/// For each subdivision the count of its runs, then where each begins and ends, as 32-bit words.
+/// Encodes subdivisions. Writes for each one the count of its runs, then the begin and end of each run, as 32-bit
+/// words.
 std::string encode_subdivisions(const std::vector<ChosenTriangles>& subdivisions);
 
 /// Refused (internal) unless the bytes are whole subdivisions of rising runs.
 Result<std::vector<ChosenTriangles>> decode_subdivisions(std::span<const std::byte> bytes);
 
-/// The degrees of creases and the numbers of flipped parts, then after a slash those of two-sided ones, with blanks
-/// between. "" stands for the defaults; false for
-/// any other text that was not made so.
+/// Encodes the degrees of creases and the numbers of flipped parts, then after a slash the numbers of two-sided parts,
+/// separated by blanks. "" stands for the defaults. Decoding returns false for any other text that was not encoded like
+/// this.
 std::string encode_creases_and_flips(const PrepareOptions& options);
 bool decode_creases_and_flips(std::string_view text, PrepareOptions& options);
 

@@ -43,7 +43,7 @@ void prepend_samples(Command& later, const Command& earlier) {
   samples.insert(samples.begin(), first.begin(), first.end());
 }
 
-/// A name that is known moves.
+/// Adds a checkpoint; a name that exists moves to the checkpoint's revision.
 void put_checkpoint(std::vector<NamedRevision>& checkpoints, const Checkpoint& checkpoint, Revision next) {
   const Revision revision = checkpoint.revision.value_or(next);
   const auto same = std::find_if(checkpoints.begin(), checkpoints.end(),
@@ -104,7 +104,7 @@ std::string name_of(EntryKind kind) { return json_names::word_of(json_names::ent
 
 namespace {
 
-/// Of a record, with the settings that no other record has. Curves are by far the largest of them.
+/// Estimates the bytes of a record, with the settings that no other record has. Curves are by far the largest of them.
 std::size_t bytes_of(const LogEntry& line, const SceneSettings* settings) noexcept {
   std::size_t bytes = 160 + line.commands.capacity() + line.author.capacity();
   if (settings == nullptr) return bytes;
@@ -251,7 +251,7 @@ History::Prepared History::prepare(std::span<const Entry> entries) const {
   return prepared;
 }
 
-/// None where only the journal has it.
+/// Returns the change of a step, or nothing if only the journal has it.
 std::optional<FieldDelta> History::change_in_memory(const Step& step) const {
   if (step.bytes.empty()) return std::nullopt;
   Result<FieldDelta> decoded = change(step);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/settings.h"
@@ -46,11 +46,11 @@ struct Entry {
   std::optional<KeyedRequest> request = {};       // that made it; not read back
 };
 
-/// Where the steps' changes lie. Memory holds at most `bytes` of them; the oldest give way first, and are read back
-/// from the journal when undo comes to them.
+/// Where the changes of steps are stored. Memory holds at most `bytes` of them; the oldest are evicted first, and are
+/// read back from the journal when undo reaches them.
 struct UndoMemory {
   std::size_t bytes = std::numeric_limits<std::size_t>::max();
-  /// What leads from one revision to another, later one. Required where `bytes` has a limit.
+  /// Reads the change that leads from one revision to a later one. Required if `bytes` has a limit.
   std::function<Result<FieldDelta>(Revision from, Revision to)> read = {};
 };
 
@@ -95,18 +95,18 @@ class History {
   std::size_t undo_steps() const { return done_.size(); }
   std::size_t redo_steps() const { return undone_.size(); }
 
-  /// What undoing or redoing `steps` steps changes. Refused (invalid, "/steps") when there are fewer; fails as
+  /// Returns what undoing or redoing `steps` steps changes. Refused (invalid, "/steps") if there are fewer; fails as
   /// UndoMemory::read does.
   Result<FieldDelta> undo(std::uint64_t steps) const;
   Result<FieldDelta> redo(std::uint64_t steps) const;
-  /// What the last step changed, with all that joined it. There must be one.
+  /// Returns what the last step changed, with all changes that joined it. There must be a last step.
   Result<FieldDelta> last_step() const { return change(done_.back()); }
-  /// What the steps' changes take in memory.
+  /// Returns the bytes of memory that the steps' changes take.
   std::size_t held_bytes() const { return held_bytes_; }
   /// An estimate of all that the log takes in memory.
   std::size_t bytes() const { return held_bytes_ + record_bytes_; }
 
-  /// Whether the entry can follow: the next revision, and steps and revisions that there are.
+  /// Returns whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
   /// What recording entries adds.
   class Prepared;

@@ -62,7 +62,8 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   return journal;
 }
 
-/// Of a scene whose rows cannot be read it stays empty: loading it says more.
+/// Reads the end of each scene's log. It stays empty for a scene whose rows cannot be read: loading the scene says
+/// more.
 Status Journal::read_tails() {
   const Result<std::vector<std::string>> ids = scene_ids();
   if (!ids) return ids.status();
@@ -235,8 +236,8 @@ Status Journal::remove_scene(const std::string& id) {
   return removed;
 }
 
-/// To the disk. What fails here is tried again with the next scene that is removed. In steps, because each writes what
-/// it moves to the WAL first.
+/// Gives unused pages back to the disk. A failure is retried when the next scene is removed. Works in steps, because
+/// each step first writes what it moves to the WAL.
 void Journal::give_room_back() {
   const auto unused_pages = [&] {
     const Result<std::uint64_t> count = database_->number("PRAGMA freelist_count");

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/scene.h"
 #include "server/fields/field_set.h"
@@ -49,7 +49,7 @@ struct RequestedChange {
   FieldsHash fields_hash;
 };
 
-/// What a journal has lost since clients were told of it: entries, or where there is no `present` a whole scene.
+/// What a journal has lost since clients were told of it: entries, or a whole scene if there is no `present`.
 struct LostEntries {
   std::string scene;
   Revision told = 0;
@@ -71,7 +71,7 @@ class Journal {
   using TakeRows = std::function<Status(std::string_view bytes)>;
   static Result<std::unique_ptr<Journal>> of_rows(const std::string& path,
                                                   const std::function<Status(const TakeRows&)>& feed);
-  /// The same for a server's journal, under a JournalGuard.
+  /// Opens a server's journal in the same way, under a JournalGuard.
   static Result<std::unique_ptr<Journal>> open_guarded(const std::string& path);
   ~Journal();
 
@@ -84,9 +84,9 @@ class Journal {
   Status add_scene(const StoredScene& scene);
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
-  /// Puts all subdivisions of the scene's model, its first revision, groom and settings in place of those that are
-  /// there, and empties its log. What the model came from stays, whatever `scene` says of it, and so do the scene's
-  /// pictures, one of which its settings may name.
+  /// Replaces all subdivisions of the scene's model, its first revision, groom and settings, and empties its log. The
+  /// source of the model stays, whatever `scene` says of it, and so do the scene's pictures, one of which its settings
+  /// may name.
   Status subdivide_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
   /// Fails when the entry's settings or commands name a picture that the journal does not have.
@@ -109,10 +109,10 @@ class Journal {
   /// that is known stays.
   Status add_picture(const std::string& name, const std::string& bytes);
   bool has_picture(const std::string& name) const;
-  /// Fails (internal) when there is none of that name.
+  /// Returns a picture. Fails (internal) if there is none of that name.
   Result<std::string> picture(const std::string& name) const;
 
-  /// Of all pictures that the scene's log names.
+  /// Returns the names of all pictures that the scene's log names.
   Result<std::vector<std::string>> pictures_of(const std::string& scene) const;
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
@@ -125,11 +125,11 @@ class Journal {
                         const std::function<Status(const Entry&)>& use) const {
     return for_each_entry(scene, after, newest_revision, use);
   }
-  /// The same for those with a revision in (after, last].
+  /// Does the same for entries with a revision in (after, last].
   Status for_each_entry(const std::string& scene, Revision after, Revision last,
                         const std::function<Status(const Entry&)>& use) const;
-  /// What a request made that came to this path with this Idempotency-Key; none where it changed nothing, or where the
-  /// scene is gone.
+  /// Returns the change made by the request that came to this path with this Idempotency-Key; nothing if the request
+  /// changed nothing, or if the scene is gone.
   Result<std::optional<RequestedChange>> change_of_request(const std::string& path, const std::string& key) const;
   /// All of them.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
@@ -162,7 +162,7 @@ class Journal {
   Result<std::uint64_t> chain_at(const std::string& scene, Revision revision) const;
   Status insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail);
   Status insert_picture(const std::string& name, const std::string& bytes);
-  /// The chain goes on from `tail`, which moves to the entry.
+  /// Inserts an entry. The chain continues from `tail`, which moves to the entry.
   Status insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail);
 
   mutable std::mutex mutex_;
@@ -172,7 +172,7 @@ class Journal {
   std::vector<LostEntries> lost_;
 };
 
-/// The failure (internal) where an entry does not fit those before it.
+/// Returns the failure (internal) for an entry that does not fit those before it.
 inline Status damaged_journal() {
   return failure(Code::internal, "the journal is damaged: an entry does not fit the ones before it");
 }

@@ -68,7 +68,7 @@ Status Journal::append(const std::string& scene, std::span<const Entry> entries)
   });
 }
 
-/// What the chain of the entry after a revision goes on from.
+/// Returns the chain value that the entry after a revision continues from.
 Result<std::uint64_t> Journal::chain_at(const std::string& scene, Revision revision) const {
   Statement row = database_->prepare(
       "SELECT coalesce((SELECT chain FROM entries WHERE scene = ?1 AND revision = ?2),"

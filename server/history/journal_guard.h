@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 
 namespace pelage {

@@ -1,6 +1,6 @@
 #include "server/history/live_stroke.h"
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 
 namespace pelage {
@@ -21,7 +21,7 @@ Status wrong_part(std::uint32_t expected) {
                  "the next part is " + std::to_string(expected));
 }
 
-/// What holds for the samples of a stroke holds for all its parts together.
+/// Checks the samples of all parts of a stroke together: the rules for a stroke's samples hold across its parts.
 Status check_samples(const std::vector<StrokeSample>& so_far, const std::vector<StrokeSample>& more) {
   if (so_far.size() + more.size() > limits::samples_per_stroke) {
     return failure(Code::invalid, "the parts of this stroke have too many samples", "/stroke/samples",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/command.h"
 
 namespace pelage {
@@ -13,7 +13,7 @@ namespace pelage {
 /// Knows the stroke that the last step belongs to. Anything else that changes the scene ends it.
 class LiveStroke {
  public:
-  /// What a command means in the light of the parts before it.
+  /// What a command means, given the parts of the stroke before it.
   struct Plan {
     Command whole;       // what to evaluate: the stroke with all parts so far
     Command unlogged;    // what to log: the samples since the last entry, as the next part of the step
@@ -24,14 +24,14 @@ class LiveStroke {
   /// the tool with other settings (invalid); a part after the last one (conflict).
   Result<Plan> plan(const Command& command) const;
 
-  /// Whether the command goes on with a stroke that has changed something.
+  /// Returns whether the command continues a stroke that has changed something.
   bool joins(const Command& command) const;
 
   /// The plan was carried out. `changed` tells whether it made or joined a step.
   void accept(const Plan& plan, const Command& command, bool changed);
   /// The scene was changed by something else.
   void end();
-  /// Whether a part may follow.
+  /// Returns whether a part may follow.
   bool goes_on() const { return !id_.empty() && !finished_; }
 
  private:

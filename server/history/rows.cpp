@@ -48,7 +48,7 @@ Status keep_picture(Database& database, const std::string& scene, const std::str
   return use.text(scene).text(picture).run();
 }
 
-/// The scene's log no longer names pictures; those that only it named go.
+/// Removes the scene's references to pictures, and the pictures that only this scene's log named.
 Status leave_pictures(Database& database, const std::string& scene) {
   constexpr const char* only_here =
       "SELECT picture FROM picture_uses GROUP BY picture HAVING min(scene) = ?1 AND max(scene) = ?1";

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/settings.h"
 #include "server/history/history.h"
 #include "server/history/sqlite.h"
@@ -22,13 +22,14 @@ Result<std::shared_ptr<const SceneSettings>> settings_at(const Statement& row, i
 /// The first column of all rows.
 Result<std::vector<std::string>> texts_of(Statement& rows);
 
-/// What a request made of a scene; of several changes the last one is its answer. Nothing where there is no request.
+/// Records what a request made of a scene; if it made several changes, the last one is its answer. Does nothing if
+/// there is no request.
 Status write_request(Database& database, const std::optional<KeyedRequest>& request, const std::string& scene,
                      Revision revision, const FieldsHash& fields_hash = {});
 
 /// The scene's log names the picture from now on.
 Status keep_picture(Database& database, const std::string& scene, const std::string& picture);
-/// The scene's log no longer names pictures; those that only it named go.
+/// Removes the scene's references to pictures, and the pictures that only this scene's log named.
 Status leave_pictures(Database& database, const std::string& scene);
 
 }  // namespace pelage

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 
@@ -39,7 +39,8 @@ constexpr const char* schema = R"(
   CREATE INDEX requests_by_scene ON requests(scene);
 )";
 
-/// Makes the tables of a new journal, upgrades an older one, and refuses (internal) what is none or of another version.
+/// Makes the tables of a new journal and upgrades an older one. Refuses (internal) a file that is not a journal or has
+/// another version.
 Status prepare_schema(Database& database);
 
 }  // namespace pelage

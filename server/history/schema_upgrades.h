@@ -1,8 +1,9 @@
+// Upgrades of older journals to the current schema.
 #pragma once
 
 #include <cstdint>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

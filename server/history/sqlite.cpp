@@ -181,8 +181,8 @@ Status Database::execute(const char* sql) {
   return status_of(database_.get(), sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr));
 }
 
-// A commit whose sync failed may lie whole in the WAL, where the next start would find it. The next commit is written
-// in its place, so one that changes nothing takes it back.
+// Takes back a commit whose sync failed: it may be complete in the WAL, where the next start would find it. The next
+// commit overwrites it, so this makes a commit that changes nothing.
 Status Database::take_back_failed_commit() {
   if (!failed_commit_) return {};
   const Result<std::uint64_t> version = number("PRAGMA user_version");

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 struct sqlite3;
 struct sqlite3_stmt;

@@ -7,8 +7,9 @@
 
 namespace pelage {
 
-/// Of png, jpeg and webp what the value of Accept names and likes best; of equals the first of these, and png where it
-/// names none: wildcards name nothing, so that who does not ask for loss gets none.
+/// The format among png, jpeg and webp that the value of Accept names and prefers: of equal preferences the first in
+/// this order, and png if it names none. Wildcards name nothing, so that a client that does not ask for a lossy format
+/// gets none.
 FrameFormat accepted_format(std::string_view accept);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// A bound on how many requests of all clients, and of each, do one costly thing at a time.
+// A limit on concurrent runs of one costly operation, over all clients and for each client.
 #pragma once
 
 #include <httplib.h>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"

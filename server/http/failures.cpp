@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "protocol/base/caught.h"
+#include "base/caught.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 #include "server/http/transport/http_transport.h"

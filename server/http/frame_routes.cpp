@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/stopwatch.h"
+#include "base/limits.h"
+#include "base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/frames/seen_strand.h"
 #include "server/http/accept_format.h"
@@ -177,7 +177,7 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
     exchange->problem = "missed " + response.get_header_value("Pelage-Missed");
 }
 
-/// Whether only the cost is asked for.
+/// Returns whether only the cost is asked for.
 void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
                  const Request& request, Response& response) {
   if (!wanted) return reply_problem(response, wanted.status());

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/http/transport/http_transport.h"
 
 namespace pelage {

@@ -1,4 +1,4 @@
-// Whether a client still waits for its answer.
+// Checks on the head of a request, a limit on concurrent work, and whether the client is still connected.
 #pragma once
 
 #include <httplib.h>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

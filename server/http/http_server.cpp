@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/http/failures.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
@@ -35,7 +35,7 @@ ReceptionLimits reception_limits() {
 }
 
 /// Not SO_REUSEPORT, which cpp-httplib sets: with it two servers bind one port.
-void share_address_with_the_dead_only(socket_t socket) {
+void set_reuseaddr(socket_t socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
@@ -104,7 +104,7 @@ struct HttpServer::Impl {
     server.set_payload_max_length(limits::model_bytes);
     server.set_tcp_nodelay(true);
     server.set_socket_options([this](socket_t socket) {
-      share_address_with_the_dead_only(socket);
+      set_reuseaddr(socket);
       listening_socket = socket;
     });
     server.set_default_headers({{"X-Content-Type-Options", "nosniff"}});

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/trace_queue.h"
 #include "server/frames/yield_gate.h"

@@ -1,6 +1,6 @@
 #include "server/http/idempotency.h"
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/http/reply.h"
 #include "server/scene/digest.h"
 

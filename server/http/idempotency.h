@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/history/history.h"
 
 namespace pelage {

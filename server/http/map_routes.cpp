@@ -1,4 +1,4 @@
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/proxy_mesh/proxy_mesh.h"
+#include "server/export/proxy_mesh.h"
 
 namespace pelage {
 

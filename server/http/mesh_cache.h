@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/http/guard.h"
 #include "server/scene/scene.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 
 namespace pelage {
@@ -45,7 +45,7 @@ inline Result<bool> is_dry_run(const httplib::Request& request) { return flag_of
 /// The values of a header that may come in several lines.
 std::string joined_header(const httplib::Request& request, const char* name);
 
-/// Whether If-None-Match is * or names the entity tag, which has its quotes; weak ones count (RFC 9110 13.1.2).
+/// Returns whether If-None-Match is * or names the entity tag, which has its quotes; weak ones count (RFC 9110 13.1.2).
 bool none_match_names(const httplib::Request& request, std::string_view etag);
 /// The same for a revision, and the passes of a traced picture.
 bool none_match_names(const httplib::Request& request, Revision revision, int passes = 0);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/author.h"
 #include "protocol/json/reader.h"
 #include "server/http/reply.h"

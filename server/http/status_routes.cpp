@@ -105,7 +105,7 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-/// What is damaged is said, and keeps nobody from working with the rest.
+/// Answers whether the server is ready, and lists damaged scenes; damage does not keep clients from the other scenes.
 void ready(const Service& service, Response& response) {
   if (Status ready = service.readiness(); !ready.ok()) return reply_problem(response, ready);
   std::string text = "ready\n";

@@ -1,4 +1,4 @@
-// Counters of the service in Prometheus' text format.
+// Counters and gauges of the service in Prometheus' text format.
 #pragma once
 
 #include <array>

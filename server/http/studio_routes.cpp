@@ -1,7 +1,7 @@
 #include "server/http/accept_encoding.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
-#include "server/studio/studio.h"
+#include "server/http/studio.h"
 
 namespace pelage {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/export/export_file.h"
 #include "server/http/reply.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/import/child_process.h"
 #include "server/import/map_picture.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/creature.h"
 #include "protocol/commands/guides.h"
 #include "protocol/commands/look.h"

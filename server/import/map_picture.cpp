@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 
 namespace pelage {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/import/import.h"
 
 namespace pelage {

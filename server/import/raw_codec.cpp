@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/import/import.h"
 
 namespace pelage {

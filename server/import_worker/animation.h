@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/percent.h"
+#include "base/limits.h"
+#include "base/percent.h"
 #include "protocol/json/names.h"
 #include "server/import_worker/parse.h"
 

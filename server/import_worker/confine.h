@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/import_worker/bundle.h"
 
 namespace pelage {

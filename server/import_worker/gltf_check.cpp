@@ -80,7 +80,7 @@ Status check_scenes(const json& root) {
 
 bool is_outside(const std::string& uri) { return !uri.empty() && !uri.starts_with("data:"); }
 
-/// Whether all of what a data URI has after its comma is base64.
+/// Returns whether all of what a data URI has after its comma is base64.
 bool is_base64(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64")) return false;

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/import_worker/bundle.h"
 #include "server/surface/mesh.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/import_worker/gltf_json.h"
 #include "server/import_worker/gltf_numbers.h"
-#include "server/import_worker/gltf_weights.h"
 #include "server/import_worker/parse.h"
 
 namespace pelage {
@@ -237,6 +237,29 @@ std::string four_bytes(std::size_t number) {
   std::string bytes(sizeof value, '\0');
   std::memcpy(bytes.data(), &value, sizeof value);  // little-endian, as this machine
   return bytes;
+}
+
+/// The node's mesh where the node gives weights of its own, else none.
+const json* weighted_mesh(const json& node, const json& meshes) {
+  if (!node.is_object() || !node.contains("weights") || !node["weights"].is_array()) return nullptr;
+  const auto index = node.find("mesh");
+  const bool exists = index != node.end() && index->is_number_unsigned() && index->get<std::size_t>() < meshes.size();
+  return exists && meshes[index->get<std::size_t>()].is_object() ? &meshes[index->get<std::size_t>()] : nullptr;
+}
+
+/// A node's own weights take the place of its mesh's (glTF 2.0, 3.7.2.2): they move to the mesh, of which each such
+/// node gets a copy that no other node has. The document is one that check_gltf takes.
+void move_weights(json& root) {
+  if (list(root, "nodes").empty() || list(root, "meshes").empty()) return;
+  json& meshes = root["meshes"];
+  for (json& node : root["nodes"]) {
+    const json* mesh = weighted_mesh(node, meshes);
+    if (!mesh) continue;
+    json copy = *mesh;
+    copy["weights"] = node["weights"];
+    node["mesh"] = meshes.size();
+    meshes.push_back(std::move(copy));
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Whether this build runs under a sanitizer, whose run time needs more address space and more calls than we allow.
+// The parsers of model formats (OBJ, PLY, STL, OFF, and others through assimp), what they share, and whether the
+// build runs under a sanitizer, which needs more address space and more system calls than we allow.
 #pragma once
 
 #include <limits>
@@ -6,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/mesh.h"
 

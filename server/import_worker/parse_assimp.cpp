@@ -11,7 +11,7 @@
 #include <set>
 #include <string_view>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/import/import.h"
 #include "server/import_worker/animation.h"
 #include "server/import_worker/confine.h"

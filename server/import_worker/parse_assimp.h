@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/import_worker/bundle.h"
 #include "server/surface/mesh.h"

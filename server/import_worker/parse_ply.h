@@ -1,11 +1,11 @@
-// The header of a PLY file: which elements follow, made of which properties.
+// The header of a PLY file: its elements in order, each with its properties.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

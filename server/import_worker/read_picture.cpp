@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "renderer/light/environment.h"
 #include "renderer/picture_files/picture_files.h"
 #include "server/import_worker/parse.h"

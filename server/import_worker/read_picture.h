@@ -1,12 +1,12 @@
-// Vertex colours of most formats are sRGB; the house works in linear light.
+// Reading uploaded pictures: environments, skin textures, maps and a model's own pictures; sRGB to linear colours.
 #pragma once
 
 #include <cmath>
 #include <glm/glm.hpp>
 #include <string>
 
-#include "protocol/base/colour_space.h"
-#include "protocol/base/status.h"
+#include "base/colour_space.h"
+#include "base/status.h"
 #include "protocol/commands/look.h"
 #include "server/import/map_picture.h"
 #include "server/surface/mesh.h"

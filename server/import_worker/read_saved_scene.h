@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/status.h"
+#include "base/limits.h"
+#include "base/status.h"
 
 namespace pelage {
 

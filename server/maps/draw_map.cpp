@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "protocol/base/clamped_index.h"
-#include "protocol/base/parallel.h"
+#include "base/clamped_index.h"
+#include "base/parallel.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
 

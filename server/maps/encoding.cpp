@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 
 namespace pelage {
 

@@ -1,4 +1,5 @@
-// A square picture over [0, 1] x [0, 1] of the texture: drawn triangle by triangle, grown over its seams, and fitted.
+// A map's picture over [0, 1] x [0, 1] of the texture (drawn by triangles, dilated over seams, fitted), and the
+// encoding of field values as numbers in its file.
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "server/maps/draw_map.h"
 
 namespace pelage {

@@ -15,7 +15,7 @@ struct Taps {
   std::array<double, 4> weights{};
 };
 
-/// Whether a place lies in the picture itself.
+/// Returns whether a place lies in the picture itself.
 inline bool is_inside(glm::vec2 uv) { return uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1; }
 
 /// A coordinate in the picture repeated; both 0 and 1 stay where they are.

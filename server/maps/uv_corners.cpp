@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "protocol/base/clamped_index.h"
+#include "base/clamped_index.h"
 #include "protocol/commands/map.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
@@ -139,14 +139,14 @@ double hold_of(const Taps& taps, const MapImage& image) {
   return hold;
 }
 
-/// Whether a pixel can go on in the direction of `miss`.
+/// Returns whether a pixel can go on in the direction of `miss`.
 bool is_free(const MapImage& image, std::size_t pixel, int channel, double miss, double min, double max) {
   const double value = image.at(pixel)[channel];
   return image.covered[pixel] && (miss > 0 ? value < max : value > min);
 }
 
-/// Moves the free pixels the shortest way to where the corner's equation holds, and those that then still are free
-/// again where others came to a limit. Whether it did not hold before.
+/// Moves the free pixels the shortest distance to where the corner's equation holds, and then those that are still free
+/// again if others reached a limit. Returns whether the equation did not hold before.
 bool project(const Taps& taps, double wanted, int channel, double min, double max, MapImage& image) {
   const double enough = close_enough * std::max(std::abs(wanted), 0.01);
   double miss = wanted - found(taps, channel, image);

@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 #include "server/fields/field_set.h"
 
 namespace pelage {

@@ -76,7 +76,7 @@ struct StillFur {
   std::span<const float> stiffness;      // empty: 1 everywhere
 };
 
-/// Whether anything moves at all.
+/// Returns whether anything moves at all.
 inline bool blows(const Wind& wind) { return wind.speed > 0; }
 
 /// The direction field at a moment (Wind::time does not count): the same bits at any number of threads and whatever was

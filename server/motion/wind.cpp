@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 
 namespace pelage {
 
@@ -45,7 +45,7 @@ WindWave wave_along(glm::dvec3 way, double length, double ageing, glm::dvec3 mea
   return wave;
 }
 
-/// Of root mean square `strength`, all together.
+/// Adds gusts whose root mean square is `strength` together.
 void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double strength) {
   Random random(wind.seed, 1);
   for (int i = 0; i < gust_waves; ++i) {
@@ -59,7 +59,8 @@ void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double stre
   }
 }
 
-/// The same of eddies. Bands of equal ratios hold an energy that falls as k^(-2/3).
+/// Adds eddies whose root mean square is `strength` together. Bands of equal ratios hold an energy that falls as
+/// k^(-2/3).
 void add_turbulence(WindField& field, const Wind& wind, double strength) {
   Random random(wind.seed, 2);
   const std::size_t first = field.waves.size();

@@ -202,7 +202,7 @@ class RigidFit {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 
-/// Whether no triangle is stretched by more than this share.
+/// Returns whether no triangle is stretched by more than this share.
 bool is_rigid(const Mesh& mesh, const FlatPatch& patch, double share) {
   return std::all_of(patch.triangles.begin(), patch.triangles.end(), [&](const glm::uvec3& t) {
     const Stretch s = stretch_of(corners_of(mesh, patch, t), uv_of(patch, t));
@@ -210,8 +210,8 @@ bool is_rigid(const Mesh& mesh, const FlatPatch& patch, double share) {
   });
 }
 
-/// Whether there are no more edges than a surface can have (three for each vertex, Euler). Triangles that meet at
-/// random have more, and their system would fill up and take minutes.
+/// Returns whether there are no more edges than a surface can have (three for each vertex, Euler). Triangles that meet
+/// at random have more, and their system would fill up and take minutes.
 bool is_like_a_surface(const Adjacency& neighbours) {
   const double edges = 0.5 * static_cast<double>(neighbours.others.size());
   return edges <= 3.2 * static_cast<double>(neighbours.begin.size() - 1);

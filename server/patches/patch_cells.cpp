@@ -32,7 +32,7 @@ double step_cost(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   return (glm::distance(a, b) + bend_length * bend) * (1 + noise_share * noise);
 }
 
-/// Whether nearly all of the area faces about the same way.
+/// Returns whether nearly all of the area faces about the same way.
 bool within_limits(const Mesh& mesh, const VertexGraph& graph, std::span<const std::uint32_t> members,
                    const CellLimits& limits) {
   if (members.size() == 1) return true;

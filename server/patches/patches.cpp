@@ -6,8 +6,8 @@
 #include <numeric>
 #include <queue>
 
-#include "protocol/base/parallel.h"
-#include "protocol/base/random.h"
+#include "base/parallel.h"
+#include "base/random.h"
 #include "server/patches/patch_cells.h"
 #include "server/surface/value_noise.h"
 
@@ -54,8 +54,8 @@ Layout lay_out(const Mesh& mesh, const VertexGraph& graph, Cells cells) {
   return layout;
 }
 
-/// Whether too much of the patch is stretched so much that the eye would see it in the fur's density. Where a cell has
-/// few vertices, splitting it makes more overlap than it saves stretch: then only what is much worse counts.
+/// Returns whether too much of the patch is stretched so much that the eye would see it in the fur's density. Where a
+/// cell has few vertices, splitting it makes more overlap than it saves stretch: then only what is much worse counts.
 bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cell_size) {
   constexpr double allowed_share = 0.04;
   constexpr std::size_t few = 20;

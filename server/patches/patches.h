@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/patches/flatten.h"
 #include "server/patches/patch_cells.h"
 #include "server/surface/mesh.h"
@@ -47,7 +47,7 @@ PatchMap lay_patches(const Mesh& mesh);
 /// The same map with hard borders: each triangle keeps the piece with the largest mean weight, at weight 1.
 PatchMap hard_pieces(const PatchMap& map);
 
-/// Whether the model has texture coordinates that span an area.
+/// Returns whether the model has texture coordinates that span an area.
 bool has_own_uvs(const Mesh& mesh);
 
 /// The map that the model's own texture coordinates make: a patch for each of their islands, at the scale that keeps

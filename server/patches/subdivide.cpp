@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/parallel.h"
+#include "base/limits.h"
+#include "base/parallel.h"
 #include "server/surface/adjacency.h"
 #include "server/surface/prepare.h"
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/patches/patches.h"
 #include "server/surface/mesh.h"
 

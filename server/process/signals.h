@@ -18,7 +18,8 @@ class StopSignals {
     pid_t sender = 0;  // 0 where the kernel sent it, as for a key
   };
 
-  /// Returns when one comes. A process that was held and goes on, or that a debugger looks at, waits on.
+  /// Waits for a signal and returns it. Keeps waiting when the process is stopped and continued, or attached to a
+  /// debugger.
   Stop wait() const;
 
  private:

@@ -53,7 +53,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   return answer(std::move(replay->results));
 }
 
-/// Goes back to a revision.
+/// Begins a replay with an entry that reverts the scene to a revision.
 Result<Scene::Replay> Scene::begin_replay(Revision before) const {
   Result<FieldSet> then = fields_at(before);
   if (!then) return then.status();
@@ -64,7 +64,7 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
   return Replay{std::move(*then), history_.settings_at(before), {std::move(entry)}, {}};
 }
 
-/// Evaluates one step on what those before it left. Its entry has a revision of its own, which its checkpoints name.
+/// Evaluates one step on the result of the steps before it. Its entry has its own revision, which its checkpoints name.
 Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
                           const ExecuteOptions& options) const {
   const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
@@ -91,9 +91,10 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     resolved.push_back(step->command);
     steps.push_back(std::move(*step));
   }
-  if (Status dear = check_cost(steps, replay.settings->symmetry, model_->surface, replay.fields); !dear.ok()) {
-    if (steps.size() == 1) dear.pointer.insert(0, "/commands/0");  // as the other refusals here
-    return dear;
+  if (Status too_costly = check_cost(steps, replay.settings->symmetry, model_->surface, replay.fields);
+      !too_costly.ok()) {
+    if (steps.size() == 1) too_costly.pointer.insert(0, "/commands/0");  // as the other refusals here
+    return too_costly;
   }
   const Revision next = replay.entries.back().revision + 1;
   Result<Outcome> evaluated =
@@ -148,7 +149,7 @@ Result<Scene::Snapshot> Scene::snapshot_with(Revision revision, const std::strin
   return present();
 }
 
-/// From those of now by the journal.
+/// Computes the fields of an earlier revision from the current ones by the journal's changes.
 Result<FieldSet> Scene::fields_before(const Snapshot& now, Revision revision) const {
   FieldSet then = *now.fields;
   bool fits = true;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "protocol/json/encode.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
@@ -49,13 +49,13 @@ Command with_named(Command command, const SceneSettings& settings) {
   return command;
 }
 
-/// Whether an erase takes away what its edit layer adds, and does not go back to another time.
+/// Returns whether an erase takes away what its edit layer adds, and does not go back to another time.
 bool erases_edit_layer(const Command& command) {
   const auto* erase = std::get_if<Erase>(&command);
   return erase && !erase->edit_layer.empty() && erase->checkpoint.empty() && !erase->revision;
 }
 
-/// What all images do to all sheets, each as if it were alone; where they overlap, together.
+/// Evaluates all images on all sheets, each as if it were alone; where images overlap, combines their changes.
 Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface& surface, const FieldSet& fields,
                                const SceneSettings& settings, const ToolExtras& extras) {
   Evaluation all;
@@ -70,7 +70,7 @@ Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface
   return all;
 }
 
-/// What all images take away from their edit layer, one after the other.
+/// Erases what all images take away from their edit layer, one image after the other.
 FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& surface, FieldSet fields,
                             const SceneSettings& settings, const ToolExtras& extras) {
   FieldDelta all;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
@@ -33,12 +33,12 @@ struct Step {
   std::shared_ptr<const MapPicture> picture = nullptr;  // of map, and of a mask by a picture
 };
 
-/// In a batch the pointer of a refusal says which command it is about.
+/// Extends the pointer of a refusal in a batch, so that it says which command the refusal is about.
 Status in_batch(Status status, std::size_t command, std::size_t commands);
 
-/// Evaluates commands one after the other, each on what those before it left. With `start`, what they do is counted
-/// from before that change has happened to `fields`. `next` is the revision that they lead to. Ends early (unavailable)
-/// once nobody waits.
+/// Evaluates commands one after the other, each on the result of those before it. With `start`, their change is counted
+/// from before `start` was applied to `fields`. `next` is the revision that the commands lead to. Ends early
+/// (unavailable) once nobody waits.
 Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
                                const FieldSet& fields, const SceneSettings& settings, Revision next,
                                const Cancel& cancel);
@@ -46,10 +46,10 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
 /// Refused (invalid, "/stroke/part") for a part of a stroke.
 Status check_whole(const Command& command);
 
-/// Those of the commands whose numbers are given.
+/// Returns the commands with the given numbers.
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);
 
-/// What a change of the fields amounts to in an answer. `fields` are those before it or after it.
+/// Describes a change of the fields for an answer. `fields` are those before it or after it.
 CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields);
 
 // Whether commands are too much work, before any of them begins.

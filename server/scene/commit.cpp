@@ -26,7 +26,8 @@ void make_room(std::vector<VertexRange>& dirty, std::size_t more) {
   dirty.reserve(dirty.size() + more);
 }
 
-/// Where a reader took the ranges and their room meanwhile, `more` takes their place.
+/// Adds the ranges `more` to `dirty`. If a reader has taken the ranges and their storage meanwhile, `more` replaces
+/// them.
 void add_ranges(std::vector<VertexRange>& dirty, std::vector<VertexRange>& more, std::size_t vertices) noexcept {
   if (dirty.empty()) return dirty.swap(more);
   if (dirty.capacity() - dirty.size() >= more.size())
@@ -37,9 +38,9 @@ void add_ranges(std::vector<VertexRange>& dirty, std::vector<VertexRange>& more,
 
 }  // namespace
 
-/// Entries lead to `fields` and to `live`. All that can fail comes before the journal has the entries and is put beside
-/// the scene; what comes after only moves it in, so that the scene and the journal never differ. Readers wait for that
-/// alone.
+/// Commits entries that lead to `fields` and to `live`. Everything that can fail is done before the journal has the
+/// entries, and is prepared beside the scene; what follows only moves it in, so that the scene and the journal never
+/// differ. Readers wait only for that move.
 Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live) {
   auto after = std::make_shared<const FieldSet>(std::move(fields));
   std::vector<VertexRange> changed = changed_ranges(entries);
@@ -85,7 +86,8 @@ Scene::Beginning Scene::beginning(std::shared_ptr<const SceneModel> model, Field
           {{0, vertices}}};
 }
 
-/// What was there is put into `beginning`, to be freed without the lock.
+/// Makes `beginning` the state of the scene and moves the previous state into `beginning`, to be freed without the
+/// lock.
 void Scene::begin_anew(Beginning& beginning) noexcept {
   const std::lock_guard lock(mutex_);
   if (model_ != beginning.model) copy_id_ = beginning.model->id, pose_.reset();
@@ -98,7 +100,7 @@ void Scene::begin_anew(Beginning& beginning) noexcept {
   announce();
 }
 
-/// To those who wait.
+/// Publishes the newest revision and wakes those who wait for it.
 void Scene::announce() noexcept {
   newest_ = history_.revision();
   changed_.notify_all();

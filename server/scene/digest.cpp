@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "protocol/commands/answers.h"
 
 namespace pelage {

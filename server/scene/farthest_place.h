@@ -8,7 +8,8 @@
 
 namespace pelage {
 
-/// Of several places the one of the first triangle; none where no triangle reaches into the box.
+/// Finds the farthest position in the wanted direction inside the box; if several are equally far, the one on the first
+/// triangle. Returns nothing if no triangle reaches into the box.
 std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted);
 
 }  // namespace pelage

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/groom/evaluation_cost.h"
 #include "server/guides/guide_keys.h"
 
@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// As many keys as one command may have and may cost.
+/// Thins the keys to as many as one command may have and may cost.
 void thin(Interpolate& command, std::size_t most, const Symmetry& symmetry, const Surface& surface) {
   command.keys = thinned(command.keys, most);
   const double visits = evaluation_cost(command, symmetry, surface, 0).visits;

@@ -38,7 +38,8 @@ Result<std::set<std::string>> good_pictures(const Journal& file, const std::stri
   return std::set<std::string>(names->begin(), names->end());
 }
 
-/// What is seen lies in the field's range; under edit layers nothing (NaN) or such a value; what they add is finite.
+/// Returns whether a vertex's value is valid on its sheet: the seen value lies in the field's range; the value under
+/// edit layers is NaN (nothing) or lies in that range; the value that an edit layer adds is finite.
 bool is_good(const FieldSet& fields, const FieldDelta::Part& part, std::uint32_t vertex) {
   constexpr float max_addition = 1e9f;
   const FieldShape& shape = shape_of(part.field);
@@ -60,7 +61,7 @@ bool in_range(const FieldSet& fields, const FieldDelta& delta) {
   });
 }
 
-/// Goes through a log as a scene does that is restored from it, and looks at what nobody has looked at.
+/// Replays a log like a scene that is restored from it, and checks what nobody has checked before.
 class LogCheck {
  public:
   LogCheck(const SceneModel& model, const StoredScene& stored, std::set<std::string> pictures)

@@ -1,7 +1,7 @@
 // A scene that a stranger's file brings, before it becomes one of the server's.
 #pragma once
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
 

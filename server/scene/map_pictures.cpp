@@ -96,7 +96,7 @@ std::string name_of_picture(std::string_view bytes) { return digest(bytes); }
 
 namespace {
 
-/// What the file says about itself. The scale is in sizes where it is of lengths, whatever the units of the request.
+/// Returns the texts that describe the file. A scale of lengths is in sizes, whatever the units of the request.
 std::vector<ImageText> texts_of(const MapAnswer& answer, double model_size) {
   const bool is_length = answer.field == Field::length || answer.encoding == MapEncoding::vector;
   const double scale = is_length && answer.units == Units::world ? answer.scale / model_size : answer.scale;
@@ -133,7 +133,7 @@ std::string encode_integers(const DrawnMap& map, const std::vector<ImageText>& t
                     colour ? PngNumbers::srgb : PngNumbers::data);
 }
 
-/// As a file of floats has the values.
+/// Converts the values to the numbers that a file of floats holds.
 void put_file_numbers(DrawnMap& map) {
   const auto channels = static_cast<std::size_t>(map.layout.channels);
   for (std::size_t i = 0; i < map.image.values.size(); ++i) {

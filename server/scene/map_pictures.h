@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/history/journal.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/names.h"
 #include "server/fields/field_mix.h"
 #include "server/scene/digest.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"

@@ -77,7 +77,7 @@ class Carrier {
   std::span<const glm::dmat3> turns_;
 };
 
-/// What is compared with other files: looks and pictures go.
+/// Keeps only the shape, which is compared with other files, and drops looks and pictures.
 RawModel shape_of(RawModel raw) {
   RawModel shape;
   shape.positions = std::move(raw.positions);

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
 #include "server/scene/scene.h"

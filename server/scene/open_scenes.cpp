@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 
 namespace pelage {
 
@@ -46,9 +46,9 @@ std::size_t OpenScenes::copies_bytes() const {
   return bytes;
 }
 
-/// Nobody else can begin to hold a scene that only its slot holds while the lock is held. The one that was used last
-/// stays, for whoever is at work on it; one that is in the middle of a stroke goes after the others, because the
-/// journal does not know that its stroke goes on.
+/// Returns the scene to evict next, or null. While the lock is held, nobody else can begin to hold a scene that only
+/// its slot holds. The scene that was used last stays, for whoever works on it. A scene in the middle of a stroke goes
+/// after the others, because the journal does not know that its stroke continues.
 OpenScenes::Slot* OpenScenes::next_to_evict() {
   Slot* next = nullptr;
   bool next_in_stroke = false;
@@ -129,7 +129,7 @@ Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
   return reopen(id);
 }
 
-/// Its slot says `opening`, so that nobody else changes it.
+/// Opens an evicted scene again. Its slot says `opening`, so that nobody else changes the slot.
 Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
   const auto finish = [&](const std::shared_ptr<Scene>& scene, const std::string& damage = {}) {
     const std::lock_guard lock(mutex_);

@@ -1,7 +1,7 @@
 // Which place of the surface is meant, and the fur there.
 #pragma once
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/pick.h"
 #include "server/fields/field_set.h"

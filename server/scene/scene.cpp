@@ -9,8 +9,8 @@
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
 #include "server/fields/edit_layers.h"
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
 #include "server/scene/batch.h"
@@ -99,8 +99,9 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
   const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
-  if (Status dear = check_cost(planned->whole, history_.settings().symmetry, model_->surface, *fields_); !dear.ok())
-    return dear;
+  if (Status too_costly = check_cost(planned->whole, history_.settings().symmetry, model_->surface, *fields_);
+      !too_costly.ok())
+    return too_costly;
 
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
@@ -219,7 +220,7 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   return step;
 }
 
-/// What a command names has to be there: in the scene, or made by the commands before it in its batch.
+/// Checks that what a command names exists: in the scene, or made by the commands before it in its batch.
 Status Scene::check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const {
   for (const Command& earlier : before) settings = with_setting(settings, earlier).value_or(settings);
   const auto missing = [](const auto& list, const std::string& name) {

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/status.h"
+#include "base/limits.h"
+#include "base/status.h"
 #include "protocol/commands/answers.h"
 #include "protocol/commands/command.h"
 #include "protocol/commands/history.h"

@@ -1,4 +1,4 @@
-// What a scene takes in memory.
+// The memory that a scene takes, and the allocator settings that return freed memory to the system.
 #pragma once
 
 #include <cstddef>

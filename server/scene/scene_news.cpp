@@ -1,4 +1,4 @@
-// What those who follow a scene are told.
+// News of a scene for clients that follow it: its state and the changes since a revision.
 #include <algorithm>
 
 #include "protocol/json/decode.h"

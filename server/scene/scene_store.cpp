@@ -6,7 +6,7 @@
 #include <iterator>
 #include <random>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
@@ -100,7 +100,7 @@ Result<SceneStore::Impl::Restored> SceneStore::Impl::restored(const std::string&
   return std::pair(scene, scene->restore(stored->first_groom, stored->first_revision, stored->first_settings));
 }
 
-/// One bad scene is one bad scene: what is whole of it is served, and nothing changes it.
+/// A damaged scene affects only itself: the server serves its intact part and refuses changes to it.
 Result<std::shared_ptr<Scene>> SceneStore::Impl::opened(const std::string& id) {
   const Result<Restored> restored = this->restored(id);
   if (!restored) return failure(Code::conflict, "the scene cannot be opened: " + restored.status().message);

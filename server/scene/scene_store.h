@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/guides.h"
 #include "protocol/commands/scene.h"
 #include "server/history/journal.h"

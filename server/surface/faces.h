@@ -1,4 +1,4 @@
-// Polygons to triangles.
+// Triangulation of polygons, and consistent orientation of the resulting parts.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace pelage {
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const std::uint32_t> vertices,
                                                       const std::vector<glm::dvec3>& positions);
 
-/// Whether the height of the triangle is below rounding.
+/// Returns whether the height of the triangle is below rounding.
 bool has_no_area(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 
 // Winding that agrees within each part and faces outwards.

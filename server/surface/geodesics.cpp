@@ -9,14 +9,14 @@
 #include <queue>
 #include <unordered_map>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 
 namespace {
 
-/// Whether two ends of an edge, with a place on it, and a third vertex are the corners of a triangle. Three vertices
-/// that are neighbours need not be: they may go around a tube.
+/// Returns whether two ends of an edge, with a place on it, and a third vertex are the corners of a triangle. Three
+/// vertices that are neighbours need not be: they may go around a tube.
 bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 place, std::uint32_t third) {
   constexpr double inside = 0.25;
   const glm::dvec3 within = glm::mix(place, glm::dvec3(surface.mesh().positions[third]), inside);

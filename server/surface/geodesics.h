@@ -1,4 +1,5 @@
-// The queue of searches that take the nearest place first.
+// Distances over a surface from sources (edge search, through space, heat method), with directions carried along,
+// and the priority queue of the searches.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a parser makes of a file: polygons in double, nothing repaired yet.
+// The raw model that a parser makes of a file (polygons in double, nothing repaired yet), and the prepared Mesh.
 #pragma once
 
 #include <array>

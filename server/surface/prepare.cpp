@@ -5,11 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/surface/faces.h"
 #include "server/surface/outliers.h"
 #include "server/surface/shading_normals.h"
-#include "server/surface/two_sided.h"
 #include "server/surface/weld.h"
 
 namespace pelage {
@@ -40,6 +39,39 @@ std::vector<glm::dvec3> vertex_normals(const Soup& soup) {
     sums[v] = length > 0 ? sum / length : glm::dvec3(0, 1, 0);
   }
   return sums;
+}
+
+// Sheets of one layer that grow fur on both sides: an ear, a wing, a leaf.
+
+/// How far the two sides lie apart, sizes: less than a strand's width, and enough that neither shows through the other.
+constexpr double sheet_thickness = 1e-3;
+
+/// Appends a copy of the parts in `numbers`, from 1, with vertices of their own and wound the other way. Gives the
+/// number of vertices before them.
+std::size_t add_backs(Soup& soup, const Orientation& orientation, const std::vector<std::uint32_t>& numbers) {
+  const std::size_t fronts = soup.positions.size(), triangles = soup.triangles.size();
+  std::vector<std::uint32_t> back(fronts, no_position);
+  const auto back_of = [&](std::uint32_t v) {
+    if (back[v] != no_position) return back[v];
+    back[v] = static_cast<std::uint32_t>(soup.positions.size());
+    soup.positions.push_back(glm::dvec3(soup.positions[v]));
+    soup.sources.push_back(std::uint32_t{soup.sources[v]});
+    return back[v];
+  };
+  for (std::size_t t = 0; t < triangles; ++t) {
+    if (std::find(numbers.begin(), numbers.end(), orientation.part_of[t] + 1) == numbers.end()) continue;
+    const glm::uvec3 vertices = soup.triangles[t], corners = soup.corners[t];
+    soup.add({back_of(vertices.x), back_of(vertices.z), back_of(vertices.y)}, {corners.x, corners.z, corners.y},
+             soup.faces[t]);
+  }
+  return fronts;
+}
+
+/// Moves the vertices from `first` on by sheet_thickness along their normals, away from the sides that they are copies
+/// of.
+void lift_backs(Mesh& mesh, std::size_t first) {
+  for (std::size_t v = first; v < mesh.positions.size(); ++v)
+    mesh.positions[v] += static_cast<float>(sheet_thickness) * mesh.normals[v];
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-// Normals and tangents of vertices.
+// Preparation of a raw model: repair, weld, orient and scale it, and make the normals and tangents of its vertices.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "protocol/commands/scene.h"
 #include "server/surface/mesh.h"
 #include "server/surface/weld.h"

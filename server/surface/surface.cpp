@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 namespace pelage {
 
@@ -70,7 +70,7 @@ struct PointTree::Capsule {
     const double share = square > 0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0;
     return distance(from + share * along, point) <= radius;
   }
-  /// Whether the line meets the box made wider by the radius.
+  /// Returns whether the line meets the box made wider by the radius.
   bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const {
     double enters = 0, leaves = 1;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-// Points in a ball or along a line: a balanced k-d tree in one array. A uniform grid would suffer from one far vertex;
-// this does not.
+// The surface of a mesh with its queries (ray, nearest position, vertices in a ball or along a line), and the
+// balanced k-d tree in one array behind them: one far vertex does not slow it down, as it would a uniform grid.
 #pragma once
 
 #include <array>

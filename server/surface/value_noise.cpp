@@ -1,6 +1,6 @@
 #include "server/surface/value_noise.h"
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 
 namespace pelage {
 

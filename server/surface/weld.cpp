@@ -9,8 +9,8 @@
 #include <span>
 #include <unordered_map>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/random.h"
+#include "base/limits.h"
+#include "base/random.h"
 
 namespace pelage {
 
@@ -170,7 +170,7 @@ bool is_place(glm::dvec2 uv) {
   return std::abs(uv.x) <= farthest && std::abs(uv.y) <= farthest;
 }
 
-/// Whether the file has none there.
+/// Returns whether the file has none there.
 bool is_left_out(glm::dvec2 uv) { return std::isnan(uv.x); }
 
 LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32_t corner) {

@@ -1,4 +1,4 @@
-// Triangles while they are prepared.
+// Welding polygons on equal positions, and the triangles, parts and placement that preparation works on.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {

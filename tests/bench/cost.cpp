@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace pelage::bench {
 

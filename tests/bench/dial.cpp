@@ -18,10 +18,10 @@
 
 #include "renderer/compare/compare.h"
 #include "renderer/quality/planner.h"
-#include "server/calibration/calibrate.h"
-#include "server/calibration/scenes.h"
+#include "server/frames/calibrate.h"
 #include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
+#include "server/frames/measured_scenes.h"
 #include "tests/bench/dial_fit.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/traced.h"

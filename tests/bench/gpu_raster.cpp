@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "renderer/raster/gpu/stages.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/strands/tracer.h"

@@ -10,10 +10,10 @@
 #include <string>
 #include <type_traits>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/history/codec.h"
 #include "server/history/journal.h"
 #include "server/scene/scene.h"

@@ -9,7 +9,7 @@
 
 #include "server/builtin/builtin.h"
 #include "server/fields/field_set.h"
-#include "server/first_groom/first_groom.h"
+#include "server/groom/first_groom.h"
 #include "server/patches/patches.h"
 #include "server/surface/prepare.h"
 #include "server/surface/surface.h"

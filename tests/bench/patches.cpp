@@ -10,8 +10,8 @@
 #include <numeric>
 #include <span>
 
-#include "protocol/base/random.h"
-#include "protocol/base/stopwatch.h"
+#include "base/random.h"
+#include "base/stopwatch.h"
 #include "server/builtin/builtin.h"
 #include "server/surface/surface.h"
 #include "tests/unit/surface/shared_models.h"

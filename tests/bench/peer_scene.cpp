@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "renderer/image/float_image.h"
 #include "renderer/picture_files/picture_files.h"

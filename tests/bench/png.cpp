@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 #include "renderer/picture_files/picture_files.h"
 
 namespace pelage {

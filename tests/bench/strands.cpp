@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "renderer/image/image.h"
 #include "tests/bench/traced.h"
 

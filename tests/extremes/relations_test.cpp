@@ -10,8 +10,8 @@
 #include <numeric>
 #include <optional>
 
-#include "protocol/base/colour_space.h"
-#include "protocol/base/random.h"
+#include "base/colour_space.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
 #include "tests/extremes/both_ways.h"
 #include "tests/extremes/row_scene.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "server/frames/fur_view.h"
 #include "tests/frames/with_renderer.h"
 #include "tests/support/furred_model.h"

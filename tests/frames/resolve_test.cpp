@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "server/frames/fur_view.h"
 #include "tests/frames/with_renderer.h"
 #include "tests/support/furred_model.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
 #include "tests/gl/backends.h"

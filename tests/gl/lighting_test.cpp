@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/coat/slices.h"
 #include "renderer/light/environment.h"
 #include "renderer/shading/scattering_table.h"

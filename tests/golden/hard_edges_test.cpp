@@ -5,8 +5,8 @@
 #include <array>
 
 #include "renderer/strands/tracer.h"
-#include "server/first_groom/first_groom.h"
 #include "server/frames/fur_view.h"
+#include "server/groom/first_groom.h"
 #include "server/patches/subdivide.h"
 #include "server/surface/prepare.h"
 #include "server/surface/shading_normals.h"

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <string>
 
-#include "protocol/base/random.h"
-#include "protocol/base/stopwatch.h"
+#include "base/random.h"
+#include "base/stopwatch.h"
 #include "server/scene/scene_store.h"
 
 namespace pelage {

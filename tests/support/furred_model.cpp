@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "server/builtin/builtin.h"
-#include "server/first_groom/first_groom.h"
 #include "server/frames/fur_view.h"
+#include "server/groom/first_groom.h"
 #include "server/import/import.h"
 #include "server/surface/prepare.h"
 

@@ -4,12 +4,12 @@
 #include <atomic>
 #include <filesystem>
 
+#include "base/limits.h"
+#include "base/percent.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/actions/upload.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/progress.h"
-#include "protocol/base/limits.h"
-#include "protocol/base/percent.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/names.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/status.h"
 #include "clients/cli/options.h"
-#include "protocol/base/status.h"
 
 namespace pelage {
 

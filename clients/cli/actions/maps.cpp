@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "base/limits.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/actions/formats.h"
 #include "clients/cli/actions/upload.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/progress.h"
-#include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 

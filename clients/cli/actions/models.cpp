@@ -6,12 +6,12 @@
 #include <cctype>
 #include <utility>
 
+#include "base/limits.h"
+#include "base/percent.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/actions/upload.h"
 #include "clients/cli/pack/pack.h"
 #include "clients/cli/terminal/files.h"
-#include "protocol/base/limits.h"
-#include "protocol/base/percent.h"
 #include "protocol/json/decode.h"
 
 namespace pelage {

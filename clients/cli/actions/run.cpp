@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/stopwatch.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/terminal/print.h"
 #include "clients/cli/terminal/progress.h"
-#include "protocol/base/stopwatch.h"
 #include "protocol/json/decode.h"
 
 namespace pelage {

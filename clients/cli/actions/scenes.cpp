@@ -3,11 +3,11 @@
 #include <chrono>
 #include <thread>
 
+#include "base/stopwatch.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/actions/models.h"
 #include "clients/cli/terminal/print.h"
 #include "clients/cli/terminal/progress.h"
-#include "protocol/base/stopwatch.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/limits.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "clients/cli/terminal/files.h"
-#include "protocol/base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
 #include "clients/cli/terminal/files.h"
-#include "protocol/base/limits.h"
 #include "renderer/compare/compare.h"
 #include "renderer/picture_files/picture_files.h"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "protocol/base/percent.h"
+#include "base/percent.h"
 #include "protocol/json/parse.h"
 
 namespace pelage {

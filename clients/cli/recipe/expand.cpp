@@ -144,7 +144,7 @@ void Expander::use(const json& step, Scope& scope, const std::string& pointer) {
   --uses_;
 }
 
-/// Whether the file that is used has every variable that is given.
+/// Returns whether the file that is used has every variable that is given.
 bool Expander::knows_all(const Scope& inner, const Scope& outer, const std::string& pointer) {
   for (const auto& item : inner.given.items()) {
     if (inner.file.variables.contains(item.key())) continue;

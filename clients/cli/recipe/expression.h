@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 
-/// Whether a text is meant to be worked out, and not the name of a variable.
+/// Returns whether a text is meant to be worked out, and not the name of a variable.
 bool is_expression(std::string_view text);
 
 /// + - * / and parentheses over numbers and names: letters, digits, _ and dots. Refused (invalid, without a pointer)

@@ -1,9 +1,10 @@
+// The parser for files of named places and sizes.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage::json_parts {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 
@@ -49,7 +49,7 @@ struct Recipe {
   std::string places_file = {};  // names it in refusals
 };
 
-/// Whether the text is a JSON object that is no command but has a recipe's members.
+/// Returns whether the text is a JSON object that is no command but has a recipe's members.
 bool is_recipe(std::string_view text);
 
 /// The steps of a recipe: `{"description", "variables": {name: value}, "include": [file], "steps": [...]}`. A step is

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "protocol/base/temporary_name.h"
+#include "base/temporary_name.h"
 
 namespace pelage {
 

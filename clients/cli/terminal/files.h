@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 
@@ -16,7 +16,7 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 /// Under a temporary name in the same folder, then renamed; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);
 
-/// Whether a file can be written there, for a look before the work whose result it takes. Leaves what is there.
+/// Returns whether a file can be written there, for a look before the work whose result it takes. Leaves what is there.
 Status check_output(const std::string& path);
 
 /// A file that is written piece by piece, under a temporary name that goes with it unless it is kept.

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
-#include "clients/cli/terminal/describe.h"
 #include "clients/cli/terminal/table.h"
+#include "protocol/json/decode.h"
 #include "protocol/json/names.h"
 
 namespace pelage {
@@ -24,6 +25,35 @@ void print_sheets(const std::vector<NumberedPart>& sheets) {
         sheets[i].part, sheets[i].triangles, text_of(sheets[i].centre), sheets[i].part);
   }
   if (sheets.size() > shown) fmt::print("sheet       and {} more; --json lists them\n", sheets.size() - shown);
+}
+
+constexpr std::size_t max_commands = 3;
+
+/// Its name, and where it works: the radius of a stroke's brush, or everywhere.
+template <class Tool>
+std::string words_of(const Tool& command) {
+  std::string words = Tool::op;
+  if constexpr (requires { command.stroke, command.brush; }) {
+    if (command.stroke) words += fmt::format(" r {:g}", command.brush.radius);
+  }
+  if constexpr (requires { command.flood; }) {
+    if (command.flood) words += " everywhere";
+  }
+  return words;
+}
+
+/// "comb r 0.12" of a log entry's commands, as JSON; several with commas, and more than three as their number. Empty
+/// where there are none.
+std::string described(const std::string& commands) {
+  const auto decoded =
+      commands.empty() ? Result<std::vector<Command>>(std::vector<Command>{}) : decode_commands(commands);
+  if (!decoded) return commands;  // of a newer server
+  std::string words;
+  for (std::size_t k = 0; k < decoded->size() && k < max_commands; ++k) {
+    words += (k > 0 ? ", " : "") + std::visit([](const auto& command) { return words_of(command); }, (*decoded)[k]);
+  }
+  if (decoded->size() > max_commands) words += fmt::format(" and {} more", decoded->size() - max_commands);
+  return words;
 }
 
 }  // namespace

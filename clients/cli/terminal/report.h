@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/gl/functions.h"
 
 namespace pelage {

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Whether the chunks of a PNG end before IEND.
+/// Returns whether the chunks of a PNG end before IEND.
 bool is_png_cut_off(std::string_view bytes) {
   constexpr std::size_t signature = 8, frame = 12;  // of a chunk: its length, its name, its checksum
   bytes.remove_prefix(signature);
@@ -28,7 +28,7 @@ bool is_png_cut_off(std::string_view bytes) {
   return true;
 }
 
-/// Whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
+/// Returns whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
 bool is_jpeg_cut_off(std::string_view bytes) {
   const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
   return scan == std::string_view::npos || end == std::string_view::npos || end < scan;

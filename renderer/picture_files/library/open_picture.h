@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 
 namespace pelage {
 

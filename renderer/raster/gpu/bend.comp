@@ -19,7 +19,7 @@ vec4 lean_knot(float inclination, int k) {
   return mix(leans[first], leans[first + lean_cells + 1], at - float(low));
 }
 
-// LeanCurves::at of a corner: from the root to the height s.
+// Returns LeanCurves::at of a corner: the offset from the root to the height s.
 vec3 lean_at(uint first, float s) {
   vec4 up = bends[first], across = bends[first + 1];
   float at = s * float(lean_cells);

@@ -16,13 +16,14 @@ Knot read_knot(uint knot) {
   return Knot(uintBitsToFloat(knots[3 * knot]), more.x, more.y);
 }
 
-// Below 2^16, nearest first: DistanceKeys of renderer/raster/raster_scene.h.
+// Returns a key below 2^16, nearest first: DistanceKeys of renderer/raster/raster_scene.h.
 uint key_of(float inverse) {
   uint bits = floatBitsToUint(inverse);
   return 65535 - min((bits - min(key_furthest, bits)) >> key_shift, 65535);
 }
 
-// Of a segment what lies nearest to the middle of a tile, but half a tile off its ends.
+// Returns one over the distance of the segment's point that is nearest to the middle of a tile, at least half a tile
+// away from the segment's ends.
 float inverse_near(Knot a, Knot b, vec2 middle) {
   vec2 way = b.at - a.at;
   float squared = max(dot(way, way), 1e-6), along = dot(middle - a.at, way) / squared;
@@ -30,7 +31,7 @@ float inverse_near(Knot a, Knot b, vec2 middle) {
   return a.inverse + (b.inverse - a.inverse) * clamp(along, end, 1.0 - end);
 }
 
-// Whether a segment passes a tile by, though its box does not.
+// Returns whether a segment misses a tile although its bounding box overlaps it.
 bool passes_by(Knot a, Knot b, vec2 middle, float wide) {
   const float corner = 0.71 * float(tile_side);  // from the middle
   vec2 way = b.at - a.at, off = middle - a.at;

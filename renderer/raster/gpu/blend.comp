@@ -23,7 +23,8 @@ struct FlatSegment {
 shared FlatSegment segments[together];
 shared uint still_open;
 
-// Lanes that go on together have a block of eight by four pixels, so that they leave out what is elsewhere.
+// Returns the pixel of a lane. The 32 lanes that run together draw a block of eight by four pixels, so that they skip
+// together what lies elsewhere.
 uvec2 pixel_of(uint lane) {
   uint block = lane / 32, in_block = lane % 32;
   return uvec2(block % 2 * 8 + in_block % 8, block / 2 * 4 + in_block / 8);
@@ -61,7 +62,7 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
   return flattened;
 }
 
-// What of a pixel a segment covers, and where on it.
+// Returns how much of a pixel a segment covers. `share` becomes the position along the segment, in [0, 1].
 float covered_by(FlatSegment s, vec2 off, out float share) {
   float along = dot(off, s.way), beside = abs(off.y * s.way.x - off.x * s.way.y);
   share = clamp(along * s.over_reach, 0.0, 1.0);
@@ -71,7 +72,8 @@ float covered_by(FlatSegment s, vec2 off, out float share) {
   return min(covered * within * min(thickness, 1.0), 1.0);
 }
 
-// What is added to sums for a segment, by its weight of what got through so far.
+// Returns the sum after a segment is added. `weight` is the segment's weight, `through` the transmittance in front of
+// it.
 vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
 #if defined SHOWN_STRAND  // knot of the one that covers most, with a bit that makes it a float; where on it, how much
   return weight > sum.z ? vec3(uintBitsToFloat(knot_bit | s.knot), share, weight) : sum;

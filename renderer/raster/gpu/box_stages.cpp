@@ -11,19 +11,19 @@ namespace {
 
 constexpr std::size_t knot_bytes = 24, point_bytes = 16, entry_bytes = 8;
 
-/// Enough for a little more, so that the next frame has room at once.
+/// Returns room for a quarter more than is wanted, so that the next frame has room at once.
 std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t most) {
   if (wanted <= room) return room;
   return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, most));
 }
 
-/// Those of a model of few are large.
+/// Returns how many lanes cover one triangle: more for a model of few triangles, because these are large.
 std::size_t lanes_a_triangle(std::size_t triangles) {
   constexpr std::size_t enough = 1 << 18, least = 8, most = 1024;
   return std::clamp(enough / std::max<std::size_t>(triangles, 1), least, most);
 }
 
-/// Before anything was found.
+/// Returns the room to start with, before any frame has shown how much is needed.
 StageRooms first_rooms(std::size_t max_bytes) {
   const auto held = [=](std::size_t room, std::size_t bytes) {
     return static_cast<std::uint32_t>(std::min(room, max_bytes / bytes));

@@ -22,19 +22,19 @@ class BoxStages {
   /// No buffer gets larger than `max_bytes`, nor than the GL allows.
   BoxStages(const Gl& gl, std::size_t max_bytes);
 
-  /// Draws a box as far as rows of pixels on the GPU. False where a stage cannot be built: failure() says why.
+  /// Draws a box on the GPU, up to its rows of pixels. Returns false if a stage cannot be built: failure() says why.
   bool draw(const DrawnBox& box, SceneData& data);
-  /// What that found; waits for it. More than there was room for is not in the picture.
+  /// Returns what the last draw found; waits for it. What exceeds the available room is missing from the picture.
   Totals totals() const;
-  /// Whether buffers can be as large as that.
+  /// Returns whether buffers can be as large as that.
   bool has_room_for(const Totals& found) const;
   /// Makes room for what was found; false where there was enough.
   bool take_more_room(const Totals& found);
-  /// The rows of a box, of tiles that are drawn, into the picture.
+  /// Reads the rows of a box into the picture, only for tiles that are drawn.
   void read(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
-  /// Encodes the rows, which are the whole of the scene's picture. False as draw.
+  /// Encodes the rows, which are the whole of the scene's picture. Returns false as `draw` does.
   bool encode(const RasterScene& scene, const Encoding& encoding);
-  /// That, into a picture of its size.
+  /// Reads the encoded rows into a picture of their size.
   void read(Image& picture) const { encoded_.read(0, std::span(picture.rgba)); }
 
   /// Drops all buffers, and what they had room for.
@@ -46,7 +46,7 @@ class BoxStages {
   void reserve(const DrawnBox& box);
   bool begin(Stage stage, const DrawnBox& box, std::initializer_list<StageStorage> storage);
   bool begin_eyes(Stage stage, const DrawnBox& box, const SceneData& data, const Storage& pixels);
-  /// Each number becomes the sum of those before it.
+  /// Replaces each number by the sum of those before it.
   bool scan(const DrawnBox& box, const Storage& numbers, std::size_t count);
   bool find_skin(const DrawnBox& box, const SceneData& data);
   /// Counts the knots of each strand, and writes them.
@@ -55,7 +55,7 @@ class BoxStages {
   bool light_strands(const DrawnBox& box, const SceneData& data);
   /// Counts the segments of each tile, writes and sorts them.
   bool fill_tiles(const DrawnBox& box);
-  /// Strands, then what is behind them, then what the ground is darkened by; to rows of pixels.
+  /// Blends the strands, adds what is behind them, then darkens the ground, and writes the result to rows of pixels.
   bool blend(const DrawnBox& box, const SceneData& data);
   bool add_behind(const DrawnBox& box, const SceneData& data);
 

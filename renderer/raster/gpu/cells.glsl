@@ -10,7 +10,7 @@ ivec3 cell_at(uint index) {
 }
 bool has_cell(ivec3 cell) { return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, grid_size)); }
 
-// What light crosses in or up to a cell, in steps of 1 / crossed_one.
+// What the light crosses within a cell or up to it, in steps of 1 / crossed_one.
 struct Crossed {
   float strands, body;
 };
@@ -21,7 +21,7 @@ uint crossed_word(Crossed sum) {
 }
 
 bool is_far(uint light) { return frame.lights[light].direction.w < 0.5; }
-// In cells.
+// Returns the position of a light, in cells.
 vec3 light_place(uint light) { return (frame.lights[light].position.xyz - grid_low) / grid_cell; }
 vec3 to_light(uint light, ivec3 cell) {
   if (is_far(light)) return -frame.lights[light].direction.xyz;

@@ -1,12 +1,12 @@
-// From where to where something stands in each column of the grid: Columns of renderer/raster/sky_over_ground.cpp. Heights
-// lie as words that have their order.
+// The lowest and the highest point of what stands in each column of the grid: Columns of
+// renderer/raster/sky_over_ground.cpp. Heights are stored as words that sort in the same order.
 uint word_of(float height) {
   uint bits = floatBitsToUint(height);
   return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 float height_of(uint word) { return uintBitsToFloat((word & 0x80000000u) != 0 ? word & 0x7fffffffu : ~word); }
 
-// In rows by z; what is beside the grid lies in the columns at its edge.
+// Returns the index of a column, in rows by z. Positions outside the grid belong to the columns at its edge.
 uint column_of(vec3 place) {
   vec3 cell = clamp((place - grid_low) / grid_cell, vec3(0.0), vec3(grid_size) - 0.5);
   return uint(cell.z) * uint(grid_size.x) + uint(cell.x);

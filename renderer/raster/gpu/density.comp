@@ -18,7 +18,7 @@ float share_in_the_open(FurStrand own) {
   return 1.0 / (1.0 + curl_in_shadow * max(way / max(reach, 0.02 * way + 1e-9) - 1.0, 0.0));
 }
 
-// To a number of 64 bits, low word first.
+// Adds a value to a 64-bit number that is stored with its low word first.
 void add(uint at, float value) {
   const float low_end = 4294967296.0, largest = 1e10;
   float size = min(abs(value), largest) + 0.5;

@@ -1,6 +1,6 @@
 #version 450 core
-// What ends the view of strands in each pixel: the skin, or an eye before it; and behind what nothing shows of a tile, or of
-// a block.
+// Finds what ends the view of strands in each pixel: the skin, or an eye in front of it. Also finds the furthest of
+// these for each tile and each block of pixels: behind it nothing shows.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;

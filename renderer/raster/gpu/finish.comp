@@ -43,7 +43,7 @@ vec4 enlarged(vec2 at) {
   return clamp(sum / (1.0 - (v[0] + v[3]) * (w[0] + w[3])), low, high);
 }
 
-// Of the light that a pixel covers.
+// Returns the mean of the light that a pixel covers.
 vec4 mean_of(ivec2 pixel, float scale) {
   vec2 low = vec2(pixel) * scale, high = low + scale;
   ivec2 begin = ivec2(floor(low)), end = ivec2(ceil(high));

@@ -17,7 +17,7 @@ bool same_bytes(const std::vector<T>& a, std::span<const T> b) {
   return a.size() == b.size() && (b.empty() || std::memcmp(a.data(), b.data(), b.size_bytes()) == 0);
 }
 
-/// Takes another one over; whether it was one.
+/// Replaces `held` by `now`. Returns whether they differed.
 template <class T>
 bool take(T& held, const T& now) {
   if (held == now) return false;

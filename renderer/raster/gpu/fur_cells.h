@@ -1,6 +1,6 @@
-// What stands in the way of a scene's light, found on the GPU where it is another: strands that something bends, how
-// densely they stand in the cells of a grid, what each light crosses on its way there, and how much the ground sees of
-// the sky. The same as GrownFur's bent strands, DensityGrid, NearCells and SkyOverGround.
+// Finds on the GPU what stands between a scene and its lights, where that has changed: bent strands, their density in
+// the cells of a grid, what each light crosses on its way to each cell, and how much of the sky the ground sees. The
+// results equal GrownFur's bent strands, DensityGrid, NearCells and SkyOverGround.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// As fur.glsl has it.
+/// A part of the fur in the layout of fur.glsl.
 struct FurListPart {
   std::uint32_t points = 0, words = 0, count = 0, summed = 0;
   std::int32_t segments = 1;
@@ -25,12 +25,13 @@ class FurCells {
  public:
   explicit FurCells(const Gl& gl);
 
-  /// Sees what of a scene is another than it was, and sends it. `strands_changed`: those of the pool are others.
+  /// Finds what has changed in a scene, and sends it. `strands_changed`: the strands of the pool have changed.
   void prepare(const RasterScene& scene, const StrandPool& pool, bool strands_changed);
-  /// Finds anew what depends on that; the scene's uniforms are sent. False where a stage cannot be built.
+  /// Updates what depends on these changes; the scene's uniforms must have been sent. Returns false if a stage cannot
+  /// be built.
   bool find(Stages& stages, const RasterScene& scene, const StrandPool& pool, const GpuModel& model);
 
-  /// Of all strands, as they stand.
+  /// Returns the points of all strands, bent where something bends them.
   const Storage& points(const StrandPool& pool) const { return bends_.empty() ? pool.points() : bent_; }
   std::uint32_t groups() const { return groups_; }
   bool has_near() const { return !near_parts_.empty(); }
@@ -39,7 +40,7 @@ class FurCells {
   Storage crossed, near, sky;
 
  private:
-  /// What is to be found anew.
+  /// Marks what has to be found again.
   struct Stale {
     bool strands = true, light = true, near = true, sky = true;
   };

@@ -11,7 +11,7 @@
 namespace pelage {
 
 struct GpuRaster::Held {
-  /// That are kept, so that who grooms beside others does not send all anew.
+  /// Number of scenes kept on the GPU, so that clients who groom in turn do not upload everything anew.
   static constexpr std::size_t max_scenes = 4;
 
   struct Scene {
@@ -23,7 +23,7 @@ struct GpuRaster::Held {
   BoxStages stages;
   std::list<Scene> scenes = {};  // the last one first
 
-  /// Gives back what was asked for, so that the next frame begins anew.
+  /// Frees all buffers after the GL ran out of memory, so that the next frame starts fresh.
   Status out_of_memory() {
     while (gl.GetError() != GL_NO_ERROR) {
     }
@@ -45,7 +45,7 @@ struct GpuRaster::Held {
 
 Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl, std::size_t max_bytes) {
   std::unique_ptr<GpuRaster> raster(new GpuRaster(gl, max_bytes));
-  // Of what is there seldom the first frame waits.
+  // Builds the common stages now; the first frame that needs a rarely used stage waits for it.
   for (const Stage stage :
        {Stage::skin, Stage::ends, Stage::hidden, Stage::keep, Stage::place, Stage::mark, Stage::light, Stage::hand_on,
         Stage::bins, Stage::scan, Stage::sort, Stage::blend, Stage::skin_light, Stage::resolve, Stage::finish})
@@ -128,7 +128,7 @@ Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, c
   return std::optional<Image>(std::move(picture));
 }
 
-/// What one after the other has room.
+/// Draws the upper and the lower half of a box in turn, where the whole does not fit into memory.
 Status GpuRaster::draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture,
                               RasterCounts& counts) {
   const int middle = box.top + (tiles_of(box).down / 2) * tile_side;

@@ -14,7 +14,7 @@ layout(std430, binding = sky_storage) readonly buffer Sky { float sky[]; };
 float sky_hidden_at(float first, int further) { return sky[uint(first) + uint(further)]; }
 float light_radius(uint light) { return light_widths[light].x; }
 bool is_far_light(uint light) { return light_widths[light].y > 0.5; }
-// Of a spiral that is even over a disc (Vogel 1979).
+// Returns a point of a spiral that covers a disc evenly (Vogel 1979).
 vec2 disc_tap(int tap) {
   float angle = 2.399963 * float(tap);
   return sqrt((float(tap) + 0.5) / float(ground_light_taps)) * vec2(cos(angle), sin(angle));

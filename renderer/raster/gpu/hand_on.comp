@@ -1,5 +1,6 @@
 #version 450 core
-// Light of the knots that are drawn from that of the points of the strand that is lit: renderer/raster/shared_light-inl.h.
+// Derives the light of the drawn knots from the light at the points of the lit strand:
+// renderer/raster/shared_light-inl.h.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"
@@ -42,7 +43,8 @@ vec3 light_at_knot(Part part, uint strand, LightAlong light, int knot) {
   return max(sent, 0.0) * (unpacked_colour(colour_word(part, strand, knot)) + over_black) * light.factor;
 }
 
-// What the knots between two that are drawn send beyond the straight line between these, in the mean.
+// Returns by how much the light of the knots between two drawn ones exceeds linear interpolation between these two, on
+// average.
 vec3 left_out(Part part, uint strand, LightAlong light, ivec2 ends, vec3 at_begin, vec3 at_end) {
   vec3 sum = vec3(0.0), straight = at_begin;
   float over = 1.0 / float(max(ends.y - ends.x, 1));

@@ -16,7 +16,7 @@ layout(std430, binding = lit_points_storage) writeonly buffer LitPoints { vec4 l
 #ifdef SHOWN_FIELD
 #include "field.glsl"
 
-// 0 where a strand stands on no piece.
+// Returns the field at a strand's root; 0 if the strand stands on no triangle.
 vec3 field_at_root(uint root) {
   uint piece = pool_words[root + 7], shares = pool_words[root + 8];
   if (piece == 0xffffffffu) return vec3(0.0);

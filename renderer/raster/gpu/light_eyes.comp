@@ -9,14 +9,14 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
 
-// All of the lights' share.
+// Returns the part of an eye's light that comes from the scene's lights.
 vec3 direct_light(EyeHit hit) {
   vec3 whole = eye_light(hit);
   eye_lights = 0;
   return max(whole - eye_light(hit), 0.0);
 }
 
-// Lids and cornea count as what reflects, not as shadow.
+// Returns what the picture shows of an eye. Lids and cornea count as reflection, not as shadow.
 vec3 shown_of(EyeHit hit, float inverse) {
 #if defined SHOWN_ALBEDO
   return eye_surface(hit).albedo;

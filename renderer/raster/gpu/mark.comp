@@ -1,5 +1,5 @@
 #version 450 core
-// Finds the strands that are lit: those whose light one has that is drawn. Of each goes the number of its points.
+// Finds the strands that are lit: those whose light a drawn strand uses. Writes the number of points of each.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"

@@ -1,5 +1,5 @@
 #version 450 core
-// Which eye each pixel shows, where it is no further than the skin.
+// Finds which eye each pixel shows, if one is no further away than the skin.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"

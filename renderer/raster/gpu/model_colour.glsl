@@ -17,7 +17,8 @@ vec3 linear_texel(uint word) {
 
 int wrapped(int at, int side) { return at < 0 ? at + side : at < side ? at : at - side; }
 
-// At a place (v up), between four texels of a level: the nearest for so much of the picture's side as a pixel sees.
+// Returns the colour at uv (v up), interpolated between four texels of the mipmap level that is nearest to the pixel's
+// size; `pixel` is a share of the picture's side.
 vec3 image_colour(vec3 uv, float pixel) {
   if (uv.z < -0.5) return vec3(1.0);
   float largest = float(max(texels[0], texels[1])), lod = clamp(log2(pixel * largest) + 0.5, 0.0, float(texel_levels - 1));

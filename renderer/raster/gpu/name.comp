@@ -1,6 +1,6 @@
 #version 450 core
-// From the segment that covers most of a pixel to its strand: its number from 1 on, where on it, its role from 1 on. None
-// where skin or an eye shows more.
+// Replaces the segment that covers most of a pixel by its strand: the strand's number from 1 on, the position along it,
+// and its role from 1 on. Pixels where skin or an eye shows more get none.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"

@@ -57,8 +57,8 @@ int knot_number(DrawnStrand drawn, int segments, int at) {
   return drawn.first + int(float(at) * step + 0.01);
 }
 
-// Strands do not stand in each other: packed_half of renderer/raster/place-inl.h. Deep ones are wider, but not so wide that
-// they would show beside the fur above them.
+// Returns a knot as it is drawn. Strands do not intersect each other: packed_half of renderer/raster/place-inl.h. Deep
+// knots are wider, but not so wide that they would show beside the fur above them.
 Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, int number) {
   Knot knot = knot_of(part, kept.strand, number, kept.widened);
   float thin = knot.thickness, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
@@ -68,7 +68,7 @@ Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand dra
   return knot;
 }
 
-// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
+// Extends the tip: a strand ends in a half ball, which covers as much as a longer strand with a flat end would.
 vec2 rounded_tip(Knot tip, Knot before, float wider) {
   float more = 0.785 * tip.thickness / (wider * max(length(tip.at - before.at), 1e-3));
   return tip.at + more * (tip.at - before.at);

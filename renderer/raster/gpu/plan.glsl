@@ -23,9 +23,9 @@ layout(std430, binding = plan_storage) buffer Plan {
   Part parts[];
 };
 
-// The first ones are drawn down to their roots.
+// Returns how many of the part's first strands are drawn down to their roots.
 uint whole_strands(Part part) { return (max(part.last, 1u) - 1) / deep_of + 1; }
-// The first ones are lit, and hand it on.
+// Returns how many of the part's first strands are lit and share their light with the others.
 uint lit_strands(Part part) { return (max(part.last, 1u) - 1) / part.lit_of + 1; }
-// Of lit strands the first so many are lit from the root on.
+// Returns how many of the first lit strands are lit from the root on.
 uint lit_whole(Part part) { return part.is_curve ? lit_strands(part) : whole_strands(part); }

@@ -9,7 +9,7 @@ uniform uint count;
 const uint run = 1024;
 shared uint partial[256];
 
-// The sum of all lanes before this one; `whole` gets that of all.
+// Returns the sum over all lanes before this one; `whole` becomes the sum over all lanes.
 uint sum_before(uint own, out uint whole) {
   uint lane = gl_LocalInvocationIndex;
   partial[lane] = own;

@@ -60,7 +60,7 @@ const uint root_words = 9;  // StrandRoot, FurCorner
 const uint corner_words = 15;
 const uint knot_bit = 0x40000000;  // of numbers of knots that go as floats
 
-// Through a place of the picture; 1 along the view.
+// Returns the ray through a position of the picture; its component along the view is 1.
 vec3 ray_through(vec2 pixel) {
   vec2 off = (pixel - camera_middle) * (1.0 / camera_scale);
   return camera_forward + off.x * camera_right - off.y * camera_up;

@@ -1,4 +1,4 @@
-// What all stages of a box read: its scene on the GPU, sent where it is another.
+// What all stages of a box read: its scene on the GPU, sent where it has changed.
 #pragma once
 
 #include "renderer/gl/handles.h"

@@ -1,6 +1,6 @@
 #version 450 core
-// Which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, some lanes a triangle. First
-// one over the distance, then the first triangle that lies as near.
+// Finds which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, several lanes for
+// each triangle. The first pass finds one over the distance, the second the first triangle at that distance.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 64) in;
@@ -66,7 +66,8 @@ void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece, uint lane) {
     cover_row(a, b, c, area, y, ivec2(first.x, last.x), piece);
 }
 
-// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): a fan of up to two.
+// Clips a triangle at the nearest distance (Sutherland and Hodgman 1974) and covers what is left: a fan of up to two
+// triangles.
 void clip_and_cover(dvec3 corners[3], uint piece, uint lane) {
   const double least = double(near_distance);
   FlatCorner kept[4];

@@ -11,13 +11,13 @@ layout(std430, binding = columns_storage) readonly buffer ColumnWords {
 };
 layout(std430, binding = sky_storage) writeonly buffer Sky { float sky[]; };
 
-// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
+// Returns direction i of a set that samples a matt sky evenly: a spiral on the disc (Vogel 1979), lifted to the sphere.
 vec3 sky_way(int i) {
   float square = (float(i) + 0.5) / float(sky_ways), angle = 2.399963 * float(i);
   return vec3(sqrt(square) * cos(angle), sqrt(1.0 - square), sqrt(square) * sin(angle));
 }
 
-// Whether a ray from a place meets anything.
+// Returns whether a ray from a position hits anything.
 bool stops(vec3 from, vec3 way) {
   vec3 low = grid_low, high = low + grid_cell * vec3(grid_size);
   float begin = 0.0, end = (height_of(top) - from.y) / way.y;

@@ -1,6 +1,7 @@
 #version 450 core
-// Sorts the entries of a tile, nearest first, those of one key by their knots: runs in shared memory (Batcher 1968), then
-// runs are merged, each entry to its own place and as many as stand before it in the other run.
+// Sorts the entries of a tile, nearest first, and entries with equal keys by their knots. Sorts runs in shared memory
+// (Batcher 1968), then merges them: each entry moves to its own position plus the number of entries before it in the
+// other run.
 layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; };
 layout(std430, binding = 1) coherent buffer Entries { uvec2 entries[]; };
@@ -38,7 +39,7 @@ void sort_run(uint first, uint count) {
   barrier();
 }
 
-// Of entries from `first` to `end`, which are sorted, those before an entry.
+// Returns how many of the sorted entries from `first` to `end` come before an entry.
 uint count_before(uint first, uint end, uvec2 entry, bool in_others) {
   uint low = first, length = end - first;
   for (int bits = 0; bits < 32; ++bits) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "protocol/base/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace pelage {
 

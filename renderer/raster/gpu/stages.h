@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/gl/program.h"
 #include "renderer/raster/gpu/storage.h"
 #include "renderer/raster/raster_scene.h"
@@ -59,11 +59,11 @@ class Stages {
  public:
   explicit Stages(const Gl& gl) : gl_(gl), timer_(gl, GL_TIME_ELAPSED) {}
 
-  /// In use from here on, with its storage; of what depends on what is shown, that one. Null where it cannot be built:
-  /// `failure` says why.
+  /// Makes a stage current, with its storage, in the variant for `shown` if it depends on that. Returns null if the
+  /// stage cannot be built: `failure` says why.
   const Program* begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage);
-  /// Runs so many groups of the stage that was begun, in a row or in rows below each other; what it wrote is there for
-  /// the next one.
+  /// Runs the current stage with that many groups, in one row or in several rows. What it wrote is visible to the next
+  /// stage.
   void run(std::size_t groups) const;
   void run(glm::ivec2 groups) const;
 

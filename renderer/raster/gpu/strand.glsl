@@ -76,7 +76,7 @@ float depth_above(float height) {
   return frame.depth_above[slice / 4][slice % 4];
 }
 
-// The last knot that so many strands stand in front of that nothing is seen of it; 0 for none.
+// Returns the last knot that is completely hidden by the strands in front of it; 0 if there is none.
 int hidden_knot(Part part, StrandDepth strand) {
   vec3 to_camera = unit(camera_position - strand.root), along = unit(strand.tip - strand.root);
   float facing = dot(strand.normal, to_camera);
@@ -90,7 +90,7 @@ int hidden_knot(Part part, StrandDepth strand) {
   return hidden;
 }
 
-// Share of the skin that strands of radius 1 would fill: the more the flatter they lie.
+// Returns the share of the skin that strands of radius 1 would fill: the flatter they lie, the more.
 float packing_of(Part part, StrandDepth depth) {
   float upright = max(dot(unit(depth.tip - depth.root), depth.normal), 0.2);
   return 0.7 * part.packing / (part.wider * part.wider) / upright;

@@ -20,13 +20,13 @@ class StrandPool {
  public:
   explicit StrandPool(const Gl& gl) : points_(gl), words_(gl) {}
 
-  /// Sends the parts that are not as they are held. Whether there were any.
+  /// Sends the parts that have changed. Returns whether there were any.
   bool update(std::span<const GrownPart> parts);
   /// Of that number.
   PooledStrands at(std::size_t part) const { return places_[part].at; }
   const Storage& points() const { return points_; }
   const Storage& words() const { return words_; }
-  /// Of the larger one, for all of these parts.
+  /// Returns the bytes of the larger buffer for all of these parts.
   static std::size_t bytes_for(std::span<const GrownPart> parts);
 
  private:

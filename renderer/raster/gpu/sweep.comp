@@ -1,6 +1,6 @@
 #version 450 core
-// What each light crosses up to the far side of each cell: LightCells::sweep and follow_near, a light a group. From wave
-// to wave light gets further; within one no cell reads another.
+// Finds what each light crosses up to the far side of each cell: LightCells::sweep and follow_near, one group for each
+// light. Light advances from wave to wave; within a wave no cell reads another.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -10,7 +10,8 @@ layout(local_size_x = lanes) in;
 layout(std430, binding = within_storage) readonly buffer Within { uint within[]; };
 layout(std430, binding = through_storage) coherent buffer Through { uint through[]; };  // a light after another
 
-// `from`: of each axis, whether light comes to the cell from beside it.
+// Adds what comes through the cells before a cell. `from`: for each axis, whether light enters from a neighbouring
+// cell.
 void follow(uint light, ivec3 cell, bvec3 from) {
   vec3 way = to_light(light, cell), size = abs(way);
   int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -39,7 +40,7 @@ void wait() {
   barrier();
 }
 
-// In slices across the axis that the light goes along most.
+// Sweeps slices across the main axis of the light's direction.
 void follow_far(uint light) {
   vec3 way = to_light(light, ivec3(0)), size = abs(way);
   int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -56,7 +57,8 @@ void follow_far(uint light) {
   }
 }
 
-// From the cell that the light is in or next to, by the steps that a cell is away.
+// Sweeps outwards from the cell that contains the light or is nearest to it, ordered by the number of steps to each
+// cell.
 void follow_near(uint light) {
   ivec3 first = ivec3(clamp(light_place(light), vec3(0.0), vec3(grid_size - 1)));
   ivec3 furthest = max(first, grid_size - 1 - first);

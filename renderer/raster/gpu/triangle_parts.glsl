@@ -12,7 +12,7 @@ struct TriangleParts {
   uint count;
 };
 
-// With sides of `longest` at most, or a 4096th of the triangle's.
+// Divides a triangle into parts whose sides are at most `longest`, or 1/4096 of the triangle's.
 TriangleParts parts_of(vec3 a, vec3 b, vec3 c, float longest) {
   float side = max(length(b - a), max(length(c - b), length(a - c)));
   uint along = 1;

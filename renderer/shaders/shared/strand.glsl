@@ -113,15 +113,15 @@ FUNCTION Real light_behind(int model, Real facing, float reach) {
   return select(facing < 0.0f, 1.0f - min(-facing, reach) / max(reach, 1e-20f), 1.0f);
 }
 
-// How far a ray goes through the fur to get out of it, over the height above where it sets out: the further the lower it
-// points. Out of a height h below the tips, over a body of radius r, h 2 / (n.d + sqrt((n.d)^2 + 2 h / r)).
+// Returns how far a ray goes through the fur to get out of it, over the height above its start: the lower it points,
+// the further. From a height h below the tips, over a body of radius r, that is h 2 / (n.d + sqrt((n.d)^2 + 2 h / r)).
 FUNCTION Real way_out(Real height, Real facing) {
   Real roundness = 0.2f * (1.0f - height) + 0.01f;  // 2 h / r, where fur is a tenth of the radius of what it grows on
   return 2.0f / (facing + sqrt(facing * facing + roundness));
 }
 
-// Strands that a ray crosses on its way out, of `above` that one at 45 degrees to upright fur would cross: it meets them by
-// the sine of its angle to them.
+// Returns how many strands a ray crosses on its way out, if one at 45 degrees to upright fur would cross `above`. The
+// number of hits is proportional to the sine of the ray's angle to the strands.
 FUNCTION Real strands_crossed(Real above, Real way, Vec3 tangent, Vec3 direction) {
   float spread = 0.08f;  // strands of one place differ in direction
   Real along = dot(tangent, direction);

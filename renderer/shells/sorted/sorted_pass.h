@@ -1,6 +1,5 @@
-// Fur blended by depth: lists of fragments for each pixel of an area, and the pass that sorts them.
-//
-// Areas of a picture that are worked on one after the other.
+// Fur blended by depth: the areas that a picture is cut into, the fragment lists of their pixels, and the sorting
+// pass.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/status.h"
+#include "base/status.h"
 #include "renderer/gl/handles.h"
 #include "renderer/gl/program.h"
 #include "renderer/image/area.h"
@@ -36,7 +35,7 @@ class FragmentLists {
   static constexpr std::size_t fragment_bytes = 24;  // colour, depth and link
   static constexpr double max_pixels = 1024 * 1024;  // of an area: 4 MiB beside the fragments
 
-  /// Whether fragment shaders of this context can write as many buffers as the lists take.
+  /// Returns whether fragment shaders of this context can write as many buffers as the lists take.
   static bool possible(const Gl& gl);
 
   /// Room for as many fragments as fit into `bytes` and into what the GL allows for one buffer; at least 1.

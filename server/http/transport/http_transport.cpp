@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "protocol/base/caught.h"
+#include "base/caught.h"
 #include "server/http/transport/stream.h"
 
 namespace pelage {

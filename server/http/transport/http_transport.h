@@ -23,7 +23,7 @@ class HttpTransport : public httplib::Server {
     std::function<std::string(Exchange&, int http_status)> refusal;
     /// After each answer, on any thread.
     std::function<void(const Exchange&)> ended;
-    /// Whether a GET or HEAD of a path, without its query, may take the worker that is kept.
+    /// Returns whether a GET or HEAD of a path, without its query, may take the worker that is kept.
     std::function<bool(const std::string& path)> is_probe;
   };
 

@@ -58,7 +58,7 @@ ssize_t ConnectionStream::write(const char* from, std::size_t size) {
   return broken_ ? -1 : static_cast<ssize_t>(size);
 }
 
-/// cpp-httplib tells nobody what it answers to what is no request.
+/// Reads the status from the answer's bytes: cpp-httplib does not report its answer to a malformed request.
 void ConnectionStream::note_status(std::string_view bytes) {
   static constexpr std::string_view version = "HTTP/1.1 ";
   constexpr int first_final = 200;

@@ -26,7 +26,7 @@ class ConnectionStream : public httplib::Stream {
   void get_local_ip_and_port(std::string& address, int& port) const override;
   socket_t socket() const override { return connection_.socket(); }
 
-  /// Whether a write has failed, after which nothing can follow.
+  /// Returns whether a write has failed, after which nothing can follow.
   bool broken() const { return broken_; }
 
  private:

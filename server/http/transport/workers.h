@@ -35,7 +35,7 @@ class Workers {
   };
 
   void work(bool kept);
-  /// Whether a thread has something to do, or to end.
+  /// Returns whether a thread has something to do, or to end.
   bool has_work(bool kept) const { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); }
   /// Calls the last of those that wait. The lock is held.
   static void call_last(std::vector<Idle*>& idle);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "server/first_groom/first_groom.h"
+#include "server/groom/first_groom.h"
 
 namespace pelage::testing_commands {
 

@@ -1,7 +1,7 @@
 // Random tools and random fur for properties that hold for all of them.
 #pragma once
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "protocol/commands/command.h"
 #include "server/fields/field_set.h"
 #include "server/surface/surface.h"

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "server/builtin/builtin.h"
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/groom/vertex_frame.h"
 #include "tests/property/groom/models.h"
 #include "tests/unit/groom/shapes.h"

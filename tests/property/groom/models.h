@@ -1,7 +1,7 @@
 // Random models: built-ins of random sizes and dents, a lone triangle, soups and bodies in many parts.
 #pragma once
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/surface/mesh.h"
 #include "server/surface/surface.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "tests/property/groom/command_maker.h"
 #include "tests/property/groom/models.h"
 #include "tests/property/groom/reference/groomed.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "protocol/base/random.h"
-#include "server/first_groom/first_groom.h"
+#include "base/random.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "tests/property/groom/command_maker.h"
 #include "tests/property/groom/models.h"
 #include "tests/property/groom/reference/brush.h"

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage {

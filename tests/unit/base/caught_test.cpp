@@ -1,4 +1,4 @@
-#include "protocol/base/caught.h"
+#include "base/caught.h"
 
 #include <gtest/gtest.h>
 

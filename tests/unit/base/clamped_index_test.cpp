@@ -1,4 +1,4 @@
-#include "protocol/base/clamped_index.h"
+#include "base/clamped_index.h"
 
 #include <gtest/gtest.h>
 

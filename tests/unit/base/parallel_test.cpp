@@ -1,4 +1,4 @@
-#include "protocol/base/parallel.h"
+#include "base/parallel.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "protocol/base/temporary_name.h"
+#include "base/temporary_name.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "server/batch/input_file.h"

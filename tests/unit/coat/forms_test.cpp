@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 

@@ -1,4 +1,4 @@
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "tests/unit/compare/pictures.h"
 
 namespace pelage {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/compare/compare.h"
 #include "tests/unit/compare/pictures.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/compare/compare.h"
 
 namespace pelage::pictures {

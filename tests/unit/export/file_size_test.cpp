@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "server/export/export_file.h"
-#include "server/glb/glb_writer.h"
+#include "server/export/glb_writer.h"
 
 namespace pelage::file_size_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
 #include "server/patches/subdivide.h"
 #include "server/surface/prepare.h"

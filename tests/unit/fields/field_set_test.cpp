@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/fields/field_writer.h"
 
 namespace pelage {

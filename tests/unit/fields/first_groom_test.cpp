@@ -1,4 +1,4 @@
-#include "server/first_groom/first_groom.h"
+#include "server/groom/first_groom.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "server/builtin/builtin.h"
 #include "server/fields/field_set.h"
-#include "server/first_groom/flow.h"
+#include "server/groom/fur_flow.h"
 #include "server/surface/geodesics.h"
 #include "server/surface/prepare.h"
 #include "tests/unit/surface/shapes.h"

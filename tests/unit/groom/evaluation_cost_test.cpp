@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "server/groom/evaluate.h"
 #include "tests/unit/groom/shapes.h"
 

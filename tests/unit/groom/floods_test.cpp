@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/fields/field_writer.h"
-#include "server/first_groom/first_groom.h"
 #include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/surface/geodesics.h"
 #include "tests/unit/groom/shapes.h"
 

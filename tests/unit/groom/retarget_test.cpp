@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/fields/field_mix.h"
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/patches/subdivide.h"
 #include "tests/unit/groom/shapes.h"
 

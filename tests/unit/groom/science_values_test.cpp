@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/groom/keys.h"
 #include "server/surface/geodesics.h"
 #include "tests/unit/groom/shapes.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <map>
 
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/surface/prepare.h"
 
 namespace pelage::together_test {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "server/first_groom/first_groom.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "server/builtin/builtin.h"
 #include "server/guide_files/read_guides.h"
 #include "server/guides/guide_keys.h"

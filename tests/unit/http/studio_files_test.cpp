@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "server/studio/studio.h"
+#include "server/http/studio.h"
 
 namespace pelage {
 namespace {

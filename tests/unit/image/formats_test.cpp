@@ -6,7 +6,7 @@
 #include <limits>
 #include <regex>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/image/float_image.h"
 #include "renderer/picture_files/picture_files.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "renderer/light/environment.h"
 #include "tests/unit/light/quadrature.h"
 

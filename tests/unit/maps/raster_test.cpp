@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/maps/encoding.h"
 #include "server/maps/read_map.h"
 

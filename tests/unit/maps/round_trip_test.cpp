@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
 #include "server/groom/evaluate.h"
 #include "server/maps/draw_map.h"

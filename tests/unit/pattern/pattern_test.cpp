@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "renderer/pattern/cells.h"
 
 namespace pelage {

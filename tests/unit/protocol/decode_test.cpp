@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "base/limits.h"
 #include "clients/cli/recipe/split_steps.h"
-#include "protocol/base/limits.h"
 #include "tests/unit/protocol/refusals.h"
 
 namespace pelage {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "tests/unit/protocol/refusals.h"

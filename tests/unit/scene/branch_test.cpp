@@ -1,6 +1,6 @@
 #include <thread>
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/frames/shown_scene.h"
 #include "tests/unit/scene/store_fixture.h"

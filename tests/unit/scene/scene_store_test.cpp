@@ -1,6 +1,6 @@
 #include "server/scene/scene_store.h"
 
-#include "protocol/base/limits.h"
+#include "base/limits.h"
 #include "protocol/json/encode.h"
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"

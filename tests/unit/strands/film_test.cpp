@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {

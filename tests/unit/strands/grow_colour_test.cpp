@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "protocol/base/colour_space.h"
+#include "base/colour_space.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/image/float_image.h"
 #include "renderer/pattern/pattern.h"

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "protocol/base/lean_curve.h"
+#include "base/lean_curve.h"
 #include "renderer/coat/slices.h"
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/pattern.h"

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/import/map_picture.h"
 #include "server/import_worker/parse.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
 #include "server/surface/adjacency.h"
 #include "server/surface/geodesics.h"

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "protocol/base/limits.h"
-#include "protocol/base/random.h"
+#include "base/limits.h"
+#include "base/random.h"
 #include "server/builtin/builtin.h"
 #include "server/surface/adjacency.h"
 #include "tests/unit/surface/mesh_checks.h"

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "protocol/base/random.h"
+#include "base/random.h"
 #include "tests/property/groom/reference/brush.h"
 #include "tests/property/groom/reference/tools.h"
 

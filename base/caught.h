@@ -1,0 +1,37 @@
+// Exceptions as Status, for the outermost function of a thread: the caller gets an answer, and the thread continues.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "base/status.h"
+
+namespace pelage {
+
+/// What an exception says: unavailable where memory ran out, as more may be free a little later; internal otherwise.
+inline Status status_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    return failure(Code::unavailable, "The server's memory does not do for this now.");
+  } catch (const std::exception& error) {
+    return failure(Code::internal, std::string("The server failed: ") + error.what());
+  } catch (...) {
+    return failure(Code::internal, "The server failed.");
+  }
+}
+
+/// Calls `work`, which returns a Status or a Result; what it throws becomes its Status.
+template <class Work>
+std::invoke_result_t<Work> caught(Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (...) {
+    return status_of(std::current_exception());
+  }
+}
+
+}  // namespace pelage

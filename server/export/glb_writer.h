@@ -1,0 +1,56 @@
+// Binary glTF 2.0 files, put together accessor by accessor.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/status.h"
+
+namespace pelage {
+
+class GlbWriter {
+ public:
+  /// The sizes in a GLB have 32 bits. Of what makes the file larger than `max_bytes` nothing is kept.
+  explicit GlbWriter(std::uint64_t max_bytes = std::numeric_limits<std::uint32_t>::max()) : max_bytes_(max_bytes) {}
+
+  /// Accessors of floats; each gives its number. Those of positions need their bounds (glTF 2.0, 3.7.2.1).
+  int add(std::span<const float> values);
+  int add(std::span<const glm::vec2> values);
+  int add(std::span<const glm::vec3> values);
+  int add(std::span<const glm::vec4> values);
+  int add_positions(std::span<const glm::vec3> values);
+  /// An accessor of triangles, in 16 bits where `vertices` are few enough.
+  int add_triangles(std::span<const glm::uvec3> triangles, std::size_t vertices);
+  /// The number of an image.
+  int add_png(std::string_view file);
+
+  /// A member of the file's object, as JSON text: "nodes", "meshes", "materials" and so on.
+  void set(std::string_view name, std::string_view json);
+
+  /// The whole file. Buffers, views, accessors, images and asset are what was added. Refused (too_large) where it would
+  /// be larger than it may be.
+  Result<std::string> finish() const;
+
+ private:
+  template <class Value>
+  int add_vertices(std::span<const Value> values, const char* type, std::string_view bounds = {});
+  int add_view(const void* bytes, std::size_t size, int target);
+
+  Status too_large() const;
+
+  std::uint64_t max_bytes_;
+  bool is_full_ = false;
+  std::string binary_, views_, accessors_, images_, members_;
+  int view_count_ = 0, accessor_count_ = 0, image_count_ = 0;
+};
+
+/// Each number in the fewest digits that give it again: "[1,2,3]".
+std::string json_of(glm::vec3 v);
+std::string json_of(glm::dvec3 v);
+
+}  // namespace pelage

@@ -1,0 +1,108 @@
+#include "server/export/proxy_mesh.h"
+
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/limits.h"
+#include "server/export/glb_writer.h"
+
+namespace pelage {
+
+namespace {
+
+/// Vertices that differ in the file can be one in 32 bits. The simplifier would take them for the two sides of a seam.
+struct Welded {
+  std::vector<glm::vec3> positions;     // internal, all different
+  std::vector<std::uint32_t> vertices;  // of each position: one of the mesh
+  std::vector<glm::uvec3> triangles;    // positions, three different ones each
+};
+
+Welded weld_positions(const Mesh& mesh) {
+  std::vector<std::uint32_t> remap(mesh.positions.size());
+  Welded welded;
+  welded.positions.resize(meshopt_generateVertexRemap(remap.data(), &mesh.triangles.front().x,
+                                                      3 * mesh.triangles.size(), mesh.positions.data(),
+                                                      mesh.positions.size(), sizeof(glm::vec3)));
+  welded.vertices.resize(welded.positions.size());
+  welded.triangles.reserve(mesh.triangles.size());
+  for (const glm::uvec3 triangle : mesh.triangles) {
+    glm::uvec3 corners;
+    for (int k = 0; k < 3; ++k) {
+      corners[k] = remap[triangle[k]];
+      welded.positions[corners[k]] = mesh.positions[triangle[k]];
+      welded.vertices[corners[k]] = triangle[k];
+    }
+    if (corners.x != corners.y && corners.y != corners.z && corners.z != corners.x) welded.triangles.push_back(corners);
+  }
+  return welded;
+}
+
+std::vector<glm::uvec3> with_vertices_of_mesh(std::vector<glm::uvec3> triangles, const Welded& welded) {
+  for (glm::uvec3& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) triangle[k] = welded.vertices[triangle[k]];
+  }
+  return triangles;
+}
+
+/// Empty where the whole model would vanish.
+std::vector<glm::uvec3> fewer_triangles(const Mesh& mesh, std::size_t triangles) {
+  constexpr float any_error = 1;  // of the model's box: only the number of triangles ends the work
+  const Welded welded = weld_positions(mesh);
+  std::vector<glm::uvec3> fewer = welded.triangles;
+  if (fewer.size() > triangles) {  // which the simplifier insists on
+    fewer.resize(meshopt_simplify(&fewer.front().x, &welded.triangles.front().x, 3 * welded.triangles.size(),
+                                  &welded.positions.front().x, welded.positions.size(), sizeof(glm::vec3),
+                                  3 * triangles, any_error, 0, nullptr) /
+                 3);
+  }
+  return with_vertices_of_mesh(std::move(fewer), welded);
+}
+
+/// Numbers the vertices of the triangles anew, in order of their first use, and copies them.
+void copy_used(const Mesh& mesh, ProxyMesh& proxy) {
+  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> numbers(mesh.positions.size(), unused);
+  for (glm::uvec3& triangle : proxy.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = triangle[k];
+      if (numbers[vertex] == unused) {
+        numbers[vertex] = static_cast<std::uint32_t>(proxy.positions.size());
+        proxy.positions.emplace_back(glm::dvec3(mesh.positions[vertex]) * mesh.size);
+        proxy.normals.push_back(mesh.normals[vertex]);
+      }
+      triangle[k] = numbers[vertex];
+    }
+  }
+}
+
+}  // namespace
+
+Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles) {
+  if (mesh.size < limits::proxy_size) {
+    return failure(Code::invalid, "The model is too small for a mesh with 32-bit coordinates.", "",
+                   "a size of at least 1e-30");
+  }
+  ProxyMesh proxy{mesh.centre, {}, {}, {}};
+  if (mesh.triangles.size() > triangles) proxy.triangles = fewer_triangles(mesh, triangles);
+  if (proxy.triangles.empty()) proxy.triangles = mesh.triangles;
+  copy_used(mesh, proxy);
+  return proxy;
+}
+
+std::string glb_of(const ProxyMesh& mesh) {
+  GlbWriter file;
+  const int positions = file.add_positions(mesh.positions), normals = file.add(std::span(mesh.normals));
+  const int triangles = file.add_triangles(mesh.triangles, mesh.positions.size());
+  file.set("scene", "0");
+  file.set("scenes", R"([{"nodes":[0]}])");
+  file.set("nodes", fmt::format(R"([{{"mesh":0,"translation":{}}}])", json_of(mesh.centre)));
+  file.set("meshes", fmt::format(R"([{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{}}}]}}])",
+                                 positions, normals, triangles));
+  return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
+}
+
+}  // namespace pelage

@@ -1,0 +1,32 @@
+// A light stand-in for a model, for clients that cast rays themselves.
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "server/surface/mesh.h"
+
+namespace pelage {
+
+/// Triangles in the model's unit, relative to the model's centre so that 32 bits suffice far from the origin.
+struct ProxyMesh {
+  glm::dvec3 centre{0};              // model coordinates
+  std::vector<glm::vec3> positions;  // model coordinates minus the centre; each is used
+  std::vector<glm::vec3> normals;    // of each position, unit
+  std::vector<glm::uvec3> triangles;
+};
+
+/// At most `triangles` of them, more where the simplifier finds no more edges to collapse, as where many parts share
+/// edges. A mesh that has no more is taken as it is. Vertices of the answer are vertices of the mesh, with their
+/// normals; parts that are small next to the triangles asked for can vanish. Deterministic; 1.3 us for a triangle of
+/// the mesh. Refused (invalid) below limits::proxy_size.
+Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles);
+
+/// A binary glTF 2.0 file: one mesh with POSITION, NORMAL and indices (16 bits where they suffice), on one node whose
+/// translation is the centre. There is a triangle at least.
+std::string glb_of(const ProxyMesh& mesh);
+
+}  // namespace pelage

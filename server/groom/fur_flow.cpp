@@ -1,0 +1,262 @@
+#include "server/groom/fur_flow.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <complex>
+#include <numeric>
+
+#include "server/groom/poles.h"
+#include "server/groom/two_level.h"
+#include "server/surface/adjacency.h"
+#include "server/surface/geodesics.h"
+
+namespace pelage {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Where the coat lies on most animals: from nose to tail, and a little down. Unit.
+glm::dvec3 tailwards() { return glm::normalize(glm::dvec3(0, -0.35, -1)); }
+
+glm::dvec3 place_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.positions[v]); }
+glm::dvec3 normal_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.normals[v]); }
+
+/// Two neighbours, and how strongly they are coupled.
+struct Edge {
+  std::uint32_t a, b;
+  double weight;
+};
+
+/// Cotangent weights, held above 0 so that no function has an extremum that nobody asked for.
+std::vector<Edge> weighted_edges(const Mesh& mesh) {
+  constexpr double weakest = 0.02, strongest = 50;
+  std::vector<Edge> edges;
+  for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
+    double weight = 0;
+    for (const Side& side : edge) {
+      const glm::uvec3 t = mesh.triangles[side.triangle];
+      const std::uint32_t opposite = t[static_cast<int>((side.side + 2) % 3)];
+      const glm::dvec3 u = place_of(mesh, side.low) - place_of(mesh, opposite),
+                       v = place_of(mesh, side.high) - place_of(mesh, opposite);
+      const double sine = glm::length(glm::cross(u, v));
+      if (sine > 0) weight += 0.5 * glm::dot(u, v) / sine;
+    }
+    edges.push_back({edge[0].low, edge[0].high, std::clamp(weight, weakest, strongest)});
+  });
+  return edges;
+}
+
+/// A third of the areas of the triangles at each vertex.
+std::vector<double> vertex_areas(const Mesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0);
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::dvec3 a = place_of(mesh, t.x);
+    const double third = glm::length(glm::cross(place_of(mesh, t.y) - a, place_of(mesh, t.z) - a)) / 6;
+    for (int k = 0; k < 3; ++k) areas[t[k]] += third;
+  }
+  return areas;
+}
+
+/// Solves a Hermitian positive definite system: exactly where it is small, else nearly. Throws Cancelled.
+template <class Number>
+Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number>& matrix,
+                                                const Eigen::Matrix<Number, Eigen::Dynamic, 1>& right,
+                                                const Cancel& cancel) {
+  constexpr Eigen::Index small = 60'000;
+  cancel.check();
+  if (matrix.rows() <= small) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>>(matrix).solve(right);
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<Number>, Eigen::Lower | Eigen::Upper, TwoLevel<Number>> solver;
+  solver.preconditioner().listen(cancel);
+  solver.setTolerance(1e-4);
+  solver.setMaxIterations(2'000);
+  return solver.compute(matrix).solve(right);
+}
+
+/// What hangs together by edges, each part's vertices rising.
+std::vector<std::vector<std::uint32_t>> parts_of(const Adjacency& edges, std::size_t vertices) {
+  std::vector<std::vector<std::uint32_t>> parts;
+  std::vector<bool> seen(vertices, false);
+  for (std::uint32_t seed = 0; seed < vertices; ++seed) {
+    if (seen[seed]) continue;
+    std::vector<std::uint32_t> part{seed};
+    seen[seed] = true;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      for (const std::uint32_t other : edges.of(part[i])) {
+        if (!seen[other]) seen[other] = true, part.push_back(other);
+      }
+    }
+    std::sort(part.begin(), part.end());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+/// How the surface of each part closes.
+class Closure {
+ public:
+  Closure(const Mesh& mesh, const std::vector<std::vector<std::uint32_t>>& parts)
+      : part_of_(mesh.positions.size()),
+        sums_(parts.size(), glm::dvec3(0)),
+        areas_(parts.size(), 0),
+        characteristic_(parts.size()),
+        open_(parts.size(), 0) {
+    for (std::uint32_t p = 0; p < parts.size(); ++p) {
+      characteristic_[p] = static_cast<long>(parts[p].size());
+      for (const std::uint32_t v : parts[p]) part_of_[v] = p;
+    }
+    for (const glm::uvec3& t : mesh.triangles) add(mesh, t);
+    for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
+      const std::uint32_t p = part_of_[edge[0].low];
+      --characteristic_[p];
+      if (edge.size() == 1) ++open_[p];
+    });
+  }
+
+  /// Returns whether it encloses something, but for holes that are small beside it.
+  bool is_body(std::size_t part) const {
+    constexpr double mostly = 0.25;
+    return glm::length(sums_[part]) < mostly * areas_[part];
+  }
+  /// Of a part without open edges: whether it is more than a ball.
+  bool has_handles(std::size_t part) const { return open_[part] == 0 && characteristic_[part] < 2; }
+
+ private:
+  void add(const Mesh& mesh, const glm::uvec3& t) {
+    const glm::dvec3 a = place_of(mesh, t.x);
+    const glm::dvec3 vector = glm::cross(place_of(mesh, t.y) - a, place_of(mesh, t.z) - a);
+    const std::uint32_t p = part_of_[t.x];
+    sums_[p] += vector, areas_[p] += glm::length(vector), ++characteristic_[p];
+  }
+
+  std::vector<std::uint32_t> part_of_;
+  std::vector<glm::dvec3> sums_;  // of area vectors: 0 where a surface closes
+  std::vector<double> areas_;
+  std::vector<long> characteristic_;  // Euler's
+  std::vector<std::size_t> open_;
+};
+
+/// Solves for the potential of the poles: the gradient of what flows from those above 0 to the others.
+Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<Pole>& poles, std::size_t vertices,
+                             const Cancel& cancel) {
+  constexpr double anchored = 1e-7;  // of a vertex's coupling: parts without poles, and the free constant
+  const auto n = static_cast<Eigen::Index>(vertices);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Edge& e : edges) {
+    const auto a = static_cast<int>(e.a), b = static_cast<int>(e.b);
+    entries.emplace_back(a, b, -e.weight), entries.emplace_back(b, a, -e.weight);
+    entries.emplace_back(a, a, e.weight * (1 + anchored)), entries.emplace_back(b, b, e.weight * (1 + anchored));
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd flux = Eigen::VectorXd::Zero(n);
+  for (const Pole& pole : poles) flux[pole.vertex] += pole.flux;
+  return solved<double>(matrix, flux, cancel);
+}
+
+/// Against the gradient, at vertices: the area-weighted mean of the triangles there.
+std::vector<glm::dvec3> downhill(const Mesh& mesh, const Eigen::VectorXd& potential) {
+  std::vector<glm::dvec3> flow(mesh.positions.size(), glm::dvec3(0));
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::dvec3 a = place_of(mesh, t.x), b = place_of(mesh, t.y), c = place_of(mesh, t.z);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double area = glm::length(normal);
+    if (!(area > 0)) continue;
+    const glm::dvec3 slope = (potential[t.x] * glm::cross(normal, c - b) + potential[t.y] * glm::cross(normal, a - c) +
+                              potential[t.z] * glm::cross(normal, b - a)) /
+                             area;  // times the area
+    for (int k = 0; k < 3; ++k) flow[t[k]] -= slope;
+  }
+  return flow;
+}
+
+Complex in_frame(const Mesh& mesh, std::uint32_t v, glm::dvec3 vector) {
+  const glm::dvec3 tangent(mesh.tangents[v]);
+  return {glm::dot(vector, tangent), glm::dot(vector, glm::cross(normal_of(mesh, v), tangent))};
+}
+
+/// What a unit tangent at `from` is in the frame of `to`.
+Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
+  const Complex there =
+      in_frame(mesh, to, transported(glm::dvec3(mesh.tangents[from]), normal_of(mesh, from), normal_of(mesh, to)));
+  const double length = std::abs(there);
+  return length > 0 ? there / length : Complex(1, 0);
+}
+
+/// What each vertex wishes for, at most 1 long, and over how many sizes that spreads.
+struct Wishes {
+  std::vector<Complex> flow;
+  std::vector<double> spread;
+  std::vector<std::vector<std::uint32_t>> parts;
+};
+
+Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel& cancel) {
+  const Adjacency neighbours = vertex_neighbours(mesh.triangles, mesh.positions.size());
+  const std::vector<std::vector<std::uint32_t>> parts = parts_of(neighbours, mesh.positions.size());
+  const Closure closure(mesh, parts);
+  PoleFinder finder(mesh, neighbours, cancel);
+  std::vector<Pole> poles;
+  std::vector<bool> by_poles(mesh.positions.size(), false);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (!closure.is_body(p) || closure.has_handles(p)) continue;
+    const std::vector<Pole> found = finder.find(parts[p]);
+    poles.insert(poles.end(), found.begin(), found.end());
+    for (const std::uint32_t v : parts[p]) by_poles[v] = !found.empty();
+  }
+  const std::vector<glm::dvec3> flow = poles.empty()
+                                           ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
+                                           : downhill(mesh, potential_of(edges, poles, mesh.positions.size(), cancel));
+  constexpr double fine = 0.08, coarse = 0.5;  // what no pole leads has many sources that cancel
+  Wishes wishes{{}, {}, parts};
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    Complex wish = in_frame(mesh, v, by_poles[v] ? flow[v] : tailwards());
+    if (by_poles[v] && std::abs(wish) > 0) wish /= std::abs(wish);
+    wishes.flow.push_back(wish), wishes.spread.push_back(by_poles[v] ? fine : coarse);
+  }
+  return wishes;
+}
+
+/// Over the median length of each part, 1 long at most: wishes that cancel leave little of each, and still a clear way.
+std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vector<std::vector<std::uint32_t>>& parts) {
+  std::vector<glm::dvec2> flow(static_cast<std::size_t>(smooth.size()), glm::dvec2(0));
+  for (const std::vector<std::uint32_t>& part : parts) {
+    std::vector<double> lengths;
+    for (const std::uint32_t v : part) lengths.push_back(std::isfinite(std::abs(smooth[v])) ? std::abs(smooth[v]) : 0);
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    for (const std::uint32_t v : part) {
+      const double length = std::abs(smooth[v]), longest = std::max(length, *middle);
+      if (std::isfinite(length) && longest > 0) flow[v] = {smooth[v].real() / longest, smooth[v].imag() / longest};
+    }
+  }
+  return flow;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> fur_flow(const Mesh& mesh, const Cancel& cancel) {
+  const std::vector<Edge> edges = weighted_edges(mesh);
+  const Wishes wishes = wishes_of(mesh, edges, cancel);
+  const std::vector<double> areas = vertex_areas(mesh);
+  const auto n = static_cast<Eigen::Index>(mesh.positions.size());
+  std::vector<Eigen::Triplet<Complex>> entries;
+  Eigen::VectorXcd right(n);
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const double pull = std::max(areas[v], 1e-12) / (wishes.spread[v] * wishes.spread[v]);
+    entries.emplace_back(static_cast<int>(v), static_cast<int>(v), pull);
+    right[v] = pull * wishes.flow[v];
+  }
+  for (const Edge& e : edges) {
+    const auto a = static_cast<int>(e.a), b = static_cast<int>(e.b);
+    const Complex turn = carried(mesh, e.a, e.b);
+    entries.emplace_back(a, a, e.weight), entries.emplace_back(b, b, e.weight);
+    entries.emplace_back(b, a, -e.weight * turn), entries.emplace_back(a, b, -e.weight * std::conj(turn));
+  }
+  Eigen::SparseMatrix<Complex> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXcd smooth = solved<Complex>(matrix, right, cancel);
+  return relative(smooth, wishes.parts);
+}
+
+}  // namespace pelage
