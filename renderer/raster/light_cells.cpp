@@ -119,21 +119,21 @@ struct LightCells::Way {
   std::array<CellTap, light_near_steps> near;
   std::array<CellTap, 8> beyond;  // about where those end
 
-  /// `beside`: the light is in the cell itself, or beside it: of each axis, 1 where it is not. No light comes from
-  /// there.
-  explicit Way(glm::vec3 to_light, glm::vec3 beside = glm::vec3(1)) {
+  /// `steps`: for each axis 1, or 0 if the light lies in the cell's own slice along it: then no light comes from the
+  /// next slice.
+  explicit Way(glm::vec3 to_light, glm::vec3 steps = glm::vec3(1)) {
     const glm::vec3 size = glm::abs(to_light);
     const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::ivec3 step(glm::sign(to_light));
     longer = 1 / std::max(size[a], 0.5f);
-    const float off_b = size[b] * longer * beside[b], off_c = size[c] * longer * beside[c];
+    const float off_b = size[b] * longer * steps[b], off_c = size[c] * longer * steps[c];
     for (std::size_t k = 0; k < before.size(); ++k) {
       glm::ivec3 off(0);
       off[a] = step[a];
       if (k & 1) off[b] = step[b];
       if (k & 2) off[c] = step[c];
       const float share = (k & 1 ? off_b : 1 - off_b) * (k & 2 ? off_c : 1 - off_c);
-      before[k] = {off, off == glm::ivec3(0) ? 0.0f : share * beside[a]};
+      before[k] = {off, off == glm::ivec3(0) ? 0.0f : share * steps[a]};
     }
     for (int s = 1; s < light_near_steps; ++s)
       near[static_cast<std::size_t>(s)] = {glm::ivec3(glm::floor(0.5f + to_light * static_cast<float>(s))), 1};

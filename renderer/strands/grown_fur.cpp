@@ -51,7 +51,7 @@ void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, G
   part.longest = std::ceil(longest / step) * step;
 }
 
-/// Around all ways that strands of length 1 in `stretch` go from where they have grown.
+/// Extends a box by the offsets that `bend` gives to strands whose curves are `stretch` times as long.
 void add_bend(const PieceBend& bend, const LeanTable& leans, float stretch, glm::vec3& low, glm::vec3& high) {
   constexpr std::size_t step = lean_cells / 4;  // they go ever further on their way up
   for (const auto& [still, moved] : bend) {
