@@ -32,7 +32,7 @@ std::string identity_of(const Scene& scene) {
   const SceneSummary summary = scene.summary();
   std::string identity =
       PELAGE_VERSION "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" + to_hex(summary.fields_hash) + "\n";
-  scene.read([&](const SceneView& view) { identity += encode(SettingsAnswer{.settings = view.settings}); });
+  identity += encode(SettingsAnswer{.settings = scene.snapshot()->view().settings});
   return identity;
 }
 
@@ -74,7 +74,7 @@ class Planner {
         moments_(std::move(moments)),
         model_(scene.model()),
         identity_(identity_of(scene)) {
-    scene.read([&](const SceneView& view) { settings_ = view.settings; });
+    settings_ = scene.snapshot()->view().settings;
     if (!job.time_lapse) return;
     revisions_ = revisions_of(scene);
     identity_ += encode(Log{scene.log()});

@@ -134,24 +134,30 @@ Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::
     }
     return said;
   };
-  const FileTexts texts = [&](const FrameAnswer& answer) { return texts_after(answer, passed.seconds()); };
   const FrameRequest request = piece.request_at(frame.moment);
-  const auto whole = [](Result<FrameAnswer> answer) -> Result<Encode> {
-    if (!answer) return answer.status();
-    return Encode([kept = std::make_shared<FrameAnswer>(std::move(answer).value())] { return std::move(*kept); });
-  };
+  Result<PictureService::Encode> drawn = failure(Code::internal, "not drawn");
   if (!frame.open.empty()) {
-    const Result<LinearPicture> mean = blurred(piece, stopped);
-    return whole(mean ? frames_->finish(*mean, request, texts) : mean.status());
+    drawn = mean_picture(piece, request, stopped);
+  } else if (Status ready = prepare(frame, frame.moment); !ready.ok()) {
+    return ready;
+  } else {
+    drawn = pictures_.begin_frame(scene_, request, stopped);
   }
-  if (Status ready = prepare(frame, frame.moment); !ready.ok()) return ready;
-  if (request.knobs.method == Method::strands) return whole(pictures_.frame(scene_, request, stopped, texts));
-  const Result<FrameService::Encode> drawn = frames_->begin_frame(scene_, request, stopped);
   if (!drawn) return drawn.status();
-  return Encode([drawn = *drawn, texts_after, seconds = passed.seconds()] {
-    const FileTexts said = [&](const FrameAnswer& answer) { return texts_after(answer, seconds); };
-    return Result<FrameAnswer>(drawn(said));
+  return Encode([drawn = std::move(*drawn), texts_after, seconds = passed.seconds()] {
+    return drawn([&](const FrameAnswer& answer) { return texts_after(answer, seconds); });
   });
+}
+
+Result<PictureService::Encode> JobRenderer::mean_picture(const Piece& piece, const FrameRequest& request,
+                                                         const std::function<bool()>& stopped) {
+  const Result<LinearPicture> mean = blurred(piece, stopped);
+  Result<DrawnFrame> finished = mean ? frames_->finish(*mean, request) : mean.status();
+  if (!finished) return finished.status();
+  return PictureService::Encode(
+      [this, request, picture = std::make_shared<DrawnFrame>(std::move(*finished))](const FileTexts& texts) {
+        return frames_->encode(std::move(*picture), request, texts);
+      });
 }
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
@@ -160,7 +166,7 @@ Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<b
   const Result<Encode> drawn =
       picture(cut ? piece_of(frame, frame.tiles[frame.tiles.size() / 2]) : whole_of(frame), stopped);
   if (!drawn) return stopped() ? stopped_status() : drawn.status();
-  if (const Result<FrameAnswer> answer = (*drawn)(); !answer) return answer.status();
+  static_cast<void>((*drawn)());
   return passed.milliseconds() / 1e3 * (cut ? static_cast<double>(frame.tiles.size()) : 1);
 }
 
@@ -180,8 +186,7 @@ Result<JobRenderer::Save> JobRenderer::draw(const Piece& piece, const std::funct
   if (!drawn && drawn.status().code == Code::unavailable && too_slow()) return passed_limit(piece.frame.number, *limit);
   if (!drawn) return drawn.status();
   return Save([drawn = *drawn, &file = piece.file] {
-    const Result<FrameAnswer> answer = drawn();
-    return answer ? write_whole(file, answer->bytes) : answer.status();
+    return write_whole(file, drawn().bytes);
   });
 }
 

@@ -73,9 +73,11 @@ class JobRenderer {
   /// Draws a piece; fails as drawing all does.
   Result<Save> draw(const Piece& piece, const std::function<bool()>& stopped);
   /// What gives the file of a piece that is drawn.
-  using Encode = std::function<Result<FrameAnswer>()>;
+  using Encode = std::function<FrameAnswer()>;
   Result<Encode> picture(const Piece& piece, const std::function<bool()>& stopped);
   /// The mean of the moments at which the shutter is open.
+  Result<PictureService::Encode> mean_picture(const Piece& piece, const FrameRequest& request,
+                                              const std::function<bool()>& stopped);
   Result<LinearPicture> blurred(const Piece& piece, const std::function<bool()>& stopped);
 
   /// Brings the scene to a moment of the frame.

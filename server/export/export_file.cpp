@@ -76,7 +76,7 @@ Result<ExportFile> file_of(const SceneView& scene, ExportedStrands gathered, con
 
 }  // namespace
 
-Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel) try {
+Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest& request, const Cancel& cancel) try {
   Result<ExportedStrands> strands = gather_strands(scene.view(), request, cancel);
   if (!strands) return strands.status();
   Result<ExportFile> file = file_of(scene.view(), std::move(*strands), request);

@@ -33,7 +33,7 @@ struct ExportFile {
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
 /// (too_large): "/every" where more than limits::export_strands are expected, and a GLB that cannot be so large;
 /// unavailable once nobody waits, which is asked on several threads.
-Result<ExportFile> export_scene(const SceneCopy& scene, const ExportRequest& request, const Cancel& cancel = {});
+Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest& request, const Cancel& cancel = {});
 
 /// What open_saved takes.
 struct SavedLimits {

@@ -22,11 +22,11 @@ Status too_slow(const FrameRequest& request, const FrameCost& cost) {
                  "/max_seconds", "more seconds, up to 86400");
 }
 
-FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn) {
-  const double expected = job.expected > 0 ? job.expected : cost;
+FrameProgress progress_of(const FrameJob& job, bool is_drawn) {
   const double passed = job.begun.milliseconds() - job.paused;
-  const double share = is_drawn && expected > 0 ? std::clamp(passed / expected, 0.0, 0.99) : 0;
-  return {job.request.view, job.request.width, job.request.height, share, job.asked.seconds(), expected / 1e3};
+  const double share = is_drawn && job.cost() > 0 ? std::clamp(passed / job.cost(), 0.0, 0.99) : 0;
+  const FrameRequest& request = job.order.request;
+  return {request.view, request.width, request.height, share, job.asked.seconds(), job.order.plan.cost.seconds};
 }
 
 }  // namespace pelage

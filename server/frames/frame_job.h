@@ -12,37 +12,33 @@
 #include "server/frames/coat_baker.h"
 #include "server/frames/frame_file.h"
 #include "server/frames/linear_picture.h"
-#include "server/frames/shown_scene.h"
+#include "server/frames/frame_order.h"
 
 namespace pelage {
 
+/// A picture as it is finished, with all that its file needs.
 struct DrawnFrame {
-  DrawnPicture picture;
-  ModelPlacement placement;
+  DrawnPicture picture = {};
   Revision revision = 0;
-  FrameTimings timings;
-  FrameCounters counters;
-  std::shared_ptr<const FurFrame> frame;  // with the knobs as used
-  std::optional<FrameEstimate> estimate;
-  FrameCost cost;  // as expected
+  std::shared_ptr<const FurFrame> frame = {};  // with the knobs as used
+  ModelPlacement placement = {};
+  FrameTimings timings = {};
+  FrameCounters counters = {};
+  std::optional<FrameEstimate> estimate = {};  // as FramePlan has it
+  std::optional<TraceReport> trace = {};       // of traced strands
 };
 
 /// A frame that waits for the render thread or is drawn there.
 struct FrameJob {
-  std::shared_ptr<Scene> scene;
-  FrameRequest request;
-  std::function<bool()> abandoned;
-  bool dry_run = false;
+  FrameOrder order;
   bool linear = false;  // the picture is its AOVs, linear_aovs(request), whatever the format
-  FramePast past = {};
   Stopwatch asked = {};
-  std::promise<Result<DrawnFrame>> answer;
+  std::promise<Result<DrawnFrame>> answer = {};
   CoatBaker::Handle coat = {};  // that it waits for, or has waited for
   bool put_back = false;        // it was taken before its coat was there
   // While it is drawn:
-  double cost = 0;      // as expected, milliseconds
-  double expected = 0;  // the same once its view is known
   Stopwatch begun = {};
+  std::uint64_t copy_id = 0;  // what the renderer has of the scene
   Revision revision = 0;
   std::optional<double> moment = {};  // of fur that the wind moves
   bool outdated = false;              // a frame that was let in shows another revision of the scene, or another moment
@@ -52,14 +48,15 @@ struct FrameJob {
   int lost_contexts = 0;  // while it was drawn
   double paused = 0;      // milliseconds
 
-  bool left() const { return abandoned && abandoned(); }
+  double cost() const { return 1e3 * order.plan.cost.seconds; }  // as expected, milliseconds
   /// Returns whether the render thread has something to do for it.
-  bool ready() const { return !coat || coat->settled() || left(); }
+  bool ready() const { return !coat || coat->settled() || order.left(); }
   bool same_view(const FrameJob& other) const {
-    return !request.view.empty() && scene == other.scene && request.view == other.request.view;
+    return !order.request.view.empty() && order.scene == other.order.scene &&
+           order.request.view == other.order.request.view;
   }
-  /// Returns whether both draw what the renderer has of one scene, which changes with the scene.
-  bool same_subject(const FrameJob& other) const { return scene == other.scene && past.copy == other.past.copy; }
+  /// What is drawn, when drawing begins.
+  SnapshotPtr snapshot() const { return order.view.fixed ? order.view.snapshot : order.scene->snapshot(); }
   bool shows_same(const FrameJob& other) const { return revision == other.revision && moment == other.moment; }
 };
 
@@ -68,7 +65,6 @@ Status check_seconds(const FrameRequest& request, const FrameCost& cost);
 /// The refusal of what has taken longer, though it was expected not to.
 Status too_slow(const FrameRequest& request, const FrameCost& cost);
 
-/// `cost`: in milliseconds, as expected before its view was known.
-FrameProgress progress_of(const FrameJob& job, double cost, bool is_drawn);
+FrameProgress progress_of(const FrameJob& job, bool is_drawn);
 
 }  // namespace pelage

@@ -8,6 +8,8 @@
 #include "base/temporary_name.h"
 #include "protocol/json/calibration.h"
 #include "renderer/quality/planner.h"
+#include "renderer/quality/view_features.h"
+#include "server/frames/fur_view.h"
 
 namespace pelage {
 
@@ -52,32 +54,33 @@ Status write_calibration(const std::string& path, const Calibration& calibration
 
 void FramePlanner::use(Calibration calibration) {
   const std::lock_guard lock(mutex_);
-  next_ = std::move(calibration);
+  calibration_ = std::move(calibration), costs_ = CostLog();
 }
 
-std::optional<FrameEstimate> FramePlanner::plan(const FrameRequest& request, const ViewFeatures& view,
-                                                FurFrame& frame) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (next_) calibration_ = std::move(*next_), costs_ = CostLog(), next_.reset();
+FramePlan FramePlanner::plan(const FrameRequest& request, const SceneView& scene) const {
+  const FurFrame frame = make_frame(scene, request);
+  const ViewFeatures features = view_features(frame, furred_skin(scene));
+  std::unique_lock lock(mutex_);
+  const Calibration machine = calibration_;
+  const PlanBasis basis{default_model(), machine, features, costs_.correction(frame.model)};
+  lock.unlock();
+  FramePlan plan{.knobs = request.knobs};
+  if (request.plans()) {
+    const PlannedFrame planned = pelage::plan(basis, {request.budget_ms, request.max_error});
+    plan.knobs = planned.knobs, plan.estimate = planned.estimate;
+  } else {
+    plan.estimate = estimate_of(basis, plan.knobs);
   }
-  const PlanBasis basis{default_model(), calibration_, view, costs_.correction(frame.model)};
-  if (!request.plans()) return estimate_of(basis, frame.knobs);
-  const PlannedFrame planned = pelage::plan(basis, {request.budget_ms, request.max_error});
-  frame.knobs = planned.knobs;
-  return planned.estimate;
-}
-
-FrameCost FramePlanner::cost_of(const ViewFeatures& view, const FurFrame& frame) const {
-  const CostCorrection correction = costs_.correction(frame.model);
-  const DialModel& model = default_model();
-  const double ms = predicted_cost(model, view, frame.knobs) * calibration_.price * correction.factor;
-  return {ms / 1e3, correction.learnt ? model.learnt_safety : model.cost_safety};
+  const double ms = predicted_cost(basis.model, features, plan.knobs) * machine.price;
+  plan.cost = {.seconds = ms * basis.correction.factor / 1e3 * request.drawn_share(),
+               .safety = basis.correction.learnt ? basis.model.learnt_safety : basis.model.cost_safety};
+  return plan;
 }
 
 void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,
                          double cost_ms) {
   if (is_linear(request.format) || request.overlay != Overlay::none) return;
+  const std::lock_guard lock(mutex_);
   costs_.add(frame.model, estimate.cost_ms / estimate.correction, cost_ms);
 }
 

@@ -9,7 +9,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/quality.h"
 #include "renderer/quality/cost_log.h"
-#include "renderer/quality/view_features.h"
+#include "server/frames/frame_order.h"
 
 namespace pelage {
 
@@ -23,24 +23,19 @@ Result<Calibration> read_calibration(const std::string& path, const std::string&
 /// Writes the file and renames it into place, so that readers never see half of it. Fails with internal.
 Status write_calibration(const std::string& path, const Calibration& calibration);
 
-/// The dial of a server: the price of its machine, and what its scenes' frames have cost. All but `use` belongs to the
-/// thread that draws.
+/// The dial of a server: the price of its machine, and what its scenes' frames have cost. Thread-safe.
 class FramePlanner {
  public:
-  /// From any thread; counts from the next frame on.
+  /// Counts from the next frame on.
   void use(Calibration calibration);
 
-  /// Gives the frame its knobs where the request asks for a budget or an error. The estimate of the frame; none where
-  /// the request names knobs that are no row.
-  std::optional<FrameEstimate> plan(const FrameRequest& request, const ViewFeatures& view, FurFrame& frame);
-  /// Estimates the cost of drawing a planned frame with its knobs.
-  FrameCost cost_of(const ViewFeatures& view, const FurFrame& frame) const;
-  /// Learns from the measured cost of a frame. Ignores frames with a linear format or an overlay.
+  /// Chooses the knobs where the request asks for a budget or an error, and estimates what they give and cost.
+  FramePlan plan(const FrameRequest& request, const SceneView& scene) const;
+  /// Learns from the measured cost of a frame with an estimate. Ignores frames with a linear format or an overlay.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
  private:
-  std::mutex mutex_;
-  std::optional<Calibration> next_;
+  mutable std::mutex mutex_;  // held for a look-up only
   Calibration calibration_;
   CostLog costs_;
 };

@@ -21,18 +21,6 @@ std::string drawn_by(const Context* context, bool strands_by_gl) {
   return strands_by_gl ? context->description() : cpu + ", shells by " + context->description();
 }
 
-double expected_cost(const FrameRequest& request) {
-  constexpr double any_frame = 10, strand_pixel = 2e-4, shell_pixel = 5e-6;  // milliseconds
-  constexpr double sorted = 4;                                               // times as much
-  if (request.budget_ms) return any_frame + *request.budget_ms;
-  const Knobs& knobs = request.knobs;
-  const double pixels = static_cast<double>(request.width) * request.height * request.drawn_share();
-  const double drawn = pixels * knobs.scale * knobs.scale;
-  if (knobs.method != Method::shells) return any_frame + strand_pixel * drawn;
-  const bool slow = knobs.shells.order == FragmentOrder::sorted;
-  return any_frame + drawn * knobs.shells.count * (slow ? sorted : 1) * shell_pixel;
-}
-
 void Turns::join(Subject subject) {
   const auto fewest = std::min_element(waiting_.begin(), waiting_.end(),
                                        [](const auto& a, const auto& b) { return a.second.turns < b.second.turns; });
@@ -44,14 +32,6 @@ void Turns::take(Subject subject) {
   const auto found = waiting_.find(subject);
   ++found->second.turns;
   if (--found->second.jobs == 0) waiting_.erase(found);
-}
-
-FurredSkin furred_skin(const SceneView& scene) {
-  const Mesh& mesh = scene.model.surface.mesh();
-  FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles, scene.fields.length()};
-  if (!mesh.triangles.empty())
-    skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
-  return skin;
 }
 
 }  // namespace pelage

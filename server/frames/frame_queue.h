@@ -29,12 +29,6 @@ Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int thre
 /// which draws only shells, "AVX2 on the CPU, shells by OSMesa, ...".
 std::string drawn_by(const Context* context, bool strands_by_gl);
 
-/// Milliseconds that a frame may take, above 0: a guess before its view is known, to order requests by.
-double expected_cost(const FrameRequest& request);
-
-/// Views of the scene.
-FurredSkin furred_skin(const SceneView& scene);
-
 // The order in which requests are served: what is short goes first, and nothing waits for ever.
 
 /// Whose job it is: viewers of one scene share its turns.
@@ -112,10 +106,10 @@ class ShortestFirst {
         [&](const Taken& one) { return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job); });
   }
 
-  /// All that wait, in the order that they came in: use(job, cost).
+  /// All that wait, in the order that they came in.
   template <class Use>
   void for_each(const Use& use) const {
-    for (const Taken& one : waiting_) use(one.job, one.cost);
+    for (const Taken& one : waiting_) use(one.job);
   }
 
   /// The first job, in the order that they came in, that is `wanted`; null where none is.

@@ -16,14 +16,6 @@ namespace pelage {
 
 namespace {
 
-void encode_answer(FrameAnswer& answer, DrawnPicture picture, const FrameRequest& request,
-                   const ModelPlacement& placement, PngEncoder& png, const FileTexts& texts) {
-  const Stopwatch passed;
-  answer.bytes = encode_frame(std::move(picture), request, answer.knobs, placement, png,
-                              texts ? texts(answer) : std::vector<ImageText>());
-  answer.timings.encode = passed.milliseconds();
-}
-
 /// Names of the request's members that the picture missed, with ", " between them; "" where it kept all. `budget_ms`
 /// and `seconds` of tracing are missed where more than budget_margin times as much passed, `max_error` where no knobs
 /// are known that keep it.
@@ -70,39 +62,49 @@ FrameService::~FrameService() {
   impl_->thread.join();
 }
 
-Result<FrameService::Encode> FrameService::begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                                       const std::function<bool()>& abandoned) {
-  const YieldGate::Turn turn = impl_->gate.go_first();
-  Result<DrawnFrame> drawn =
-      impl_->ask(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .answer = {}});
-  if (!drawn) return drawn.status();
-  const auto frame = std::make_shared<DrawnFrame>(std::move(drawn).value());  // a function can be copied, it can not
-  return Encode([this, frame, request](const FileTexts& texts) {
-    FrameAnswer answer{.bytes = {},
-                       .content_type = content_type_of(request.format),
-                       .revision = frame->revision,
-                       .knobs = frame->frame->knobs,
-                       .timings = frame->timings,
-                       .counters = frame->counters,
-                       .estimate = std::move(frame->estimate)};
-    answer.missed = missed_goals(request, answer);
-    encode_answer(answer, std::move(frame->picture), request, frame->placement, impl_->png, texts);
-    return answer;
-  });
+Result<FrameView> FrameService::view(const Scene& scene, const FrameRequest& request) {
+  return view_of(scene, request, impl_->past_scenes);
 }
 
-Result<FrameAnswer> FrameService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                        const std::function<bool()>& abandoned, const FileTexts& texts) {
-  const YieldGate::Turn turn = impl_->gate.go_first();  // while it is encoded too
-  const Result<Encode> encode = begin_frame(scene, request, abandoned);
-  return encode ? (*encode)(texts) : Result<FrameAnswer>(encode.status());
+Result<FramePlan> FrameService::plan(const FrameView& view, const FrameRequest& request) const {
+  FramePlan plan = impl_->planner.plan(request, view.snapshot->view());
+  if (Status can = impl_->can_draw(plan.knobs); !can.ok()) return can;
+  if (Status long_drawing = check_seconds(request, plan.cost); !long_drawing.ok()) return long_drawing;
+  return plan;
+}
+
+Result<DrawnFrame> FrameService::draw(FrameOrder order) {
+  const YieldGate::Turn turn = impl_->gate.go_first();
+  return impl_->ask(FrameJob{.order = std::move(order)});
+}
+
+FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, const FileTexts& texts) {
+  const YieldGate::Turn turn = impl_->gate.go_first();
+  const Stopwatch passed;
+  FrameAnswer answer{.bytes = {},
+                     .content_type = content_type_of(request.format),
+                     .revision = drawn.revision,
+                     .knobs = knobs_of(*drawn.frame, drawn.trace),
+                     .timings = drawn.timings,
+                     .counters = drawn.counters,
+                     .trace = drawn.trace,
+                     .estimate = std::move(drawn.estimate)};
+  answer.missed = missed_goals(request, answer);
+  answer.bytes = encode_frame(std::move(drawn.picture), request, answer.knobs, drawn.placement, impl_->png,
+                              texts ? texts(answer) : std::vector<ImageText>());
+  answer.timings.encode = passed.milliseconds();
+  return answer;
 }
 
 Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                           const std::function<bool()>& abandoned) {
   const YieldGate::Turn turn = impl_->gate.go_first();
-  Result<DrawnFrame> drawn =
-      impl_->ask(FrameJob{.scene = scene, .request = request, .abandoned = abandoned, .linear = true, .answer = {}});
+  Result<FrameView> shown = view(*scene, request);
+  if (!shown) return shown.status();
+  Result<FramePlan> planned = plan(*shown, request);
+  if (!planned) return planned.status();
+  Result<DrawnFrame> drawn = impl_->ask(FrameJob{
+      .order = {scene, request, std::move(*shown), std::move(*planned), abandoned}, .linear = true});
   if (!drawn) return drawn.status();
   LinearPicture picture{.revision = drawn->revision,
                         .report = {},
@@ -117,84 +119,64 @@ Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, c
   return picture;
 }
 
-Result<FrameCost> FrameService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
-  FrameJob job{.scene = scene, .request = request, .abandoned = {}, .dry_run = true, .answer = {}};
-  job.request.view.clear();  // it takes nobody's turn
-  const Result<DrawnFrame> frame = impl_->ask(std::move(job));
-  if (!frame) return frame.status();
-  return frame->cost;
-}
-
 FrameProgressList FrameService::progress(const Scene& scene) const {
   FrameProgressList list;
   const std::lock_guard lock(impl_->mutex);
   for (const FrameJob* job : impl_->running)
-    if (job->scene.get() == &scene && !job->dry_run) list.frames.push_back(progress_of(*job, job->cost, true));
-  impl_->jobs.for_each([&](const std::unique_ptr<FrameJob>& job, double cost) {
-    if (job->scene.get() == &scene && !job->dry_run) list.frames.push_back(progress_of(*job, cost, false));
+    if (job->order.scene.get() == &scene) list.frames.push_back(progress_of(*job, true));
+  impl_->jobs.for_each([&](const std::unique_ptr<FrameJob>& job) {
+    if (job->order.scene.get() == &scene) list.frames.push_back(progress_of(*job, false));
   });
   return list;
 }
 
 Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
-  Result<FramePast> past = past_of(*scene, request, impl_->past_scenes);
-  if (!past) return past.status();
+  const Result<FrameView> wanted = view(*scene, request);
+  if (!wanted) return wanted.status();
   const Stopwatch asked;
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
-    FrameTimings timings{.queue = asked.milliseconds()};
+    TraceStart start{.timings = {.queue = asked.milliseconds()}};
     const Stopwatch passed;
-    Result<Shown> shown = show(renderer, *scene, request, *past, impl_->past_scenes, impl_->moved_fur, true, false);
-    if (!shown) return shown.status();
-    timings.upload = passed.milliseconds();
+    start.shown = show(renderer, impl_->shown_fur, wanted->snapshot, request, wanted->compared.get());
+    start.timings.upload = passed.milliseconds();
     DrawTimes times;
-    Result<Backplate> base = renderer.draw_backplate(shown->fur, &times);
-    impl_->memory.measure(renderer, shown->copy_id);
+    Result<Backplate> base = renderer.draw_backplate(start.shown.fur, &times);
+    impl_->memory.measure(renderer, start.shown.copy_id());
     impl_->count(passed.milliseconds(), base ? Status{} : base.status());
     if (!base) return base.status();
-    timings.draw = times.draw;
-    return TraceStart{std::move(*shown->copy),
-                      std::move(shown->fur),
-                      shown->placement,
-                      std::move(*base),
-                      timings,
-                      times.counters,
-                      shown->moment,
-                      std::move(shown->direction),
-                      past->copy};
+    start.base = std::move(*base), start.timings.draw = times.draw, start.counters = times.counters;
+    return start;
   });
 }
 
-Result<FrameAnswer> FrameService::finish(const LinearPicture& picture, const FrameRequest& request,
-                                         const FileTexts& texts) {
-  FrameTimings timings = picture.timings;
+Result<DrawnFrame> FrameService::finish(const LinearPicture& light, const FrameRequest& request) {
+  DrawnFrame drawn{.picture = {},
+                   .revision = light.revision,
+                   .frame = light.frame,
+                   .placement = light.placement,
+                   .timings = light.timings,
+                   .counters = light.counters,
+                   .trace = light.report};
   const Stopwatch asked;
-  Result<DrawnPicture> finished = crop_of(picture.aovs, request);
+  Result<DrawnPicture> finished = crop_of(light.aovs, request);
   if (!is_linear(request.format)) {  // which is light as it was traced
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Stopwatch passed;
-      Result<DrawnPicture> shown = finish_for_format(renderer, *picture.frame, request, picture.aovs.front());
+      Result<DrawnPicture> shown = finish_for_format(renderer, *light.frame, request, light.aovs.front());
       impl_->count(passed.milliseconds(), shown ? Status{} : shown.status());
       return shown;
     });
   }
   if (!finished) return finished.status();
-  timings.read += asked.milliseconds();
-  FrameAnswer answer{.bytes = {},
-                     .content_type = content_type_of(request.format),
-                     .revision = picture.revision,
-                     .knobs = knobs_of(picture),
-                     .timings = timings,
-                     .counters = picture.counters,
-                     .trace = picture.report};
-  answer.missed = missed_goals(request, answer);
-  encode_answer(answer, std::move(*finished), request, picture.placement, impl_->png, texts);
-  return answer;
+  drawn.picture = std::move(*finished);
+  drawn.timings.read += asked.milliseconds();
+  return drawn;
 }
 
 std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
   std::size_t bytes = impl_->memory.of_copies(model_id);
-  for (const PastCopy& copy : impl_->past_scenes.kept(model_id))
-    bytes += copy->bytes() + impl_->memory.of_copies(copy->view().copy_id);
+  for (const SnapshotPtr& copy : impl_->past_scenes.kept(model_id))
+    bytes += copy->bytes() + impl_->memory.of_copies(copy->copy_id);
   return bytes;
 }
 std::size_t FrameService::coat_bytes() const { return impl_->baker.bytes(); }

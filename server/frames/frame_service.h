@@ -13,8 +13,10 @@
 #include "protocol/commands/quality.h"
 #include "renderer/gl/context/context.h"
 #include "renderer/image/image.h"
-#include "server/frames/moved_fur.h"
+#include "server/frames/frame_job.h"
+#include "server/frames/frame_order.h"
 #include "server/frames/picture_tracer.h"
+#include "server/frames/shown_scene.h"
 #include "server/frames/yield_gate.h"
 #include "server/scene/scene.h"
 
@@ -37,18 +39,13 @@ using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
 
 /// Everything that a picture is traced from, all of one revision.
 struct TraceStart {
-  SceneCopy scene;
-  FurFrame frame;
-  ModelPlacement placement;
-  Backplate base;
-  FrameTimings timings;
-  FrameCounters counters;
-  std::optional<double> moment = {};  // of fur that the wind moves
-  MovedDirection direction = {};
-  std::shared_ptr<const SceneCopy> past = {};  // as LinearPicture has it
+  Shown shown = {};
+  Backplate base = {};
+  FrameTimings timings = {};
+  FrameCounters counters = {};
 };
 
-/// Thread-safe. Encoding runs on the caller's thread.
+/// Thread-safe.
 class FrameService {
  public:
   /// Starts the render thread and opens its context there. Fails (unavailable), saying what was tried, if a GL that was
@@ -66,37 +63,35 @@ class FrameService {
   /// Returns the number of threads that the CPU draws on.
   int threads() const;
 
-  /// Draws and encodes a frame; with a budget or an error, the planner chooses the knobs. Scenes take turns, and short
-  /// frames of a scene go before its long ones; they are let in between the pieces of a frame that is being drawn. A
-  /// frame whose scene changes meanwhile begins anew. A coat that is not there yet is baked in the background, once for
-  /// all who wait for it. Returns conflict if a newer request of the same scene and named view supersedes the frame.
-  /// `abandoned` is called on the render thread before drawing starts and between pieces; a frame that nobody waits for
-  /// is dropped (unavailable). Refused (invalid, "/overlay_from" or "/revision") if the scene's model has no such
-  /// revision, and (invalid, "/max_seconds") if drawing is expected to take longer than asked, or does.
-  Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                            const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
+  /// What of the scene the frame shows (view_of).
+  Result<FrameView> view(const Scene& scene, const FrameRequest& request);
+  /// Chooses the knobs where a budget or an error is asked for, and estimates the cost; on the caller's thread. Refused
+  /// (invalid) where drawing is expected to take longer than asked ("/max_seconds"), and where nothing draws with such
+  /// knobs.
+  Result<FramePlan> plan(const FrameView& view, const FrameRequest& request) const;
+  /// Draws what the order plans, and finishes it. Scenes take turns, and short frames of a scene go before its long
+  /// ones; they are let in between the pieces of a frame that is being drawn. A frame whose scene changes meanwhile
+  /// begins anew. A coat that is not there yet is baked in the background, once for all who wait for it. Returns
+  /// conflict if a newer request of the same scene and named view supersedes the frame. It is asked whether the frame
+  /// was abandoned before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable).
+  /// Refused (invalid, "/max_seconds") if drawing takes longer than asked.
+  Result<DrawnFrame> draw(FrameOrder order);
+  /// Makes the picture's file. On the caller's thread, while other frames are drawn.
+  FrameAnswer encode(DrawnFrame drawn, const FrameRequest& request, const FileTexts& texts = {});
 
-  /// Does the same in two steps: returns a function that makes the file of the drawn frame, on any thread, while other
-  /// frames are drawn. It is called at most once, before this service ends.
-  using Encode = std::function<FrameAnswer(const FileTexts& texts)>;
-  Result<Encode> begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                             const std::function<bool()>& abandoned = {});
-
-  /// A frame's light before it is finished to a file.
+  /// A frame's light before it is finished: `view`, `plan` and `draw`.
   Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                               const std::function<bool()>& abandoned = {});
 
-  /// Estimates the cost of drawing the frame, without drawing it. Refused as `frame` is.
-  Result<FrameCost> cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// The scene's frames that are drawn or wait.
   FrameProgressList progress(const Scene& scene) const;
 
   /// Prepares tracing of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits
   /// until no frame is drawn or waits. Refused as `frame` is.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
-  /// The file of a picture, by the request that it was drawn or traced for. Conflict where an overlay shows fields of a
-  /// model that the scene no longer has. Waits until no frame does.
-  Result<FrameAnswer> finish(const LinearPicture& picture, const FrameRequest& request, const FileTexts& texts = {});
+  /// Finishes light by the request that it was drawn or traced for. Conflict where an overlay shows fields of a model
+  /// that the scene no longer has. Waits until no frame does.
+  Result<DrawnFrame> finish(const LinearPicture& light, const FrameRequest& request);
 
   /// Returns the bytes of memory that the renderer's copies of a model take, with their GL objects, as of its last
   /// frame, plus those of its cached earlier revisions. Waits for no frame.

@@ -7,7 +7,7 @@
 #include "base/lean_curve.h"
 #include "base/random.h"
 #include "server/frames/moved_curves.h"
-#include "server/frames/moved_fur.h"
+#include "server/frames/shown_fur.h"
 #include "server/groom/evaluate.h"
 #include "server/scene/eye_view.h"
 
@@ -185,6 +185,14 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   UploadCount count = known ? renderer.update(copy, fields) : renderer.add(model, fields);
   if (shells) count.bytes += renderer.add_shells(model, fields).bytes;
   return count;
+}
+
+FurredSkin furred_skin(const SceneView& scene) {
+  const Mesh& mesh = scene.model.surface.mesh();
+  FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles, scene.fields.length()};
+  if (!mesh.triangles.empty())
+    skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
+  return skin;
 }
 
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {

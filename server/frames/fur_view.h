@@ -9,6 +9,7 @@
 #include "protocol/commands/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/input/fur_scene.h"
+#include "renderer/quality/view_features.h"
 #include "server/scene/scene.h"
 #include "server/surface/mesh.h"
 
@@ -52,6 +53,9 @@ FurModel make_model(const SceneView& scene, const ModelArrays& arrays);
 /// Views of the scene and of the others; the fur leans as `moved` says, where it is not null.
 FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,
                       const std::vector<glm::vec2>* moved = nullptr);
+
+/// The skin and the length of its fur, which cost and error follow from: views of the scene.
+FurredSkin furred_skin(const SceneView& scene);
 
 /// A frame in internal coordinates, with the scene's coat, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);

@@ -17,9 +17,9 @@ FrameRequest linear_request(const FrameRequest& request) {
   return linear;
 }
 
-Knobs knobs_of(const LinearPicture& picture) {
-  Knobs knobs = picture.frame->knobs;
-  if (knobs.method == Method::strands) knobs.trace.passes = picture.report.passes, knobs.trace.seconds = 0;
+Knobs knobs_of(const FurFrame& frame, const std::optional<TraceReport>& report) {
+  Knobs knobs = frame.knobs;
+  if (report && knobs.method == Method::strands) knobs.trace.passes = report->passes, knobs.trace.seconds = 0;
   return knobs;
 }
 

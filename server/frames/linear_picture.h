@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "protocol/commands/answers.h"
@@ -23,7 +24,7 @@ struct LinearPicture {
   FrameTimings timings = {};
   FrameCounters counters = {};  // of shells, or of what lies under traced strands
   // Of an earlier revision what it was drawn from: for as long as it lives, the renderer has it for overlays.
-  std::shared_ptr<const SceneCopy> past = {};
+  SnapshotPtr past = {};
 };
 
 /// The AOVs that a request's file is made of: those of an EXR, else beauty.
@@ -32,8 +33,8 @@ std::vector<Aov> linear_aovs(const FrameRequest& request);
 /// The request for them.
 FrameRequest linear_request(const FrameRequest& request);
 
-/// The knobs that draw the same picture again.
-Knobs knobs_of(const LinearPicture& picture);
+/// The knobs that draw the same picture again: of a frame, with the report of traced strands.
+Knobs knobs_of(const FurFrame& frame, const std::optional<TraceReport>& report);
 
 /// The picture that an open shutter sees while a scene moves: the mean of pictures of one frame at several moments.
 /// Depth, position, normal and tangent, whose mean would lie nowhere, come from the middle picture.

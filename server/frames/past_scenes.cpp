@@ -5,20 +5,21 @@
 
 namespace pelage {
 
-Result<PastCopy> PastScenes::find(const Scene& scene, Revision revision) {
-  if (scene.is_at(revision)) return PastCopy();
-  const std::uint64_t present = scene.memory().copy_id;
-  if (PastCopy known = find_kept(present, revision)) return known;
-  Result<SceneCopy> made = scene.copy_at(revision, new_copy_id());
+Result<SnapshotPtr> PastScenes::find(const Scene& scene, Revision revision) {
+  SnapshotPtr now = scene.snapshot();
+  if (now->revision == revision && !scene.removed()) return now;
+  if (SnapshotPtr known = find_kept(now->copy_id, revision)) return known;
+  Result<SceneSnapshot> made = scene.snapshot_at(revision);
   if (!made) return made.status();
-  auto copy = std::make_shared<const SceneCopy>(std::move(*made));
-  keep({present, revision, copy});
+  made->copy_id = new_copy_id(), made->pose = nullptr;
+  auto copy = std::make_shared<const SceneSnapshot>(std::move(*made));
+  keep({now->copy_id, revision, copy});
   // Whoever gives the scene another model or removes it says so first, and has its copies forgotten then.
-  if (scene.removed() || scene.memory().copy_id != present) forget(present);
-  return PastCopy(std::move(copy));
+  if (scene.removed() || scene.snapshot()->copy_id != now->copy_id) forget(now->copy_id);
+  return SnapshotPtr(std::move(copy));
 }
 
-PastCopy PastScenes::find_kept(std::uint64_t present, Revision revision) {
+SnapshotPtr PastScenes::find_kept(std::uint64_t present, Revision revision) {
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const Kept& one) { return one.present == present && one.revision == revision; });
@@ -30,9 +31,9 @@ PastCopy PastScenes::find_kept(std::uint64_t present, Revision revision) {
 /// Caches a copy, and evicts the least recently used one if there are too many. Two callers that ask for the same copy
 /// at once may both make it; the older one is then evicted first.
 void PastScenes::keep(Kept copy) {
-  PastCopy dropped;  // freed without the lock
+  SnapshotPtr dropped;  // freed without the lock
   const std::lock_guard lock(mutex_);
-  made_.push_back({copy.copy->view().copy_id, copy.copy});
+  made_.push_back({copy.copy->copy_id, copy.copy});
   kept_.push_back(std::move(copy));
   if (kept_.size() <= max_kept) return;
   dropped = std::move(kept_.front().copy);
@@ -65,8 +66,8 @@ bool PastScenes::has_gone() const {
   return std::any_of(made_.begin(), made_.end(), [](const Made& one) { return one.copy.expired(); });
 }
 
-std::vector<PastCopy> PastScenes::kept(std::uint64_t present) const {
-  std::vector<PastCopy> copies;
+std::vector<SnapshotPtr> PastScenes::kept(std::uint64_t present) const {
+  std::vector<SnapshotPtr> copies;
   const std::lock_guard lock(mutex_);
   for (const Kept& one : kept_) {
     if (one.present == present) copies.push_back(one.copy);

@@ -11,19 +11,15 @@
 
 namespace pelage {
 
-/// A scene at a revision; null stands for the scene as it is.
-using PastCopy = std::shared_ptr<const SceneCopy>;
-
 /// Thread-safe. Keeps the copies that were asked for last, of all scenes together, so that the next frame of the same
 /// revision builds and uploads nothing again. The renderer knows each copy by a copy_id of its own.
 class PastScenes {
  public:
   static constexpr std::size_t max_kept = 2;
 
-  /// Finds the scene as it was at a revision; null if that is the present revision. A copy that is not cached is made
-  /// from the journal; commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such
-  /// revision.
-  Result<PastCopy> find(const Scene& scene, Revision revision);
+  /// The scene at a revision: its own snapshot for the present one. Another that is not cached is made from the journal;
+  /// commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such revision.
+  Result<SnapshotPtr> find(const Scene& scene, Revision revision);
 
   /// Drops the copies of a scene, by its own copy_id.
   void forget(std::uint64_t present);
@@ -33,20 +29,20 @@ class PastScenes {
   bool has_gone() const;
 
   /// Returns the cached copies of a scene, which is named by its own copy_id.
-  std::vector<PastCopy> kept(std::uint64_t present) const;
+  std::vector<SnapshotPtr> kept(std::uint64_t present) const;
 
  private:
   struct Kept {
     std::uint64_t present;
     Revision revision;
-    PastCopy copy;
+    SnapshotPtr copy;
   };
   struct Made {
     std::uint64_t copy_id;
-    std::weak_ptr<const SceneCopy> copy;
+    std::weak_ptr<const SceneSnapshot> copy;
   };
 
-  PastCopy find_kept(std::uint64_t present, Revision revision);
+  SnapshotPtr find_kept(std::uint64_t present, Revision revision);
   void keep(Kept copy);
   std::uint64_t new_copy_id();
 

@@ -4,18 +4,47 @@
 
 namespace pelage {
 
+Result<PictureService::Encode> PictureService::begin_frame(const std::shared_ptr<Scene>& scene,
+                                                           const FrameRequest& request,
+                                                           const std::function<bool()>& abandoned) {
+  // What of the scene is shown: a snapshot, which commands leave as it is.
+  Result<FrameView> view = frames_.view(*scene, request);
+  if (!view) return view.status();
+
+  // The knobs, where a budget or an error is asked for, and what they are expected to cost.
+  const bool traced = request.knobs.method == Method::strands;
+  Result<FramePlan> plan = traced ? FramePlan{request.knobs} : frames_.plan(*view, request);
+  if (!plan) return plan.status();
+
+  // Light, pass by pass, which is then finished to a picture; or a picture, of which only what has changed is drawn and
+  // finished.
+  if (!traced && !request.progressive) traces_.turn_from(*scene, request);
+  Result<DrawnFrame> drawn =
+      traced ? trace(scene, request, abandoned)
+             : frames_.draw({scene, request, std::move(*view), std::move(*plan), abandoned});
+  if (!drawn) return drawn.status();
+
+  // The file, on the thread of whoever wants it.
+  return Encode([this, request, picture = std::make_shared<DrawnFrame>(std::move(*drawn))](const FileTexts& texts) {
+    return frames_.encode(std::move(*picture), request, texts);
+  });
+}
+
+Result<DrawnFrame> PictureService::trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                         const std::function<bool()>& abandoned) {
+  const auto light = traces_.trace(scene, request, abandoned);
+  return light ? frames_.finish(**light, request) : light.status();
+}
+
 Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                           const std::function<bool()>& abandoned, const FileTexts& texts) {
-  if (request.knobs.method == Method::strands) {
-    const auto picture = traces_.trace(scene, request, abandoned);
-    return picture ? frames_.finish(**picture, request, texts) : picture.status();
-  }
-  if (!request.progressive) traces_.turn_from(*scene, request);
-  Result<FrameAnswer> answer = frames_.frame(scene, request, abandoned, texts);
-  if (!answer || !request.progressive) return answer;
-  answer->trace = TraceReport{};
-  // Where too many wait, whoever asks for a better picture is told so; shells are there all the same.
-  static_cast<void>(traces_.improve(scene, request, answer->revision));
+  const Result<Encode> encode = begin_frame(scene, request, abandoned);
+  if (!encode) return encode.status();
+  FrameAnswer answer = (*encode)(texts);
+  if (!request.progressive) return answer;
+  answer.trace = TraceReport{};
+  // Where too many wait, whoever asks for a better picture is told so; the first one is there all the same.
+  static_cast<void>(traces_.improve(scene, request, answer.revision));
   return answer;
 }
 
@@ -28,7 +57,14 @@ Result<LinearPicture> PictureService::light(const std::shared_ptr<Scene>& scene,
 
 Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                        const std::function<bool()>& abandoned) {
-  if (request.knobs.method != Method::strands) return frames_.cost(scene, request);
+  if (request.knobs.method != Method::strands) {
+    const Result<FrameView> view = frames_.view(*scene, request);
+    if (!view) return view.status();
+    FrameRequest patient = request;
+    patient.max_seconds = limits::frame_seconds;  // whoever asks wants to know
+    const Result<FramePlan> plan = frames_.plan(*view, patient);
+    return plan ? Result<FrameCost>(plan->cost) : plan.status();
+  }
   const FrameRequest probe = probe_of(request);
   // The first one also pays for what is then kept for the frame itself.
   if (const auto first = traces_.trace(scene, probe, abandoned); !first) return first.status();
@@ -50,7 +86,9 @@ std::optional<Result<FrameAnswer>> PictureService::picture_if_better(const Scene
   const auto better = traces_.better(scene, request, seen);
   if (!better) return {};
   if (!*better) return Result<FrameAnswer>(better->status());
-  return frames_.finish(***better, traced_request(request));
+  const FrameRequest traced = traced_request(request);
+  Result<DrawnFrame> drawn = frames_.finish(***better, traced);
+  return drawn ? frames_.encode(std::move(*drawn), traced) : Result<FrameAnswer>(drawn.status());
 }
 
 }  // namespace pelage

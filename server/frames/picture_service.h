@@ -1,4 +1,5 @@
-// Pictures of a scene by any method: shells, strands that are traced to the end, and shells that strands improve.
+// The story of a frame, whoever draws it: strands that are rasterized, traced to the end, or first the one and then the
+// other.
 #pragma once
 
 #include "server/frames/frame_service.h"
@@ -11,8 +12,13 @@ class PictureService {
  public:
   PictureService(FrameService& frames, TraceQueue& traces) : frames_(frames), traces_(traces) {}
 
-  /// Answers as FrameService::frame and TraceQueue::trace do. A request with `progressive` is answered with shells, and
-  /// tracing begins.
+  /// The story of a frame: what of the scene it shows, with which knobs, drawn, finished, and the function that encodes
+  /// its file, on any thread, while other frames are drawn. That is called at most once, before the services end. Fails
+  /// as FrameService and TraceQueue::trace do.
+  using Encode = std::function<FrameAnswer(const FileTexts& texts)>;
+  Result<Encode> begin_frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                             const std::function<bool()>& abandoned = {});
+  /// All of it. Of a request with `progressive` this is the first picture, and tracing better ones begins.
   Result<FrameAnswer> frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
@@ -36,6 +42,9 @@ class PictureService {
                                                        SeenPicture seen);
 
  private:
+  Result<DrawnFrame> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                           const std::function<bool()>& abandoned);
+
   FrameService& frames_;
   TraceQueue& traces_;
 };

@@ -13,6 +13,8 @@ constexpr int max_restarts = 2;                       // of a frame whose scene 
 constexpr std::size_t max_running = 4;                // frames that were let in one by another: each holds its picture
 constexpr std::chrono::milliseconds look_again{250};  // at whether clients of frames that wait have left
 
+Status left_alone() { return failure(Code::unavailable, "nobody waits for this frame any more"); }
+
 /// Each bakes on two threads, beside the one that draws.
 int baking_threads() { return std::max(1, default_threads() / 4); }
 
@@ -34,6 +36,7 @@ void FrameService::Impl::run(std::promise<Status>& started) {
       make_renderer(context.get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
   if (!renderer) return started.set_value(renderer.status());
   description = drawn_by(context.get(), (*renderer)->strands_by_gl());
+  draws_shells = context != nullptr;
   started.set_value({});
   serve(**renderer);
   renderer->reset(), context.reset();  // GL objects before their context
@@ -45,6 +48,7 @@ void FrameService::Impl::renew_gl(Renderer& renderer) {
   context.reset();
   if (Result<std::unique_ptr<Context>> opened = contexts()) context = std::move(*opened);
   if (context && !renderer.take_gl(&context->gl()).ok()) context.reset();
+  draws_shells = context != nullptr;
   const std::lock_guard lock(mutex);
   description = drawn_by(context.get(), renderer.strands_by_gl());
 }
@@ -90,13 +94,13 @@ bool FrameService::Impl::forget_gone(Renderer& renderer) {
   forgotten.clear();
   if (gone.empty()) return false;
   for (const std::uint64_t model : gone)
-    renderer.forget(model), memory.forget(renderer, model), moved_fur.forget(model);
+    renderer.forget(model), memory.forget(renderer, model), shown_fur.forget(model);
   return true;
 }
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken) {
   FrameJob& job = *taken.job;
-  job.cost = taken.cost, job.begun = {};
+  job.begun = {};
   {
     const std::lock_guard lock(mutex);
     running.push_back(&job);
@@ -122,7 +126,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
 bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
   const Stopwatch passed;
   const auto may = [&](const std::unique_ptr<FrameJob>& other) {
-    return other->ready() && (job.restarts < max_restarts || !other->same_subject(job));
+    return other->ready() && (job.restarts < max_restarts || other->snapshot()->view().copy_id != job.copy_id);
   };
   // Once it has taken longer than was expected, others are short beside it.
   const double taken = job.begun.milliseconds() - job.paused;
@@ -131,11 +135,11 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
     job.given_up = job.given_up || stopping;
     if (!moment) moment = jobs.moment();
     if (running.size() >= max_running) return std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken>();
-    return jobs.take_beside(std::max(job.cost, taken), *moment, may);
+    return jobs.take_beside(std::max(job.cost(), taken), *moment, may);
   };
   while (auto other = next()) finish(renderer, std::move(*other));
-  job.overdue = taken > 1e3 * job.request.max_seconds;
-  job.given_up = job.given_up || job.outdated || job.overdue || job.left();
+  job.overdue = taken > 1e3 * job.order.request.max_seconds;
+  job.given_up = job.given_up || job.outdated || job.overdue || job.order.left();
   const std::lock_guard lock(mutex);
   job.paused += passed.milliseconds();
   return !job.given_up;
@@ -143,7 +147,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
 
 void FrameService::Impl::mark_outdated(const FrameJob& job) {
   for (FrameJob* other : running)
-    other->outdated = other->outdated || (other->same_subject(job) && !other->shows_same(job));
+    other->outdated = other->outdated || (other->copy_id == job.copy_id && !other->shows_same(job));
 }
 
 void FrameService::Impl::count(double milliseconds, const Status& outcome) {
@@ -151,50 +155,48 @@ void FrameService::Impl::count(double milliseconds, const Status& outcome) {
   if (outcome.code == Code::unavailable) healthy = false;
 }
 
+Status FrameService::Impl::can_draw(const Knobs& knobs) const {
+  if (knobs.method != Method::shells || draws_shells) return {};
+  return failure(Code::invalid, "This server has no GL, which draws shells.", "/quality/method", "raster or strands");
+}
+
 Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
-  const Status left = failure(Code::unavailable, "nobody waits for this frame any more");
-  if (job.left()) return left;
-  DrawnFrame frame;
-  frame.timings.queue = job.asked.milliseconds();
+  if (job.order.left()) return left_alone();
   const Stopwatch passed;
-  const double paused = job.paused;
-  Result<Shown> shown = show(renderer, *job.scene, job.request, job.past, past_scenes, moved_fur, false, true);
-  if (!shown) return shown.status();
-  job.revision = shown->revision, job.moment = shown->moment;
+  Shown shown = show(renderer, shown_fur, job.snapshot(), job.order.request, job.order.view.compared.get());
+  job.copy_id = shown.copy_id(), job.revision = shown.revision(), job.moment = shown.moment;
   mark_outdated(job);
-  frame.estimate = planner.plan(job.request, *shown->features, shown->fur);
-  frame.cost = planner.cost_of(*shown->features, shown->fur);
-  frame.cost.seconds *= job.request.drawn_share();
-  if (const Status can = renderer.can_draw(shown->fur); !can.ok()) return can;
-  if (job.dry_run) return frame;
-  if (Status long_drawing = check_seconds(job.request, frame.cost); !long_drawing.ok()) return long_drawing;
+  shown.fur.knobs = job.order.plan.knobs;
+  if (Status can = can_draw(shown.fur.knobs); !can.ok()) return can;  // its GL may be lost since
   if (job.coat && job.coat->failed()) return status_of(job.coat->error());
-  if (waits_for_coat(renderer, shown->fur, job)) return failure(Code::unavailable, "its coat is being baked");
-  {
-    const std::lock_guard lock(mutex);
-    job.expected = 1e3 * frame.cost.seconds;
-  }
-  renderer.grow(shown->fur);
-  frame.revision = shown->revision, frame.placement = shown->placement;
-  frame.timings.upload = passed.milliseconds() - (job.paused - paused);
+  if (waits_for_coat(renderer, shown.fur, job)) return failure(Code::unavailable, "its coat is being baked");
+  renderer.grow(shown.fur);
+  return draw_shown(renderer, job, std::move(shown), passed);
+}
+
+Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& job, Shown shown,
+                                                  const Stopwatch& passed) {
+  const FrameRequest& request = job.order.request;
+  DrawnFrame frame{.revision = shown.revision(), .placement = shown.placement, .estimate = job.order.plan.estimate};
+  frame.timings.queue = job.asked.milliseconds() - passed.milliseconds();
+  frame.timings.upload = passed.milliseconds();
+  const double paused = job.paused;
   DrawTimes times;
-  Result<DrawnPicture> picture =
-      draw_for_format(renderer, shown->fur, job.linear ? linear_request(job.request) : job.request, times,
-                      [&] { return let_in(renderer, job); });
-  memory.measure(renderer, shown->copy_id);
+  Result<DrawnPicture> picture = draw_for_format(renderer, shown.fur, job.linear ? linear_request(request) : request,
+                                                 times, [&] { return let_in(renderer, job); });
+  memory.measure(renderer, shown.copy_id());
   const bool of_frame = picture || renderer.lost_gl();  // what is lost comes again
   count(passed.milliseconds() - (job.paused - paused), of_frame ? Status{} : picture.status());
-  if (job.given_up && job.overdue) return too_slow(job.request, frame.cost);
-  if (job.given_up) return job.outdated || !job.left() ? server_stopping() : left;
+  if (job.given_up && job.overdue) return too_slow(request, job.order.plan.cost);
+  if (job.given_up) return job.outdated || !job.order.left() ? server_stopping() : left_alone();
   ++drawn;
   if (!picture) return picture.status();
-  frame.timings.draw = times.draw;
-  frame.timings.cpu = times.cpu;
-  if (frame.estimate && times.counters.redrawn == 1 && !job.request.crop)
-    planner.learn(job.request, shown->fur, *frame.estimate, frame.timings.draw);
+  frame.timings.draw = times.draw, frame.timings.cpu = times.cpu;
+  if (frame.estimate && times.counters.redrawn == 1 && !request.crop)
+    planner.learn(request, shown.fur, *frame.estimate, frame.timings.draw);
   frame.counters = times.counters;
-  frame.picture = std::move(picture).value();
-  frame.frame = std::make_shared<const FurFrame>(std::move(shown->fur));
+  frame.picture = std::move(*picture);
+  frame.frame = std::make_shared<const FurFrame>(std::move(shown.fur));
   return frame;
 }
 
@@ -212,17 +214,15 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
     job->coat = std::move((*older)->coat);
     *older = std::move(job);
   } else {
-    const double cost = job->dry_run ? 0 : expected_cost(job->request);
-    const Subject subject{std::hash<Scene*>()(job->scene.get()), std::hash<std::string>()(job->request.view)};
+    const double cost = job->cost();
+    const Subject subject{std::hash<Scene*>()(job->order.scene.get()),
+                          std::hash<std::string>()(job->order.request.view)};
     jobs.add(std::move(job), cost, running_time.milliseconds(), subject);
   }
   wake.notify_one();
 }
 
 Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
-  Result<FramePast> past = past_of(*job.scene, job.request, past_scenes);
-  if (!past) return past.status();
-  job.past = std::move(*past);
   std::future<Result<DrawnFrame>> answer = job.answer.get_future();
   add(std::make_unique<FrameJob>(std::move(job)));
   return answer.get();

@@ -23,6 +23,7 @@
 #include "server/frames/frame_queue.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/renderer_memory.h"
+#include "server/frames/shown_fur.h"
 #include "server/frames/shown_scene.h"
 
 namespace pelage {
@@ -44,12 +45,12 @@ struct FrameService::Impl {
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
   std::string description;
-  std::atomic<bool> healthy{true};
+  std::atomic<bool> healthy{true}, draws_shells{false};
   std::atomic<std::size_t> drawn{0}, lost_contexts{0};
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
-  MovedFur moved_fur;  // of the render thread
+  ShownFur shown_fur;  // of the render thread
   FramePlanner planner;
   const int threads;  // that fur is drawn on
   PngEncoder png;     // of whoever asked, not of the render thread
@@ -74,6 +75,10 @@ struct FrameService::Impl {
   /// Draws a job that was taken and answers it, or puts it back where its coat is not there yet.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
+  /// The picture of what is shown, and what drawing it took. Counts it.
+  Result<DrawnFrame> draw_shown(Renderer& renderer, FrameJob& job, Shown shown, const Stopwatch& passed);
+  /// Refused (invalid) for shells where there is no GL.
+  Status can_draw(const Knobs& knobs) const;
   /// Runs between the pieces of a job: draws the jobs that wait now and are short compared to it. Returns whether the
   /// job continues.
   bool let_in(Renderer& renderer, FrameJob& job);
@@ -83,7 +88,7 @@ struct FrameService::Impl {
   void mark_outdated(const FrameJob& job);
   void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<FrameJob> job);
-  /// Adds a job and waits for its frame. Fails as past_of and `draw` do.
+  /// Adds a job and waits for its frame.
   Result<DrawnFrame> ask(FrameJob job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>

@@ -15,26 +15,28 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
     return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
   if (!start) return start.status();
-  begun_ = std::make_unique<Begun>(std::move(start->scene));
+  Shown& shown = start->shown;
+  begun_ = std::make_unique<Begun>();
+  begun_->scene = shown.snapshot;
   begun_->aovs = aovs;
-  const SceneView view = begun_->scene.view();
-  begun_->picture = {.revision = view.revision,
+  begun_->picture = {.revision = shown.revision(),
                      .report = {},
                      .aovs = {},
-                     .frame = std::make_shared<const FurFrame>(std::move(start->frame)),
-                     .placement = start->placement,
+                     .frame = std::make_shared<const FurFrame>(std::move(shown.fur)),
+                     .placement = shown.placement,
                      .timings = start->timings,
                      .counters = start->counters,
-                     .past = std::move(start->past)};
+                     .past = request.revision ? shown.snapshot : nullptr};
+  const SceneView view = begun_->scene->view();
   const double open = request.knobs.trace.shutter;
-  const bool blurred = start->moment && open > 0;
-  begun_->opening = blurred ? moved_at(view, *start->moment - open / 2) : start->direction;
-  begun_->closing = blurred ? moved_at(view, *start->moment + open / 2) : nullptr;
+  const bool blurred = shown.moment && open > 0;
+  begun_->opening = blurred ? moved_at(view, *shown.moment - open / 2) : shown.direction;
+  begun_->closing = blurred ? moved_at(view, *shown.moment + open / 2) : nullptr;
   Status status = with_views(*begun_, [&](const FurModel& model, const FurFields& fields) {
     return tracer_.begin(model, fields, *begun_->picture.frame, std::move(start->base), aovs, go_on);
   });
   if (!status.ok()) return status;
-  return view.revision;
+  return begun_->picture.revision;
 }
 
 std::unique_ptr<PictureTracer::Aside> SceneTracer::set_aside() {
@@ -51,13 +53,13 @@ Status SceneTracer::resume(std::unique_ptr<Aside> aside, const GoOn& go_on) {
 
 Status SceneTracer::with_views(const Begun& begun,
                                const std::function<Status(const FurModel&, const FurFields&)>& use) {
-  const SceneView view = begun.scene.view();
+  const SceneView view = begun.scene->view();
   const Mesh& mesh = view.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
   FurFields fields = make_fields(view, skin, std::span(&all, 1), begun.opening.get());
   if (begun.closing) fields.closing = *begun.closing;
-  return use(make_model(view, arrays_of(view)), fields);
+  return use(make_model(view, arrays_of(begun.scene)), fields);
 }
 
 LinearPicture SceneTracer::picture() const {
@@ -67,10 +69,14 @@ LinearPicture SceneTracer::picture() const {
   return picture;
 }
 
-const ModelArrays& SceneTracer::arrays_of(const SceneView& scene) {
-  if (model_ == scene.model_owner && backplate_ == scene.picture_owner) return arrays_;
-  arrays_ = make_arrays(scene);
-  model_ = scene.model_owner, backplate_ = scene.picture_owner;
+const ModelArrays& SceneTracer::arrays_of(const SnapshotPtr& scene) {
+  const SceneView now = scene->view();
+  if (arrays_of_) {
+    const SceneView last = arrays_of_->view();
+    if (&last.model == &now.model && last.skin_texture == now.skin_texture) return arrays_;
+  }
+  arrays_ = make_arrays(now);
+  arrays_of_ = scene;
   return arrays_;
 }
 

@@ -21,7 +21,7 @@ class SceneTracer : public PictureTracer {
   Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
   Status add_pass(const GoOn& go_on) override { return tracer_.add_pass(go_on); }
   std::unique_ptr<Aside> set_aside() override;
-  std::size_t bytes() const override { return tracer_.picture_bytes() + begun_->scene.bytes(); }
+  std::size_t bytes() const override { return tracer_.picture_bytes() + begun_->scene->bytes(); }
   Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) override;
   TraceReport report() const override { return tracer_.report(); }
   LinearPicture picture() const override;
@@ -29,8 +29,7 @@ class SceneTracer : public PictureTracer {
  private:
   /// A picture with what it is traced from.
   struct Begun : Aside {
-    explicit Begun(SceneCopy from) : scene(std::move(from)) {}
-    SceneCopy scene;
+    SnapshotPtr scene;
     MovedDirection opening, closing;  // null for fur at rest, and for none that is blurred
     std::vector<Aov> aovs;
     LinearPicture picture;  // all but report and AOVs
@@ -38,14 +37,13 @@ class SceneTracer : public PictureTracer {
   };
   /// Calls use(model, fields) with views of what a picture is traced from.
   Status with_views(const Begun& begun, const std::function<Status(const FurModel&, const FurFields&)>& use);
-  const ModelArrays& arrays_of(const SceneView& scene);
+  const ModelArrays& arrays_of(const SnapshotPtr& scene);
 
   FrameService& frames_;
   Tracer tracer_;
   std::unique_ptr<Begun> begun_;
-  // Of the last model in its colours, which it keeps alive.
-  std::shared_ptr<const SceneModel> model_;
-  std::shared_ptr<const RawImage> backplate_;
+  // Of the last model in its colours, which `arrays_of_` keeps alive.
+  SnapshotPtr arrays_of_;
   ModelArrays arrays_;
 };
 

@@ -5,65 +5,38 @@
 #include <utility>
 #include <vector>
 
-#include "server/frames/frame_queue.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
 
-namespace {
-
-Result<Shown> show_once(Renderer& renderer, Scene& scene, const FrameRequest& request, const FramePast& past,
-                        MovedFur& fur, bool with_copy, bool with_features) {
-  Shown shown;
-  bool comparable = true;
-  const auto show_view = [&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    shown.revision = view.revision, shown.copy_id = view.copy_id;
-    shown.fur = make_frame(view, request);
-    const Mesh& mesh = view.model.surface.mesh();
-    shown.placement = {mesh.centre, mesh.size};
-    shown.moment = moment_of(view, request);
-    const MovedFur::Shown moved = fur.show(view, shown.moment);
-    const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(mesh.positions.size())}};
-    sync_scene(renderer, view, moved.whole ? all : dirty, moved.direction.get(),
-               request.knobs.method == Method::shells);
-    shown.direction = moved.direction;
-    comparable = !past.compared || past.compared->model.get() == &view.model;
-    if (past.compared && comparable) shown.fur.difference = change_shares(past.compared->fields, view.fields);
-    if (with_copy) shown.copy.emplace(view);
-    if (with_features) shown.features = view_features(shown.fur, furred_skin(view));
-  };
-  if (past.copy)
-    show_view(past.copy->view(), {});  // which never changes
-  else
-    scene.read_for_drawing(show_view);
-  if (comparable) return shown;
+Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes) {
+  FrameView view{scene.snapshot()};
+  if (request.revision) {
+    Result<SnapshotPtr> past = scenes.find(scene, *request.revision);
+    if (!past) return past.status();
+    view.snapshot = std::move(*past), view.fixed = true;
+  }
+  if (request.overlay != Overlay::difference) return view;
+  view.fixed = true;
+  const Result<SceneSnapshot> compared = scene.snapshot_at(request.overlay_from.value_or(0), "/overlay_from");
+  if (!compared) return compared.status();
+  view.compared = compared->fields;
+  if (compared->model == view.snapshot->model) return view;
   return failure(Code::conflict, "the scene has another model since the frame was asked for");
 }
 
-}  // namespace
-
-Result<Shown> show(Renderer& renderer, Scene& scene, const FrameRequest& request, FramePast& past, PastScenes& scenes,
-                   MovedFur& fur, bool with_copy, bool with_features) {
-  Result<Shown> shown = show_once(renderer, scene, request, past, fur, with_copy, with_features);
-  if (!shown || !request.revision || shown->revision == *request.revision) return shown;
-  Result<PastCopy> copy = scenes.find(scene, *request.revision);
-  if (!copy) return copy.status();
-  past.copy = std::move(*copy);
-  return show_once(renderer, scene, request, past, fur, with_copy, with_features);
-}
-
-Result<FramePast> past_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes) {
-  FramePast past;
-  if (request.revision) {
-    Result<PastCopy> copy = scenes.find(scene, *request.revision);
-    if (!copy) return copy.status();
-    past.copy = std::move(*copy);
-  }
-  if (request.overlay != Overlay::difference) return past;
-  Result<PastFields> compared = scene.past_fields(request.overlay_from.value_or(0));
-  if (!compared) return compared.status();
-  past.compared = std::move(*compared);
-  return past;
+Shown show(Renderer& renderer, ShownFur& shown, SnapshotPtr snapshot, const FrameRequest& request,
+           const FieldSet* compared) {
+  const SceneView view = snapshot->view();
+  const Mesh& mesh = view.model.surface.mesh();
+  Shown now{.snapshot = snapshot, .fur = make_frame(view, request), .placement = {mesh.centre, mesh.size}};
+  now.moment = moment_of(view, request);
+  const ShownFur::Difference difference = shown.update(*snapshot, now.moment);
+  sync_scene(renderer, view, difference.touched, difference.direction.get(), request.knobs.method == Method::shells);
+  shown.taken_over(*snapshot);
+  now.direction = difference.direction;
+  if (compared != nullptr) now.fur.difference = change_shares(*compared, view.fields);
+  return now;
 }
 
 namespace {

@@ -169,7 +169,7 @@ class History {
 class History::Prepared {
  public:
   /// Those that hold once the entries are recorded.
-  const SceneSettings& settings() const { return *changes_.back().record.settings; }
+  const std::shared_ptr<const SceneSettings>& settings() const { return changes_.back().record.settings; }
 
  private:
   friend class History;

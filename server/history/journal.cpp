@@ -11,10 +11,8 @@ namespace pelage {
 
 namespace {
 
-// Full synchronisation: a commit that has returned is on disk. The exclusive lock keeps a second server out; it
-// comes first, because without it the first read makes a file of shared memory, for which a full disk has no room.
-constexpr const char* pragmas = R"(
-  PRAGMA locking_mode = EXCLUSIVE;
+// Full synchronisation: a commit that has returned is on disk.
+constexpr const char* writer_pragmas = R"(
   PRAGMA auto_vacuum = INCREMENTAL;
   PRAGMA journal_mode = WAL;
   PRAGMA synchronous = FULL;
@@ -22,6 +20,9 @@ constexpr const char* pragmas = R"(
   PRAGMA journal_size_limit = 16777216;
   BEGIN IMMEDIATE; COMMIT;
 )";
+
+// A reader sees each commit once it is on disk, and no earlier.
+constexpr const char* reader_pragmas = "PRAGMA query_only = ON; PRAGMA busy_timeout = 5000";
 
 // What no log names any more; at the start also what was uploaded and never used.
 constexpr const char* drop_unused_pictures =
@@ -48,16 +49,21 @@ Status run_with_model(Database& database, Statement statement, const StoredScene
 
 }  // namespace
 
-Journal::Journal(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+Journal::Journal(std::unique_ptr<Database> writer, std::unique_ptr<Database> reader)
+    : writer_(std::move(writer)), reader_(std::move(reader)) {}
 Journal::~Journal() = default;
 
 Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
-  Result<Database> database = Database::open(path);
-  if (!database) return database.status();
-  if (Status kept = database->execute(pragmas); !kept.ok()) return kept;
-  if (Status good = prepare_schema(*database); !good.ok()) return good;
-  static_cast<void>(database->execute(drop_unused_pictures));  // a full disk or a damaged picture stops no start
-  std::unique_ptr<Journal> journal(new Journal(std::make_unique<Database>(std::move(*database))));
+  Result<Database> writer = Database::open(path);
+  if (!writer) return writer.status();
+  if (Status kept = writer->execute(writer_pragmas); !kept.ok()) return kept;
+  if (Status good = prepare_schema(*writer); !good.ok()) return good;
+  static_cast<void>(writer->execute(drop_unused_pictures));  // a full disk or a damaged picture stops no start
+  Result<Database> reader = Database::open(path);
+  if (!reader) return reader.status();
+  if (Status kept = reader->execute(reader_pragmas); !kept.ok()) return kept;
+  std::unique_ptr<Journal> journal(
+      new Journal(std::make_unique<Database>(std::move(*writer)), std::make_unique<Database>(std::move(*reader))));
   if (Status read = journal->read_tails(); !read.ok()) return read;
   return journal;
 }
@@ -68,7 +74,7 @@ Status Journal::read_tails() {
   const Result<std::vector<std::string>> ids = scene_ids();
   if (!ids) return ids.status();
   for (const std::string& id : *ids) {
-    Statement row = database_->prepare(
+    Statement row = writer_->prepare(
         "SELECT coalesce(e.revision, s.first_revision), coalesce(e.chain, s.first_revision) FROM scenes s"
         " LEFT JOIN entries e ON e.scene = s.id AND e.revision = (SELECT max(revision) FROM entries WHERE scene = s.id)"
         " WHERE s.id = ?");
@@ -106,7 +112,7 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
                                                   const std::function<Status(const TakeRows&)>& feed) {
   Result<std::unique_ptr<Journal>> journal = open(path);
   if (!journal) return journal;
-  Database& database = *(*journal)->database_;
+  Database& database = *(*journal)->writer_;
   Status filled = database.transaction([&] {
     Result<RowLoader> loader = RowLoader::into(database);
     if (!loader) return loader.status();
@@ -119,7 +125,7 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
 
 /// A transaction that is made only while the journal's files are where the next start looks for them.
 Status Journal::take(const std::function<Status()>& work) {
-  Status done = database_->transaction([&] {
+  Status done = writer_->transaction([&] {
     Status worked = work();
     return worked.ok() && guard_ ? guard_->files_are_there() : worked;
   });
@@ -136,11 +142,13 @@ Status Journal::check_room() const {
 }
 
 Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) {
+  Result<FolderLock> lock = FolderLock::of(path);
+  if (!lock) return lock.status();
   auto journal = open(path);
-  const bool full = JournalGuard::room_at(path) < min_room;  // else the reserve may be that of a server which runs
+  const bool full = JournalGuard::room_at(path) < min_room;
   if (!journal && full && JournalGuard::free_reserve(path)) journal = open(path);
   if (!journal) return journal;
-  (*journal)->guard_ = std::make_unique<JournalGuard>(path);
+  (*journal)->guard_ = std::make_unique<JournalGuard>(path, std::move(*lock));
   (*journal)->find_lost();
   return journal;
 }
@@ -161,67 +169,67 @@ void Journal::find_lost() {
 Status Journal::health() const {
   if (!guard_) return {};
   if (Status there = guard_->files_are_there(); !there.ok()) return there;
-  if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) {
-    if (Status clean = database_->take_back_failed_commit(); !clean.ok()) return clean;
+  if (const std::unique_lock lock(writing_, std::try_to_lock); lock) {
+    if (Status clean = writer_->take_back_failed_commit(); !clean.ok()) return clean;
   }
   return check_room();
 }
 
 Status Journal::add_scene(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return change(scene.id, [&](LogTail& tail) { return insert_scene(scene, first_groom, tail); });
 }
 
 Status Journal::insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail) {
   tail = {scene.first_revision, scene.first_revision};
-  Statement insert = database_->prepare(
+  Statement insert = writer_->prepare(
       "INSERT INTO scenes(name, model, up, front, source_is_32_bit, first_revision,"
       " first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, id, checksum)"
       " VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,0)");
   insert.text(scene.name);
-  return run_with_model(*database_, std::move(insert), scene, first_groom);
+  return run_with_model(*writer_, std::move(insert), scene, first_groom);
 }
 
 Status Journal::replace_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return change(scene.id, [&](LogTail& tail) {
     tail = {scene.first_revision, scene.first_revision};
-    Status cleared = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
+    Status cleared = writer_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!cleared.ok()) return cleared;
-    if (Status unused = leave_pictures(*database_, scene.id); !unused.ok()) return unused;
-    Statement update = database_->prepare(
+    if (Status unused = leave_pictures(*writer_, scene.id); !unused.ok()) return unused;
+    Statement update = writer_->prepare(
         "UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?, first_revision = ?, first_groom = ?,"
         " raw = ?, fur_patches = ?, subdivisions = ?, creases_and_flips = ?, settings = ? WHERE id = ?");
-    return run_with_model(*database_, std::move(update), scene, first_groom);
+    return run_with_model(*writer_, std::move(update), scene, first_groom);
   });
 }
 
 Status Journal::subdivide_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
   const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return change(scene.id, [&](LogTail& tail) {
     tail = {scene.first_revision, scene.first_revision};
-    if (Status whole = check_seal(*database_, scene.id); !whole.ok()) return whole;
-    Status changed = database_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
+    if (Status whole = check_seal(*writer_, scene.id); !whole.ok()) return whole;
+    Status changed = writer_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
-    Statement update = database_->prepare(
+    Statement update = writer_->prepare(
         "UPDATE scenes SET first_revision = ?, first_groom = ?, subdivisions = ?, settings = ? WHERE id = ?");
     update.number(scene.first_revision).blob(first_groom).blob(subdivisions);
     changed = bind_settings(update, scene.first_settings).text(scene.id).run();
-    if (changed.ok()) changed = seal_scene(*database_, scene.id);
-    return changed.ok() ? write_request(*database_, scene.request, scene.id, scene.first_revision) : changed;
+    if (changed.ok()) changed = seal_scene(*writer_, scene.id);
+    return changed.ok() ? write_request(*writer_, scene.request, scene.id, scene.first_revision) : changed;
   });
 }
 
 Status Journal::remove_scene(const std::string& id) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   const auto remove = [&] {
     return take([&] {
-      if (Status unused = leave_pictures(*database_, id); !unused.ok()) return unused;
-      return database_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
+      if (Status unused = leave_pictures(*writer_, id); !unused.ok()) return unused;
+      return writer_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
     });
   };
   LogTails left = tails_;
@@ -240,13 +248,13 @@ Status Journal::remove_scene(const std::string& id) {
 /// each step first writes what it moves to the WAL.
 void Journal::give_room_back() {
   const auto unused_pages = [&] {
-    const Result<std::uint64_t> count = database_->number("PRAGMA freelist_count");
+    const Result<std::uint64_t> count = writer_->number("PRAGMA freelist_count");
     return count ? *count : 0;
   };
   bool shrinks = guard_ != nullptr;
   while (shrinks) {
     const std::uint64_t before = unused_pages();
-    shrinks = database_->execute("PRAGMA incremental_vacuum(1000); PRAGMA wal_checkpoint(TRUNCATE)").ok() &&
+    shrinks = writer_->execute("PRAGMA incremental_vacuum(1000); PRAGMA wal_checkpoint(TRUNCATE)").ok() &&
               unused_pages() < before;
   }
 }
@@ -254,27 +262,27 @@ void Journal::give_room_back() {
 // The branch keeps all pictures of the scene, also those that only later entries name.
 Status Journal::branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last,
                        const std::optional<KeyedRequest>& request) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return change(branch, [&](LogTail& tail) {
-    if (Status whole = check_seal(*database_, scene); !whole.ok()) return whole;
-    Statement row = database_->prepare(
+    if (Status whole = check_seal(*writer_, scene); !whole.ok()) return whole;
+    Statement row = writer_->prepare(
         "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
         " first_revision, first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, checksum)"
         " SELECT ?, ?, model, up, front, source_is_32_bit, first_revision, first_groom, raw, fur_patches, subdivisions,"
         " creases_and_flips, settings, checksum"
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
-    if (Status sealed = seal_scene(*database_, branch); !sealed.ok()) return sealed;
-    Statement entries = database_->prepare(
+    if (Status sealed = seal_scene(*writer_, branch); !sealed.ok()) return sealed;
+    Statement entries = writer_->prepare(
         "INSERT INTO entries SELECT ?, revision, kind, argument, chain, commands, settings, hash_low, hash_high, delta,"
         " author FROM entries WHERE scene = ? AND revision <= ?");
     if (Status copied = entries.text(branch).text(scene).number(last).run(); !copied.ok()) return copied;
-    Statement uses = database_->prepare("INSERT INTO picture_uses SELECT ?, picture FROM picture_uses WHERE scene = ?");
+    Statement uses = writer_->prepare("INSERT INTO picture_uses SELECT ?, picture FROM picture_uses WHERE scene = ?");
     if (Status used = uses.text(branch).text(scene).run(); !used.ok()) return used;
-    const Result<std::uint64_t> chain = chain_at(branch, last);
+    const Result<std::uint64_t> chain = chain_at(*writer_, branch, last);
     if (!chain) return chain.status();
     tail = {last, *chain};
-    return write_request(*database_, request, branch, last);
+    return write_request(*writer_, request, branch, last);
   });
 }
 
@@ -289,7 +297,7 @@ Status Journal::copy_into(const StoredScene& stored, const std::string& scene, R
     const Result<std::string> bytes = picture(name);
     if (!bytes) return bytes.status();
     if (Status added = to.insert_picture(name, *bytes); !added.ok()) return added;
-    if (Status used = keep_picture(*to.database_, stored.id, name); !used.ok()) return used;
+    if (Status used = keep_picture(*to.writer_, stored.id, name); !used.ok()) return used;
   }
   const auto copy = [&](const Entry& entry) {
     if (between) between();
@@ -305,7 +313,7 @@ Result<Revision> Journal::copy_scene(const std::string& scene, Revision at_most,
   Result<StoredScene> stored = this->scene(scene);
   if (!stored) return stored.status();
   stored->id = copy, stored->name = name;
-  const std::lock_guard lock(to.mutex_);
+  const std::lock_guard lock(to.writing_);
   Status copied = to.change(copy, [&](LogTail& tail) { return copy_into(*stored, scene, last, to, tail, between); });
   if (copied.ok()) return last;
   const Result<StoredScene> now = this->scene(scene);
@@ -314,29 +322,31 @@ Result<Revision> Journal::copy_scene(const std::string& scene, Revision at_most,
 }
 
 Revision Journal::last_revision(const std::string& scene) const {
-  const std::lock_guard lock(mutex_);
-  const auto known = tails_.find(scene);
-  return known == tails_.end() ? 0 : known->second.revision;
+  const std::lock_guard lock(reading_);
+  Statement row = reader_->prepare(
+      "SELECT coalesce((SELECT max(revision) FROM entries WHERE scene = ?1), first_revision) FROM scenes WHERE id = ?1");
+  const Result<bool> found = row.text(scene).step();
+  return found && *found ? row.number_at(0) : 0;
 }
 
 Result<std::vector<std::string>> Journal::scene_ids() const {
-  const std::lock_guard lock(mutex_);
-  Statement rows = database_->prepare("SELECT id FROM scenes ORDER BY number");
+  const std::lock_guard lock(reading_);
+  Statement rows = reader_->prepare("SELECT id FROM scenes ORDER BY number");
   return texts_of(rows);
 }
 
 Result<std::string> Journal::name_of(const std::string& scene) const {
-  const std::lock_guard lock(mutex_);
-  Statement row = database_->prepare("SELECT name FROM scenes WHERE id = ?");
+  const std::lock_guard lock(reading_);
+  Statement row = reader_->prepare("SELECT name FROM scenes WHERE id = ?");
   const Result<bool> found = row.text(scene).step();
   return found ? Result<std::string>(row.text_at(0)) : found.status();
 }
 
 Result<StoredScene> Journal::scene(const std::string& id) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(reading_);
   const std::string question =
       std::string("SELECT ") + scene_columns + ", checksum, checksum(" + scene_columns + ") FROM scenes WHERE id = ?";
-  Statement row = database_->prepare(question.c_str());
+  Statement row = reader_->prepare(question.c_str());
   const Result<bool> found = row.text(id).step();
   if (!found) return found.status();
   if (!*found) return failure(Code::not_found, "the journal has no such scene");

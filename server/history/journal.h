@@ -61,17 +61,18 @@ constexpr Revision newest_revision = std::numeric_limits<std::int64_t>::max();
 
 class Database;
 
-/// Thread-safe. One SQLite file in WAL mode, synced at each change, held by one process at a time.
+/// Thread-safe. One SQLite file in WAL mode, synced at each change. Readers have a connection beside the writers' one,
+/// and wait for no disk that is slow to take a change.
 class Journal {
  public:
-  /// Fails when the file is no journal, comes from a newer version or is in use (internal, unavailable).
+  /// Fails (internal) when the file is no journal or comes from a newer version.
   static Result<std::unique_ptr<Journal>> open(const std::string& path);
   /// A new journal of the rows (plain_rows.h) that `feed` hands over, all of them or none. Refused (invalid) where they
   /// are none; fails as `feed` does.
   using TakeRows = std::function<Status(std::string_view bytes)>;
   static Result<std::unique_ptr<Journal>> of_rows(const std::string& path,
                                                   const std::function<Status(const TakeRows&)>& feed);
-  /// Opens a server's journal in the same way, under a JournalGuard.
+  /// Opens a server's journal in the same way, under a JournalGuard. Fails (unavailable) while another server uses it.
   static Result<std::unique_ptr<Journal>> open_guarded(const std::string& path);
   ~Journal();
 
@@ -141,7 +142,7 @@ class Journal {
   Result<FieldDelta> change(const std::string& scene, Revision after, Revision last) const;
 
  private:
-  explicit Journal(std::unique_ptr<Database> database);
+  Journal(std::unique_ptr<Database> writer, std::unique_ptr<Database> reader);
   Status copy_into(const StoredScene& stored, const std::string& scene, Revision last, Journal& to, LogTail& tail,
                    const std::function<void()>& between) const;
   Revision last_revision(const std::string& scene) const;
@@ -151,7 +152,7 @@ class Journal {
   /// encode_delta of the first changes in (after, last].
   Result<std::vector<std::string>> next_changes(const std::string& scene, Revision after, Revision last) const;
 
-  // All of these need the lock.
+  // All of these need `writing_`.
   /// All of `work`, which moves the tail of the scene's log, or nothing of it.
   Status take(const std::function<Status()>& work);
   Status check_room() const;
@@ -159,14 +160,14 @@ class Journal {
   void give_room_back();
   Status change(const std::string& scene, const std::function<Status(LogTail&)>& work);
   Status read_tails();
-  Result<std::uint64_t> chain_at(const std::string& scene, Revision revision) const;
   Status insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail);
   Status insert_picture(const std::string& name, const std::string& bytes);
   /// Inserts an entry. The chain continues from `tail`, which moves to the entry.
   Status insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail);
 
-  mutable std::mutex mutex_;
-  std::unique_ptr<Database> database_;
+  mutable std::mutex writing_;
+  mutable std::mutex reading_;  // never held by who writes
+  std::unique_ptr<Database> writer_, reader_;
   std::unique_ptr<JournalGuard> guard_;
   LogTails tails_;  // of all scenes
   std::vector<LostEntries> lost_;

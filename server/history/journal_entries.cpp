@@ -37,7 +37,7 @@ constexpr std::size_t rows_at_a_time = 64, bytes_at_a_time = std::size_t{4} << 2
 }  // namespace
 
 Status Journal::insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail) {
-  Database& database = *database_;
+  Database& database = *writer_;
   if (entry.settings && !entry.settings->skin_texture.empty()) {
     if (Status kept = keep_picture(database, scene, entry.settings->skin_texture); !kept.ok()) return kept;
   }
@@ -59,7 +59,7 @@ Status Journal::insert_entry(const std::string& scene, const Entry& entry, const
 Status Journal::append(const std::string& scene, std::span<const Entry> entries) {
   std::vector<std::string> deltas;
   for (const Entry& entry : entries) deltas.push_back(encode_delta(entry.delta));
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return change(scene, [&](LogTail& tail) {
     Status written;
     for (std::size_t i = 0; written.ok() && i < entries.size(); ++i)
@@ -68,9 +68,8 @@ Status Journal::append(const std::string& scene, std::span<const Entry> entries)
   });
 }
 
-/// Returns the chain value that the entry after a revision continues from.
-Result<std::uint64_t> Journal::chain_at(const std::string& scene, Revision revision) const {
-  Statement row = database_->prepare(
+Result<std::uint64_t> chain_at(Database& database, const std::string& scene, Revision revision) {
+  Statement row = database.prepare(
       "SELECT coalesce((SELECT chain FROM entries WHERE scene = ?1 AND revision = ?2),"
       " (SELECT first_revision FROM scenes WHERE id = ?1))");
   const Result<bool> found = row.text(scene).number(revision).step();
@@ -82,8 +81,8 @@ Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTa
                                ") FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision";
   std::vector<Entry> entries;
   std::size_t bytes = 0;
-  const std::lock_guard lock(mutex_);
-  Statement rows = database_->prepare(question.c_str());
+  const std::lock_guard lock(reading_);
+  Statement rows = reader_->prepare(question.c_str());
   rows.text(scene).number(tail.revision).number(last);
   while (entries.size() < rows_at_a_time && bytes < bytes_at_a_time) {
     const Result<bool> row = rows.step();
@@ -102,8 +101,8 @@ Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTa
 
 Status Journal::for_each_entry(const std::string& scene, Revision after, Revision last,
                                const std::function<Status(const Entry&)>& use) const {
-  std::unique_lock lock(mutex_);
-  const Result<std::uint64_t> chain = chain_at(scene, after);
+  std::unique_lock lock(reading_);
+  const Result<std::uint64_t> chain = chain_at(*reader_, scene, after);
   lock.unlock();
   if (!chain) return chain.status();
   LogTail tail{after, *chain};
@@ -119,8 +118,8 @@ Status Journal::for_each_entry(const std::string& scene, Revision after, Revisio
 
 Result<std::optional<RequestedChange>> Journal::change_of_request(const std::string& path,
                                                                   const std::string& key) const {
-  const std::lock_guard lock(mutex_);
-  Statement row = database_->prepare(
+  const std::lock_guard lock(reading_);
+  Statement row = reader_->prepare(
       "SELECT fingerprint, scene, revision, hash_low, hash_high FROM requests WHERE path = ? AND key = ?");
   const Result<bool> found = row.text(path).text(key).step();
   if (!found) return found.status();
@@ -138,8 +137,8 @@ Result<std::vector<Entry>> Journal::entries(const std::string& scene, Revision a
 Result<std::vector<std::string>> Journal::next_changes(const std::string& scene, Revision after, Revision last) const {
   std::vector<std::string> changes;
   std::size_t bytes = 0;
-  const std::lock_guard lock(mutex_);
-  Statement rows = database_->prepare(
+  const std::lock_guard lock(reading_);
+  Statement rows = reader_->prepare(
       "SELECT revision, delta FROM entries WHERE scene = ? AND revision > ? AND revision <= ? ORDER BY revision");
   rows.text(scene).number(after).number(last);
   while (after < last && changes.size() < rows_at_a_time && bytes < bytes_at_a_time) {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
@@ -44,8 +45,21 @@ std::optional<LogTails> tails_in(const std::string& path) {
 
 }  // namespace
 
-JournalGuard::JournalGuard(std::string path)
+Result<FolderLock> FolderLock::of(const std::string& path) {
+  const std::string folder = std::filesystem::absolute(path).parent_path().string();
+  FolderLock lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (lock.folder_ < 0) return failure(Code::internal, "the data folder " + folder + " cannot be opened");
+  if (flock(lock.folder_, LOCK_EX | LOCK_NB) == 0) return Result<FolderLock>(std::move(lock));
+  return failure(Code::unavailable, "the journal cannot be used: another server uses the data folder " + folder);
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) close(folder_);
+}
+
+JournalGuard::JournalGuard(std::string path, FolderLock lock)
     : path_(std::move(path)),
+      lock_(std::move(lock)),
       journal_(file_at(path_)),
       wal_(file_at(path_ + "-wal")),
       acknowledged_(tails_in(path_ + "-acknowledged")),

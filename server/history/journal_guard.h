@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/status.h"
 #include "protocol/commands/answers.h"
@@ -24,12 +25,26 @@ using LogTails = std::map<std::string, LogTail>;  // by the id of the scene
 /// Bytes that the disk has to have for a server to be ready, and that the reserve holds.
 constexpr std::uint64_t min_room = std::uint64_t{16} << 20;
 
+/// Keeps other servers off the folder of a journal for as long as it lives.
+class FolderLock {
+ public:
+  /// Fails (unavailable) while another server holds the folder of this path, and (internal) where there is none.
+  static Result<FolderLock> of(const std::string& path);
+  FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}
+  FolderLock& operator=(FolderLock&&) = delete;
+  ~FolderLock();
+
+ private:
+  explicit FolderLock(int folder) : folder_(folder) {}
+  int folder_;
+};
+
 /// Watches the journal at a path, which is open, with its WAL. Not thread-safe. It writes two files beside them:
 /// PATH-acknowledged has the ends of all logs as clients were told of them, which is never more than the journal has
 /// unless the journal has lost something, and PATH-reserve has min_room bytes to work with when the disk is full.
 class JournalGuard {
  public:
-  explicit JournalGuard(std::string path);
+  JournalGuard(std::string path, FolderLock lock);
   ~JournalGuard();
   JournalGuard(const JournalGuard&) = delete;
   JournalGuard& operator=(const JournalGuard&) = delete;
@@ -62,6 +77,7 @@ class JournalGuard {
   static std::optional<File> file_at(const std::string& path);
 
   const std::string path_;
+  const FolderLock lock_;
   std::optional<File> journal_, wal_;
   std::optional<LogTails> acknowledged_;
   int tails_file_ = -1;

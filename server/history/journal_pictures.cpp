@@ -18,27 +18,27 @@ constexpr const char* drop_oldest_unused =
 
 Status Journal::add_picture(const std::string& name, const std::string& bytes) {
   if (has_picture(name)) return {};
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return take([&] {
     Status added = insert_picture(name, bytes);
-    return added.ok() ? database_->execute(drop_oldest_unused) : added;
+    return added.ok() ? writer_->execute(drop_oldest_unused) : added;
   });
 }
 
 Status Journal::insert_picture(const std::string& name, const std::string& bytes) {
   const std::string stored = compress_bytes(bytes);
-  return database_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(stored).run();
+  return writer_->prepare("INSERT OR IGNORE INTO pictures VALUES(?,?)").text(name).blob(stored).run();
 }
 
 bool Journal::has_picture(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
-  const Result<bool> found = database_->prepare("SELECT 1 FROM pictures WHERE name = ?").text(name).step();
+  const std::lock_guard lock(reading_);
+  const Result<bool> found = reader_->prepare("SELECT 1 FROM pictures WHERE name = ?").text(name).step();
   return found && *found;
 }
 
 Result<std::string> Journal::picture(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
-  Statement row = database_->prepare("SELECT bytes FROM pictures WHERE name = ?");
+  const std::lock_guard lock(reading_);
+  Statement row = reader_->prepare("SELECT bytes FROM pictures WHERE name = ?");
   const Result<bool> found = row.text(name).step();
   if (!found) return found.status();
   if (!*found) return damaged("a picture is missing");
@@ -46,8 +46,8 @@ Result<std::string> Journal::picture(const std::string& name) const {
 }
 
 Result<std::vector<std::string>> Journal::pictures_of(const std::string& scene) const {
-  const std::lock_guard lock(mutex_);
-  Statement rows = database_->prepare("SELECT picture FROM picture_uses WHERE scene = ? ORDER BY picture");
+  const std::lock_guard lock(reading_);
+  Statement rows = reader_->prepare("SELECT picture FROM picture_uses WHERE scene = ? ORDER BY picture");
   return texts_of(rows.text(scene));
 }
 

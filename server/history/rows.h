@@ -27,6 +27,9 @@ Result<std::vector<std::string>> texts_of(Statement& rows);
 Status write_request(Database& database, const std::optional<KeyedRequest>& request, const std::string& scene,
                      Revision revision, const FieldsHash& fields_hash = {});
 
+/// The chain value that the entry after a revision continues from.
+Result<std::uint64_t> chain_at(Database& database, const std::string& scene, Revision revision);
+
 /// The scene's log names the picture from now on.
 Status keep_picture(Database& database, const std::string& scene, const std::string& picture);
 /// Removes the scene's references to pictures, and the pictures that only this scene's log named.

@@ -16,7 +16,9 @@ Status status_of(sqlite3* database, int code) {
   const std::string message = std::string("the journal cannot be used: ") +
                               (database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
   if (code == SQLITE_TOOBIG) return failure(Code::too_large, message);
-  if (code == SQLITE_FULL || code == SQLITE_BUSY || code == SQLITE_LOCKED) return failure(Code::unavailable, message);
+  const bool full = code == SQLITE_FULL ||  // or there is no room for the memory that connections share
+                    (database != nullptr && sqlite3_extended_errcode(database) == SQLITE_IOERR_SHMSIZE);
+  if (full || code == SQLITE_BUSY || code == SQLITE_LOCKED) return failure(Code::unavailable, message);
   return failure(Code::internal, message);
 }
 

@@ -34,9 +34,7 @@ Gate::Pass enter_soon(Gate& gate) {
 
 Result<ExportFile> make_file(Service& service, const Scene& scene, const ExportRequest& wanted, const Cancel& cancel) {
   if (wanted.format == ExportFormat::pelage) return export_saved(service.scenes, scene, cancel);
-  std::optional<SceneCopy> copy;
-  scene.read([&](const SceneView& view) { copy.emplace(view); });
-  return export_scene(*copy, wanted, cancel);
+  return export_scene(*scene.snapshot(), wanted, cancel);
 }
 
 /// Sends the file piece by piece, and holds the pass as long as that takes.

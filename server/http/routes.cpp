@@ -36,11 +36,7 @@ void run_once(Service& service, const httplib::Request& request, httplib::Respon
   });
 }
 
-std::uint64_t model_id_of(const Scene& scene) {
-  std::uint64_t id = 0;
-  scene.read([&](const SceneView& view) { id = view.copy_id; });
-  return id;
-}
+std::uint64_t model_id_of(const Scene& scene) { return scene.snapshot()->view().copy_id; }
 
 void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler) {
   server.Post(pattern, [handler](const httplib::Request& request, httplib::Response& response) {

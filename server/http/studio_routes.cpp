@@ -10,8 +10,8 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-std::string_view bytes_of(const StudioFile& file, Encoding encoding) {
-  return encoding == Encoding::brotli ? file.brotli : encoding == Encoding::gzip ? file.gzip : file.identity;
+std::string_view bytes_of(const StudioFile& file, ContentCoding encoding) {
+  return encoding == ContentCoding::brotli ? file.brotli : encoding == ContentCoding::gzip ? file.gzip : file.identity;
 }
 
 /// A page that only does what its own files say: no other site can frame it, follow it or put a script into it.

@@ -28,8 +28,8 @@ Status not_replayed(const ListedStep& step, Status reason) {
 }  // namespace
 
 Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOptions& options) {
-  const std::lock_guard changing(changing_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
   const std::vector<ListedStep> steps = history_.listed_steps();
   const auto amended = std::find_if(steps.begin(), steps.end(), [&](const ListedStep& step) {
     return step.number == request.revision || (step.first <= request.revision && request.revision <= step.last);
@@ -58,8 +58,8 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
   Result<FieldSet> then = fields_at(before);
   if (!then) return then.status();
   Entry entry;
-  entry.revision = history_.revision() + 1, entry.kind = EntryKind::revert, entry.argument = before;
-  entry.delta = difference(*fields_, *then);
+  entry.revision = present_->revision + 1, entry.kind = EntryKind::revert, entry.argument = before;
+  entry.delta = difference(*present_->fields, *then);
   entry.fields_hash = then->hash();
   return Replay{std::move(*then), history_.settings_at(before), {std::move(entry)}, {}};
 }
@@ -68,7 +68,7 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
 Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
                           const ExecuteOptions& options) const {
   const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
-    if (revision <= history_.revision()) return fields_at(revision);
+    if (revision <= present_->revision) return fields_at(revision);
     FieldSet then = replay.fields;
     for (const Entry& entry : replay.entries) {
       if (entry.revision > revision) then.apply(entry.delta);
@@ -91,14 +91,15 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     resolved.push_back(step->command);
     steps.push_back(std::move(*step));
   }
-  if (Status too_costly = check_cost(steps, replay.settings->symmetry, model_->surface, replay.fields);
+  const Surface& surface = present_->model->surface;
+  if (Status too_costly = check_cost(steps, replay.settings->symmetry, surface, replay.fields);
       !too_costly.ok()) {
     if (steps.size() == 1) too_costly.pointer.insert(0, "/commands/0");  // as the other refusals here
     return too_costly;
   }
   const Revision next = replay.entries.back().revision + 1;
   Result<Outcome> evaluated =
-      evaluate_batch(steps, {}, model_->surface, replay.fields, *replay.settings, next, options.cancel);
+      evaluate_batch(steps, {}, surface, replay.fields, *replay.settings, next, options.cancel);
   if (!evaluated) return evaluated.status();
   Outcome& outcome = *evaluated;
   std::move(outcome.results.begin(), outcome.results.end(), std::back_inserter(replay.results));
@@ -116,13 +117,15 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
 
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                              std::uint64_t copy_id, const std::optional<KeyedRequest>& request) const {
-  const Snapshot now = snapshot();
-  const Revision last = at.value_or(now.revision);
+  const SnapshotPtr now = snapshot();
+  const Revision last = at.value_or(now->revision);
   if (Status bad = has_revision(last); !bad.ok()) return bad;
   if (Status written = journal_.branch(id_, id, name, last, request); !written.ok()) return written;
   const Result<StoredScene> stored = journal_.scene(id);
-  auto scene = std::make_shared<Scene>(id, name, now.model, FirstGroom{}, journal_, undo_bytes_);
-  scene->copy_id_ = copy_id;
+  auto scene = std::make_shared<Scene>(id, name, now->model, FirstGroom{}, journal_, undo_bytes_);
+  auto own = std::make_shared<SceneSnapshot>(*scene->present_);
+  own->copy_id = copy_id;
+  scene->present_ = std::move(own);
   Status restored = stored ? scene->restore(stored->first_groom, stored->first_revision, stored->first_settings)
                            : Status(stored.status());
   if (restored.ok() && scene->revision() == last) return scene;
@@ -131,10 +134,11 @@ Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::s
   return restored;
 }
 
-Status Scene::check_revision(Revision revision, std::string pointer) const {
-  if (revision >= history_.first_revision() && revision <= history_.revision()) return {};
-  return failure(Code::invalid, "there is no such revision of this model", std::move(pointer),
-                 "[" + std::to_string(history_.first_revision()) + ", " + std::to_string(history_.revision()) + "]");
+Status Scene::check_revision(Revision revision, const std::string& pointer) const {
+  const Revision first = history_.first_revision(), last = present_->revision;
+  if (revision >= first && revision <= last) return {};
+  return failure(Code::invalid, "there is no such revision of this model", pointer,
+                 "[" + std::to_string(first) + ", " + std::to_string(last) + "]");
 }
 
 Status Scene::has_revision(Revision revision) const {
@@ -143,14 +147,8 @@ Status Scene::has_revision(Revision revision) const {
   return check_revision(revision);
 }
 
-Result<Scene::Snapshot> Scene::snapshot_with(Revision revision, const std::string& pointer) const {
-  const std::lock_guard lock(mutex_);
-  if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
-  return present();
-}
-
 /// Computes the fields of an earlier revision from the current ones by the journal's changes.
-Result<FieldSet> Scene::fields_before(const Snapshot& now, Revision revision) const {
+Result<FieldSet> Scene::fields_before(const SceneSnapshot& now, Revision revision) const {
   FieldSet then = *now.fields;
   bool fits = true;
   Status read = journal_.for_each_change(id_, revision, now.revision, [&](const FieldDelta& delta) {
@@ -163,54 +161,49 @@ Result<FieldSet> Scene::fields_before(const Snapshot& now, Revision revision) co
 
 Result<FieldSet> Scene::fields_at(Revision revision) const {
   if (Status bad = check_revision(revision); !bad.ok()) return bad;
-  return fields_before(present(), revision);
+  return fields_before(*present_, revision);
 }
 
-Result<PastFields> Scene::past_fields(Revision revision, const std::string& pointer) const {
-  const Result<Snapshot> now = snapshot_with(revision, pointer);
-  if (!now) return now.status();
-  Result<FieldSet> then = fields_before(*now, revision);
-  if (then) return PastFields{now->model, std::move(*then)};
+Result<SceneSnapshot> Scene::snapshot_at(Revision revision, const std::string& pointer) const {
+  SnapshotPtr now;
+  SceneSnapshot then;
+  {
+    const std::lock_guard lock(mutex_);
+    if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
+    now = present_;
+    then.settings = history_.settings_at(revision);
+  }
+  if (revision == now->revision) return *now;
+  then.model = now->model, then.revision = revision;
+  Result<FieldSet> fields = fields_before(*now, revision);
+  auto texture = skin_texture_of(*then.settings, now.get());
+  if (fields && texture) {
+    then.fields = std::make_shared<const FieldSet>(std::move(*fields));
+    then.skin_texture = std::move(*texture);
+    return then;
+  }
   // Entries stay for as long as their model does. Where that went meanwhile, its entries were missing.
   const std::lock_guard lock(mutex_);
   if (Status removed = gone(); !removed.ok()) return removed;
   if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;
-  return then.status();
+  return fields ? texture.status() : fields.status();
 }
 
 Result<Comparison> Scene::compare(Revision from, Revision to) const {
-  const Result<PastFields> before = past_fields(from, "/from");
+  const Result<SceneSnapshot> before = snapshot_at(from, "/from");
   if (!before) return before.status();
-  const Result<PastFields> after = past_fields(to, "/to");
+  const Result<SceneSnapshot> after = snapshot_at(to, "/to");
   if (!after) return after.status();
   if (before->model != after->model) return failure(Code::conflict, "the scene got another model meanwhile");
-  const FieldDelta delta = difference(before->fields, after->fields);
-  return Comparison{from, to, delta.vertices().size(), measure(delta, before->fields)};
-}
-
-Result<std::shared_ptr<const SceneSettings>> Scene::settings_at(Revision revision) const {
-  const std::lock_guard lock(mutex_);
-  if (Status bad = check_revision(revision); !bad.ok()) return bad;
-  return history_.settings_at(revision);
+  const FieldDelta delta = difference(*before->fields, *after->fields);
+  return Comparison{from, to, delta.vertices().size(), measure(delta, *before->fields)};
 }
 
 Result<SettingsAnswer> Scene::settings(std::optional<Revision> revision) const {
-  const Snapshot now = snapshot();
-  if (!revision) return SettingsAnswer{now.revision, *now.settings};
-  const auto settings = settings_at(*revision);
-  if (!settings) return settings.status();
-  return SettingsAnswer{*revision, **settings};
-}
-
-/// No two models of a scene have a revision in common, so that all of this is of one model.
-Result<SceneCopy> Scene::copy_at(Revision revision, std::uint64_t copy_id) const {
-  const auto settings = settings_at(revision);
-  if (!settings) return settings.status();
-  Result<PastFields> past = past_fields(revision, "/revision");
-  if (!past) return past.status();
-  Result<LaidPicture> picture = picture_of(**settings, snapshot().picture);
-  if (!picture) return picture.status();
-  return SceneCopy(std::move(*past), *settings, std::move(picture->image), revision, copy_id);
+  const std::lock_guard lock(mutex_);
+  if (!revision) return SettingsAnswer{present_->revision, *present_->settings};
+  if (Status bad = check_revision(*revision); !bad.ok()) return bad;
+  return SettingsAnswer{*revision, *history_.settings_at(*revision)};
 }
 
 }  // namespace pelage

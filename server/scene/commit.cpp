@@ -10,8 +10,6 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t many_ranges = 1 << 12;  // when nobody draws, ranges are merged now and then
-
 std::vector<VertexRange> changed_ranges(std::span<const Entry> entries) {
   std::vector<VertexRange> changed;
   for (const Entry& entry : entries) {
@@ -21,88 +19,84 @@ std::vector<VertexRange> changed_ranges(std::span<const Entry> entries) {
   return changed;
 }
 
-void make_room(std::vector<VertexRange>& dirty, std::size_t more) {
-  if (dirty.size() > many_ranges) dirty = merge_ranges(dirty);
-  dirty.reserve(dirty.size() + more);
-}
-
-/// Adds the ranges `more` to `dirty`. If a reader has taken the ranges and their storage meanwhile, `more` replaces
-/// them.
-void add_ranges(std::vector<VertexRange>& dirty, std::vector<VertexRange>& more, std::size_t vertices) noexcept {
-  if (dirty.empty()) return dirty.swap(more);
-  if (dirty.capacity() - dirty.size() >= more.size())
-    dirty.insert(dirty.end(), more.begin(), more.end());
-  else
-    dirty.assign(1, {0, static_cast<std::uint32_t>(vertices)});
-}
-
 }  // namespace
+
+Status Scene::take_over(const std::function<Status()>& write, const std::function<void()>& publish) {
+  const std::lock_guard writing(writing_);
+  if (Status removed = gone(); !removed.ok()) return removed;
+  if (Status written = write(); !written.ok()) return written;
+  const std::lock_guard lock(mutex_);
+  publish();
+  announce();
+  return {};
+}
 
 /// Commits entries that lead to `fields` and to `live`. Everything that can fail is done before the journal has the
 /// entries, and is prepared beside the scene; what follows only moves it in, so that the scene and the journal never
 /// differ. Readers wait only for that move.
 Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live) {
-  auto after = std::make_shared<const FieldSet>(std::move(fields));
-  std::vector<VertexRange> changed = changed_ranges(entries);
   History::Prepared prepared = history_.prepare(entries);
-  Result<LaidPicture> picture = picture_of(prepared.settings(), picture_);
-  if (!picture) return picture.status();
+  auto texture = skin_texture_of(*prepared.settings(), present_.get());
+  if (!texture) return texture.status();
+  auto after = std::make_shared<SceneSnapshot>(*present_);
+  after->fields = std::make_shared<const FieldSet>(std::move(fields));
+  after->settings = prepared.settings();
+  after->revision = entries.back().revision;
+  after->skin_texture = std::move(*texture);
+  after->changes = present_->changes.with(changed_ranges(entries));
+  SnapshotPtr next = std::move(after);  // then the one before, which is freed without the lock
   {
     const std::lock_guard lock(mutex_);
     history_.reserve(entries.size());
-    make_room(dirty_, changed.size());
   }
-  if (Status written = journal_.append(id_, entries); !written.ok()) return written;
-  const std::lock_guard lock(mutex_);
-  fields_.swap(after);  // which is freed without the lock
-  history_.record(std::move(prepared));
-  live_ = std::move(live);
-  picture_ = std::move(*picture);
-  add_ranges(dirty_, changed, fields_->size());
-  announce();
-  return {};
+  return take_over([&] { return journal_.append(id_, entries); },
+                   [&] {
+                     present_.swap(next);
+                     history_.record(std::move(prepared));
+                     live_ = std::move(live);
+                   });
 }
 
 /// The journal keeps the pictures that logs name, so that undo and redo find them.
-Result<Scene::LaidPicture> Scene::picture_of(const SceneSettings& settings, const LaidPicture& present) const {
+Result<std::shared_ptr<const RawImage>> Scene::skin_texture_of(const SceneSettings& settings,
+                                                               const SceneSnapshot* present) const {
   const std::string& name = settings.skin_texture;
-  if (name == present.name) return present;
-  if (name.empty()) return LaidPicture{};
+  if (present != nullptr && name == present->settings->skin_texture) return present->skin_texture;
+  if (name.empty()) return std::shared_ptr<const RawImage>();
   const Result<std::string> bytes = journal_.picture(name);
   if (!bytes) return bytes.status();
   Result<RawImage> image = decode_raw_image(std::as_bytes(std::span(*bytes)));
   if (!image) return failure(Code::internal, "the journal is damaged: a picture cannot be read");
-  return LaidPicture{std::make_shared<const RawImage>(std::move(*image)), name};
+  return std::make_shared<const RawImage>(std::move(*image));
 }
 
-/// All that it takes is allocated before the journal has the model.
-Scene::Beginning Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, History history,
-                                  LaidPicture picture) {
-  const auto vertices = static_cast<std::uint32_t>(fields.size());
-  return {std::move(model),
-          std::make_shared<const FieldSet>(std::move(fields)),
-          std::move(history),
-          std::move(picture),
-          {{0, vertices}}};
+SnapshotPtr Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
+                             std::shared_ptr<const RawImage> skin_texture) const {
+  auto begun = std::make_shared<SceneSnapshot>();
+  const bool same = present_ && present_->model == model;
+  begun->copy_id = same ? present_->copy_id : model->id;
+  if (same) begun->pose = present_->pose;
+  begun->changes = (same ? present_->changes : RecentChanges()).with(whole_range(fields.size()));
+  begun->model = std::move(model);
+  begun->fields = std::make_shared<const FieldSet>(std::move(fields));
+  begun->settings = history.settings_at(history.revision());
+  begun->revision = history.revision();
+  begun->skin_texture = std::move(skin_texture);
+  return begun;
 }
 
-/// Makes `beginning` the state of the scene and moves the previous state into `beginning`, to be freed without the
-/// lock.
-void Scene::begin_anew(Beginning& beginning) noexcept {
-  const std::lock_guard lock(mutex_);
-  if (model_ != beginning.model) copy_id_ = beginning.model->id, pose_.reset();
-  model_.swap(beginning.model);
-  fields_.swap(beginning.fields);
-  std::swap(history_, beginning.history);
-  std::swap(picture_, beginning.picture);
-  dirty_.swap(beginning.dirty);
-  live_.end();
-  announce();
+/// What was there before is in both arguments then, to be freed without the lock.
+Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write) {
+  return take_over(write, [&] {
+    present_.swap(snapshot);
+    std::swap(history_, history);
+    live_.end();
+  });
 }
 
 /// Publishes the newest revision and wakes those who wait for it.
 void Scene::announce() noexcept {
-  newest_ = history_.revision();
+  newest_ = present_->revision;
   changed_.notify_all();
 }
 

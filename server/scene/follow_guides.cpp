@@ -35,20 +35,19 @@ Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, con
                                     const ExecuteOptions& options) {
   Interpolate command;
   command.strength = upload.strength;
-  std::size_t far = 0;
-  scene.read([&](const SceneView& view) {
-    GuideKeys found = keys_of(curves, view.model.surface, view.settings.coat);
-    far = found.far, command.keys = std::move(found.keys);
-    thin(command, static_cast<std::size_t>(upload.keys), view.settings.symmetry, view.model.surface);
-    command.sigma = upload.sigma.value_or(sigma_between(command.keys.size(), view.model.surface.mesh()));
-  });
+  const SnapshotPtr now = scene.snapshot();
+  const Surface& surface = now->model->surface;
+  GuideKeys found = keys_of(curves, surface, now->settings->coat);
+  command.keys = std::move(found.keys);
+  thin(command, static_cast<std::size_t>(upload.keys), now->settings->symmetry, surface);
+  command.sigma = upload.sigma.value_or(sigma_between(command.keys.size(), surface.mesh()));
   if (command.keys.empty()) {
     return failure(Code::invalid, "No curve of the file stands on the skin; are its axes and unit those of the model?",
                    "", fmt::format("roots at most {} sizes from the skin", guide_reach));
   }
   const std::size_t used = command.keys.size();
   Result<CommandAnswer> answer = scene.execute({std::move(command)}, options);
-  if (answer) warn(*answer, curves.size(), far, used);
+  if (answer) warn(*answer, curves.size(), found.far, used);
   return answer;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "base/caught.h"
 #include "base/limits.h"
 
 namespace pelage {
@@ -87,17 +88,27 @@ void OpenScenes::close(Dropped dropped) const {
 Status OpenScenes::has_room() const { return count() < limits::scenes ? Status{} : too_many(); }
 
 Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<Status()>& write) {
-  Dropped dropped;
-  {
-    const std::lock_guard lock(mutex_);
-    if (slots_.size() >= limits::scenes) return too_many();
-    slots_.reserve(slots_.size() + 1);  // what fails is to fail before the journal has it
-    Slot slot{scene->id(), scene, {}, uses_ + 1};
-    if (Status written = write ? write() : Status{}; !written.ok()) return written;
-    ++uses_;
-    slots_.push_back(std::move(slot));
-    dropped = keep_to_budget();
+  Slot slot{scene->id(), scene};
+  std::unique_lock lock(mutex_);
+  if (slots_.size() + adding_ >= limits::scenes) return too_many();
+  slots_.reserve(slots_.size() + adding_ + 1);  // what fails is to fail before the journal has it
+  ++adding_;
+  lock.unlock();
+  Status written;
+  try {  // without the lock: the disk may be slow
+    if (write) written = write();
+  } catch (...) {
+    lock.lock();
+    --adding_;
+    throw;
   }
+  lock.lock();
+  --adding_;
+  if (!written.ok()) return written;
+  slot.last_use = ++uses_;
+  slots_.push_back(std::move(slot));
+  Dropped dropped = keep_to_budget();
+  lock.unlock();
   close(std::move(dropped));
   give_memory_back();  // that preparing the model took
   return {};
@@ -163,14 +174,14 @@ Status OpenScenes::remove(const std::string& id, const std::function<Status(cons
   }
   if (!slot) return no_such_scene();
   Dropped dropped;
-  if (slot->scene) {
-    dropped.push_back(slot->scene);
-    lock.unlock();  // the scene may be at work
-    if (Status removed = dropped[0]->remove(); !removed.ok()) return removed;
-    lock.lock();
-  } else if (Status removed = remove_evicted(id); !removed.ok()) {
-    return removed;
-  }
+  if (slot->scene) dropped.push_back(slot->scene);
+  slot->opening = !slot->scene;  // nobody opens it meanwhile
+  lock.unlock();                 // the disk may be slow
+  Status removed = caught([&] { return dropped.empty() ? remove_evicted(id) : dropped[0]->remove(); });
+  lock.lock();
+  if (Slot* left = slot_of(id)) left->opening = false;  // another call may have removed it
+  opened_.notify_all();
+  if (!removed.ok()) return removed;
   std::erase_if(slots_, [&](const Slot& one) { return one.id == id; });
   lock.unlock();
   close(std::move(dropped));

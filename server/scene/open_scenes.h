@@ -86,7 +86,8 @@ class OpenScenes {
   std::function<std::size_t()> coat_bytes_;
   mutable std::mutex mutex_;
   std::condition_variable opened_;
-  Slots slots_;  // in the order that the scenes were made in
+  Slots slots_;             // in the order that the scenes were made in
+  std::size_t adding_ = 0;  // scenes that the journal is about to have
   std::uint64_t uses_ = 0, evictions_ = 0, reopened_ = 0;
 };
 

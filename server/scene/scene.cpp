@@ -23,8 +23,6 @@ namespace pelage {
 
 namespace {
 
-std::vector<VertexRange> whole_range(std::size_t vertices) { return {{0, static_cast<std::uint32_t>(vertices)}}; }
-
 /// A retarget with what it takes, and with the revision of that.
 Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sources) {
   const auto source = std::find_if(sources.begin(), sources.end(), [&](const GroomSource& one) {
@@ -49,11 +47,10 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       name_(std::move(name)),
       journal_(journal),
       undo_bytes_(undo_bytes),
-      model_(std::move(model)),
-      copy_id_(model_->id),
-      fields_(std::make_shared<const FieldSet>(first_groom(model_->surface.mesh(), fur))),
-      history_(new_history(0, first_settings(*model_))),
-      dirty_(whole_range(fields_->size())) {}
+      history_(new_history(0, first_settings(*model))) {
+  FieldSet fields = first_groom(model->surface.mesh(), fur);
+  present_ = beginning(std::move(model), std::move(fields), history_, nullptr);
+}
 
 /// Steps beyond the budget are read back from the journal, which has every entry.
 History Scene::new_history(Revision first, SceneSettings settings) const {
@@ -65,9 +62,8 @@ History Scene::new_history(Revision first, SceneSettings settings) const {
 
 Status Scene::restore(const FieldDelta& first_groom, Revision first,
                       const std::shared_ptr<const SceneSettings>& settings) {
-  const std::lock_guard changing(changing_);
-  FieldSet fields(fields_->size());
-  History history = new_history(first, settings ? *settings : first_settings(*model_));
+  FieldSet fields(present_->fields->size());
+  History history = new_history(first, settings ? *settings : first_settings(*present_->model));
   if (!fields.accepts(first_groom)) return damaged_journal();
   fields.apply(first_groom);
   Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
@@ -77,37 +73,38 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
     history.record(entry);
     return Status{};
   });
-  Result<LaidPicture> picture = picture_of(history.settings(), {});
-  if (taken.ok() && !picture) taken = picture.status();
-  LaidPicture laid = picture ? std::move(*picture) : LaidPicture{};
-  Beginning restored = beginning(model_, std::move(fields), std::move(history), std::move(laid));
-  begin_anew(restored);  // what is whole of a damaged scene too
-  return taken;
+  auto texture = skin_texture_of(history.settings(), nullptr);
+  if (taken.ok() && !texture) taken = texture.status();
+  SnapshotPtr restored = beginning(present_->model, std::move(fields), history, texture ? *texture : nullptr);
+  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // what is whole of a damaged scene too
+  return taken.ok() ? begun : taken;
 }
 
 void Scene::quarantine(const std::string& why) {
-  const std::scoped_lock lock(changing_, mutex_);
+  const std::lock_guard lock(mutex_);
   damage_ = why;
   announce();
 }
 
 // The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
 Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const ExecuteOptions& options) {
-  const std::lock_guard changing(changing_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
 
   // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
   const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
-  if (Status too_costly = check_cost(planned->whole, history_.settings().symmetry, model_->surface, *fields_);
+  const SceneSnapshot& now = *present_;
+  if (Status too_costly =
+          check_cost(planned->whole, now.settings->symmetry, now.model->surface, *now.fields);
       !too_costly.ok())
     return too_costly;
 
   // What the commands do. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
-  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, model_->surface, *fields_, history_.settings(),
-                                             history_.revision() + 1, options.cancel);
+  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, now.model->surface, *now.fields, *now.settings,
+                                             now.revision + 1, options.cancel);
   if (!evaluated) return evaluated.status();
   Outcome& outcome = *evaluated;
   if (options.dry_run) return answer(std::move(outcome.results));
@@ -125,7 +122,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
     const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
-    const Entry entry{history_.revision() + 1,
+    const Entry entry{now.revision + 1,
                       kind,
                       0,
                       encode(logged),
@@ -146,16 +143,16 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
 
 // Undo, redo and revert enter the same story with a stored change.
 Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions& options) {
-  const std::lock_guard changing(changing_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
   Result<Entry> entry = entry_of(move);
   if (!entry) return entry.status();
   entry->author = options.author;
   entry->request = options.request;
-  std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, *fields_)};
-  const bool stays = entry->kind == EntryKind::revert && entry->argument == history_.revision();
+  std::vector<CommandResult> results{describe_change(name_of(entry->kind), entry->delta, *present_->fields)};
+  const bool stays = entry->kind == EntryKind::revert && entry->argument == present_->revision;
   if (!options.dry_run && !stays) {
-    FieldSet after = *fields_;
+    FieldSet after = *present_->fields;
     after.apply(entry->delta);
     if (Status written = commit(std::span(&*entry, 1), std::move(after), {}); !written.ok()) return written;
   }
@@ -164,12 +161,14 @@ Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions&
 
 Status Scene::gone() const { return removed_ ? failure(Code::not_found, "the scene has been removed") : Status{}; }
 
-Status Scene::admit(const ExecuteOptions& options) const {
+Result<ChangeTurns::Turn> Scene::begin_change(const ExecuteOptions& options) {
+  Result<ChangeTurns::Turn> turn = turns_.take(options.cancel);
+  if (!turn) return turn;
   if (options.cancel.asked()) return nobody_waits();
   if (Status removed = gone(); !removed.ok()) return removed;
   if (!damage_.empty()) return quarantined(damage_);
-  if (!options.if_match || *options.if_match == history_.revision()) return {};
-  return failure(Code::precondition, "the scene is at revision " + std::to_string(history_.revision()));
+  if (!options.if_match || *options.if_match == present_->revision) return turn;
+  return failure(Code::precondition, "the scene is at revision " + std::to_string(present_->revision));
 }
 
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const ExecuteOptions& options) const {
@@ -180,12 +179,12 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   if (commands.size() == 1 && live_.joins(commands.front())) {
     const Result<FieldDelta> so_far = history_.last_step();
     if (!so_far) return so_far.status();
-    before_stroke.emplace(*fields_).apply(*so_far);
+    before_stroke.emplace(*present_->fields).apply(*so_far);
   }
-  const FieldSet& seen = before_stroke ? *before_stroke : *fields_;
+  const FieldSet& seen = before_stroke ? *before_stroke : *present_->fields;
   double visits = 0;
   const Past past{
-      history_.settings(), seen, [this](Revision revision) { return fields_at(revision); }, options, pictures, visits};
+      *present_->settings, seen, [this](Revision revision) { return fields_at(revision); }, options, pictures, visits};
   for (std::size_t k = 0; k < commands.size(); ++k) {
     Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
     Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
@@ -197,7 +196,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   Result<LiveStroke::Plan> live = live_.plan(plan.logged.front());
   if (!live) return live.status();
   if (live->joins) {  // the whole stroke has limits that no part breaks alone
-    if (Result<Command> checked = resolve(live->whole, model_->surface); !checked) return checked.status();
+    if (Result<Command> checked = resolve(live->whole, present_->model->surface); !checked) return checked.status();
   }
   plan.whole.front().command = std::move(live->whole);
   plan.logged.front() = std::move(live->unlogged);
@@ -208,13 +207,13 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
 /// A command as it is evaluated: resolved, with all that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
   const SeenFur fur{past.fields, past.settings.coat, past.visits, past.options.cancel};
-  Result<Command> resolved = resolve(command, model_->surface, &fur);
+  Result<Command> resolved = resolve(command, present_->model->surface, &fur);
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);
   Result<Step> step = retarget ? with_source(*retarget, past.options.sources) : with_rest(std::move(*resolved), past);
   if (!step) return step;
-  auto picture = past.pictures.find(step->command, model_->surface.mesh().positions.size());
+  auto picture = past.pictures.find(step->command, present_->model->surface.mesh().positions.size());
   if (!picture) return picture.status();
   step->picture = std::move(*picture);
   return step;
@@ -262,38 +261,26 @@ Result<Step> Scene::with_rest(Command command, const Past& past) const {
   return step;
 }
 
-SceneView Scene::Snapshot::view() const {
-  const RawImage* image = picture.image.get();
-  if (!pose)
-    return {*model, *fields, *settings, revision, image, copy_id, model, picture.image, nullptr, fields, settings};
-  const std::shared_ptr<const SceneSettings> posed(pose, &pose->settings);
-  return {*pose->model, *fields,       *posed,
-          revision,     image,         pose->model->id,
-          pose->model,  picture.image, pose->swing ? &*pose->swing : nullptr,
-          fields,       posed};
-}
-
-Scene::Snapshot Scene::snapshot() const {
+SnapshotPtr Scene::snapshot() const {
   const std::lock_guard lock(mutex_);
-  return present();
-}
-
-Scene::Snapshot Scene::present() const {
-  const Revision revision = history_.revision();
-  return {model_, copy_id_, fields_, history_.settings_at(revision), revision, picture_, pose_};
+  return present_;
 }
 
 void Scene::pose(std::optional<ScenePose> pose) {
-  auto posed = pose ? std::make_shared<const ScenePose>(std::move(*pose)) : nullptr;
+  [[maybe_unused]] const Result<ChangeTurns::Turn> turn = turns_.take();
+  assert(turn.ok());
+  auto posed = std::make_shared<SceneSnapshot>(*present_);
+  const Mesh& mesh = posed->model->surface.mesh();
+  assert(!pose || pose->model->surface.mesh().triangles.size() == mesh.triangles.size());
+  posed->pose = pose ? std::make_shared<const ScenePose>(std::move(*pose)) : nullptr;
+  posed->changes = posed->changes.with(whole_range(mesh.positions.size()));
   const std::lock_guard lock(mutex_);
-  assert(!posed || posed->model->surface.mesh().triangles.size() == model_->surface.mesh().triangles.size());
-  pose_.swap(posed);
-  dirty_ = {{0, static_cast<std::uint32_t>(model_->surface.mesh().positions.size())}};
+  present_ = std::move(posed);
 }
 
 Result<Entry> Scene::entry_of(const HistoryMove& move) const {
   Entry entry;
-  entry.revision = history_.revision() + 1;
+  entry.revision = present_->revision + 1;
   Result<FieldDelta> delta = FieldDelta{};
   if (const auto* undo = std::get_if<Undo>(&move)) {
     entry.kind = EntryKind::undo;
@@ -308,31 +295,32 @@ Result<Entry> Scene::entry_of(const HistoryMove& move) const {
     entry.argument = std::get<Revert>(move).revision;
     const Result<FieldSet> then = fields_at(entry.argument);
     if (!then) return then.status();
-    delta = difference(*fields_, *then);
+    delta = difference(*present_->fields, *then);
   }
   if (!delta) return delta.status();
   entry.delta = std::move(*delta);
-  entry.fields_hash = fields_->hash_after(entry.delta);
+  entry.fields_hash = present_->fields->hash_after(entry.delta);
   return entry;
 }
 
 CommandAnswer Scene::answer(std::vector<CommandResult> results) const {
-  return {history_.revision(), fields_->hash(), std::move(results)};
+  return {present_->revision, present_->fields->hash(), std::move(results)};
 }
 
 SceneSummary Scene::summary() const {
   const std::lock_guard lock(mutex_);
+  const SceneModel& model = *present_->model;
   return {id_,
           name_,
-          history_.revision(),
-          model_->name,
-          model_->mesh_id,
-          json_names::word_of(json_names::fur_patches, model_->fur_patches),
-          model_->surface.mesh().report,
-          fields_->hash(),
+          present_->revision,
+          model.name,
+          model.mesh_id,
+          json_names::word_of(json_names::fur_patches, model.fur_patches),
+          model.surface.mesh().report,
+          present_->fields->hash(),
           history_.undo_steps(),
           history_.redo_steps(),
-          history_.settings().layers,
+          present_->settings->layers,
           damage_};
 }
 
@@ -351,56 +339,36 @@ std::vector<std::vector<Command>> Scene::effective_log() const {
 }
 
 Result<MapFile> Scene::draw_map(const MapRequest& request) const {
-  const Snapshot now = snapshot();
-  Result<MapFile> file = make_map_file(now.model->surface.mesh(), *now.fields, request);
-  if (file) file->answer.revision = now.revision;
+  const SnapshotPtr now = snapshot();
+  Result<MapFile> file = make_map_file(now->model->surface.mesh(), *now->fields, request);
+  if (file) file->answer.revision = now->revision;
   return file;
 }
 
 Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
-  const Snapshot now = snapshot();
-  return pelage::pick(now.model->surface, *now.fields, wanted);
-}
-
-void Scene::read(const std::function<void(const SceneView&)>& use) const {
-  const Snapshot now = snapshot();
-  use(now.view());
-}
-
-void Scene::read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use) {
-  std::vector<VertexRange> dirty;
-  std::unique_lock lock(mutex_);
-  const Snapshot now = present();
-  dirty_.swap(dirty);
-  lock.unlock();
-  try {
-    use(now.view(), merge_ranges(std::move(dirty)));
-  } catch (...) {  // what was not taken over is still to be drawn
-    lock.lock();
-    dirty_ = whole_range(fields_->size());
-    throw;
-  }
+  const SnapshotPtr now = snapshot();
+  return pelage::pick(now->model->surface, *now->fields, wanted);
 }
 
 Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
                                           StoredModel stored, const ExecuteOptions& options) {
   FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
-  const std::lock_guard changing(changing_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
   if (options.dry_run) return summary();
-  const Revision revision = history_.revision() + 1;
-  const FieldDelta groom = difference(FieldSet(first.size()), first);
-  Beginning fresh = beginning(model, std::move(first), new_history(revision, first_settings(*model)), {});
-  Status written = journal_.replace_model({id_, name_, std::move(stored), revision, groom});
-  if (!written.ok()) return written;
-  begin_anew(fresh);
-  return summary();
+  const Revision revision = present_->revision + 1;
+  const StoredScene stored_scene{id_, name_, std::move(stored), revision, difference(FieldSet(first.size()), first)};
+  History history = new_history(revision, first_settings(*model));
+  SnapshotPtr fresh = beginning(model, std::move(first), history, nullptr);
+  Status begun = begin_anew(fresh, history, [&] { return journal_.replace_model(stored_scene); });
+  return begun.ok() ? Result<SceneSummary>(summary()) : begun;
 }
 
+/// Waits for no change that is being evaluated: that will find the scene gone.
 Status Scene::remove() {
-  const std::lock_guard changing(changing_);
-  if (removed_) return failure(Code::not_found, "the scene has been removed");
-  if (Status gone = journal_.remove_scene(id_); !gone.ok()) return gone;
+  const std::lock_guard writing(writing_);
+  if (Status removed = gone(); !removed.ok()) return removed;
+  if (Status failed = journal_.remove_scene(id_); !failed.ok()) return failed;
   const std::lock_guard lock(mutex_);
   removed_ = true;
   announce();

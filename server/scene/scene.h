@@ -1,5 +1,5 @@
-// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order; nobody
-// who reads the scene waits for them.
+// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order; whoever
+// reads the scene reads a snapshot.
 #pragma once
 
 #include <atomic>
@@ -23,74 +23,13 @@
 #include "server/fields/field_set.h"
 #include "server/history/history.h"
 #include "server/history/live_stroke.h"
-#include "server/patches/patches.h"
-#include "server/patches/subdivide.h"
 #include "server/scene/batch.h"
+#include "server/scene/change_turns.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/scene_memory.h"
-#include "server/surface/surface.h"
+#include "server/scene/snapshot.h"
 
 namespace pelage {
-
-/// A model that never changes while it is in a scene; shared with frames that are being drawn.
-struct SceneModel {
-  Surface surface;
-  PatchMap patches;
-  std::uint64_t id = 0;  // unique in the process: what the renderer caches by, but for branches that share the model
-  std::string name;      // "creature", "obj", ...
-  FurPatches fur_patches = FurPatches::overlapping;
-  std::vector<ChosenTriangles> subdivisions = {};  // since it was prepared
-  std::string mesh_id = {};                        // SceneSummary::model_id
-  std::shared_ptr<const SceneModel> rest = {};     // of one that has moved: as its coat was made, vertex by vertex
-};
-
-/// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
-struct GroomSource {
-  std::string scene;
-  std::optional<Revision> asked = {};  // the revision that was asked for
-  Revision revision = 0;
-  std::shared_ptr<const SceneModel> model;
-  std::shared_ptr<const FieldSet> fields;
-};
-
-/// How a model that moves has moved, which makes its fur swing.
-struct BodySwing {
-  /// Of the skin at a vertex at a time of the scene, sizes per second squared, turned as the skin has turned since:
-  /// what BodyMotion (server/motion) wants. Called from several threads.
-  std::function<glm::dvec3(std::uint32_t vertex, double time)> acceleration;
-  double step = 1.0 / 24;  // seconds, [1/1000, 1], from one known acceleration to the next
-};
-
-/// What drawing needs to read, for as long as the callback of Scene::read runs.
-struct SceneView {
-  const SceneModel& model;
-  const FieldSet& fields;
-  const SceneSettings& settings;
-  Revision revision;
-  const RawImage* skin_texture = nullptr;              // that the settings name; null for the model's own colours
-  std::uint64_t copy_id = model.id;                    // what the renderer keeps the model with these fields by
-  std::shared_ptr<const SceneModel> model_owner = {};  // for those who read on when it has returned
-  std::shared_ptr<const RawImage> picture_owner = {};
-  const BodySwing* swing = nullptr;  // null for a model that stands still
-  std::shared_ptr<const FieldSet> fields_owner = {};
-  std::shared_ptr<const SceneSettings> settings_owner = {};
-};
-
-/// How a scene stands at a moment: its model elsewhere, and its settings with what stands on the model there. The groom
-/// stays what it is.
-struct ScenePose {
-  std::shared_ptr<const SceneModel> model;  // with the triangles of the scene's
-  SceneSettings settings;
-  std::optional<BodySwing> swing = {};
-};
-
-/// What a scene's fields were at a revision.
-struct PastFields {
-  std::shared_ptr<const SceneModel> model;
-  FieldSet fields;
-};
-
-class SceneCopy;
 
 struct ExecuteOptions {
   std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
@@ -123,7 +62,8 @@ struct MapFile;
 struct StoredModel;
 
 /// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned. What changes the
-/// scene waits for the change before it; all else sees the scene as it was after the last change, and waits for none.
+/// scene waits for the changes before it (ChangeTurns) and fails as that does; all else sees the scene as it was after
+/// the last change, and waits for none.
 class Scene {
  public:
   /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
@@ -160,11 +100,11 @@ class Scene {
 
   /// Refused (invalid, "/revision") when this model has no such revision.
   Status has_revision(Revision revision) const;
-  /// Refused (invalid, with the pointer) as compare does.
-  Result<PastFields> past_fields(Revision revision, const std::string& pointer = "/overlay_from") const;
-  /// All that drawing reads, as it was, under a `copy_id` of its own. Reads the journal as past_fields does. Refused
-  /// (invalid, "/revision") when this model has no such revision.
-  Result<SceneCopy> copy_at(Revision revision, std::uint64_t copy_id) const;
+  /// The scene as it is, which others may change meanwhile.
+  SnapshotPtr snapshot() const;
+  /// The scene as it was at a revision: of an earlier one without a copy_id, and not posed. Reads the journal. Refused
+  /// (invalid, with the pointer) when this model has no such revision.
+  Result<SceneSnapshot> snapshot_at(Revision revision, const std::string& pointer = "/revision") const;
 
   SceneSummary summary() const;
   SceneMemory memory() const noexcept;
@@ -188,15 +128,9 @@ class Scene {
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
 
-  /// What `use` sees does not change while it runs.
-  void read(const std::function<void(const SceneView&)>& use) const;
-  /// As read, and hands over the vertex ranges that changed since the last call (everything after a new model, and
-  /// after a call whose `use` has thrown).
-  void read_for_drawing(const std::function<void(const SceneView&, const std::vector<VertexRange>&)>& use);
-
   /// Lets whoever draws the present see the scene so until the next call, and at rest for none; settings that are set
   /// meanwhile are not seen. No part of the groom: not in the journal, and revisions stay. The pose has the model's
-  /// triangles.
+  /// triangles. For who alone changes the scene.
   void pose(std::optional<ScenePose> pose);
 
   /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
@@ -248,43 +182,14 @@ class Scene {
     std::vector<CommandResult> results;
   };
 
-  /// That the settings name; none for the model's own colours.
-  struct LaidPicture {
-    std::shared_ptr<const RawImage> image = {};
-    std::string name = {};
-  };
+  Result<FieldSet> fields_before(const SceneSnapshot& now, Revision revision) const;
+  Result<std::shared_ptr<const RawImage>> skin_texture_of(const SceneSettings& settings,
+                                                          const SceneSnapshot* present) const;
+  /// The scene as it begins with a model and a log, and the texture that its settings name.
+  SnapshotPtr beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
+                        std::shared_ptr<const RawImage> skin_texture) const;
 
-  /// What readers see. None of it changes.
-  struct Snapshot {
-    std::shared_ptr<const SceneModel> model;
-    std::uint64_t copy_id;
-    std::shared_ptr<const FieldSet> fields;
-    std::shared_ptr<const SceneSettings> settings;
-    Revision revision;
-    LaidPicture picture;
-    std::shared_ptr<const ScenePose> pose;
-
-    SceneView view() const;
-  };
-  Snapshot snapshot() const;
-  /// Refused as check_revision.
-  Result<Snapshot> snapshot_with(Revision revision, const std::string& pointer) const;
-  Result<std::shared_ptr<const SceneSettings>> settings_at(Revision revision) const;
-  Result<FieldSet> fields_before(const Snapshot& now, Revision revision) const;
-  Result<LaidPicture> picture_of(const SceneSettings& settings, const LaidPicture& present) const;
-
-  /// What a model brings along, ready to take the place of what is there.
-  struct Beginning {
-    std::shared_ptr<const SceneModel> model;
-    std::shared_ptr<const FieldSet> fields;
-    History history;
-    LaidPicture picture;
-    std::vector<VertexRange> dirty;
-  };
-  static Beginning beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, History history,
-                             LaidPicture picture);
-
-  // All of these need `changing_`.
+  // All of these need a turn.
   Result<Plan> plan(const std::vector<Command>& commands, const ExecuteOptions& options) const;
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
@@ -294,79 +199,38 @@ class Scene {
                      const ExecuteOptions& options) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
-  void begin_anew(Beginning& beginning) noexcept;
+  Status begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write);
   Result<Step> with_rest(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
 
-  // These need `changing_` or `mutex_`.
+  /// A turn. Refused as ChangeTurns::take, and where the scene cannot be changed or is at another revision than asked.
+  Result<ChangeTurns::Turn> begin_change(const ExecuteOptions& options);
+  /// Calls `write`, which puts a change into the journal, and then `publish` under the lock, which cannot fail. Neither
+  /// where the scene was removed meanwhile.
+  Status take_over(const std::function<Status()>& write, const std::function<void()>& publish);
+
   Status gone() const;
-  Status admit(const ExecuteOptions& options) const;
-  Snapshot present() const;
-  Status check_revision(Revision revision, std::string pointer = "/revision") const;
-  void announce() noexcept;  // needs both
+  // These need a turn or `mutex_`.
+  Status check_revision(Revision revision, const std::string& pointer = "/revision") const;
+  void announce() noexcept;  // needs `mutex_`
   History new_history(Revision first, SceneSettings settings) const;
 
   const std::string id_, name_;
   Journal& journal_;
   const std::size_t undo_bytes_;
-  // Whoever changes the scene holds `changing_` from the first look to the end, and `mutex_` to put in place what is
-  // ready and on disk. Whoever reads it holds `mutex_` for a look or a copy, and never for work.
-  std::mutex changing_;
+  // Whoever changes the scene takes a turn from the first look to the end, and holds `writing_` while the journal and
+  // the scene get what is ready. `mutex_` is held for a look or a swap, and never for work.
+  ChangeTurns turns_;
+  std::mutex writing_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  std::shared_ptr<const SceneModel> model_;
-  std::uint64_t copy_id_;
-  std::shared_ptr<const FieldSet> fields_;
+  SnapshotPtr present_;
   History history_;
   LiveStroke live_;
-  LaidPicture picture_;
-  std::shared_ptr<const ScenePose> pose_;
-  std::vector<VertexRange> dirty_;   // since the last frame; readers take it
-  std::atomic<Revision> newest_{0};  // history_.revision(), without the lock
+  std::atomic<Revision> newest_{0};  // that of the present, without the lock
   std::atomic<bool> removed_{false};
   std::string damage_;  // of its journal; "" for none
-};
-
-// A scene at a revision, for as long as anybody wants it.
-
-/// What a SceneView shows. None of it changes; it is shared with the scene.
-class SceneCopy {
- public:
-  /// Of a view with all owners.
-  explicit SceneCopy(const SceneView& scene)
-      : model_(scene.model_owner),
-        picture_(scene.picture_owner),
-        fields_(scene.fields_owner),
-        settings_(scene.settings_owner),
-        revision_(scene.revision),
-        copy_id_(scene.copy_id) {}
-  SceneCopy(PastFields past, std::shared_ptr<const SceneSettings> settings, std::shared_ptr<const RawImage> picture,
-            Revision revision, std::uint64_t copy_id)
-      : model_(std::move(past.model)),
-        picture_(std::move(picture)),
-        fields_(std::make_shared<const FieldSet>(std::move(past.fields))),
-        settings_(std::move(settings)),
-        revision_(revision),
-        copy_id_(copy_id) {}
-
-  /// For as long as the copy lives.
-  SceneView view() const {
-    return {*model_, *fields_, *settings_, revision_, picture_.get(), copy_id_,
-            model_,  picture_, nullptr,    fields_,   settings_};
-  }
-  /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
-  std::size_t bytes() const {
-    return sizeof(SceneCopy) + fields_->bytes() + (picture_ ? picture_->rgba.capacity() : 0);
-  }
-
- private:
-  std::shared_ptr<const SceneModel> model_;
-  std::shared_ptr<const RawImage> picture_;
-  std::shared_ptr<const FieldSet> fields_;
-  std::shared_ptr<const SceneSettings> settings_;
-  Revision revision_;
-  std::uint64_t copy_id_;
 };
 
 }  // namespace pelage

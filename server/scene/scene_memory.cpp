@@ -17,9 +17,10 @@ std::size_t bytes_of(const SceneModel& model) {
 
 SceneMemory Scene::memory() const noexcept {
   const std::lock_guard lock(mutex_);
-  std::size_t own = sizeof(Scene) + fields_->bytes() + history_.bytes();  // what is dirty is a few numbers
-  if (picture_.image) own += picture_.image->rgba.capacity();
-  return {own, model_->id, bytes_of(*model_), copy_id_, live_.goes_on()};
+  std::size_t own = sizeof(Scene) + present_->fields->bytes() + history_.bytes();  // recent changes are a few numbers
+  if (present_->skin_texture) own += present_->skin_texture->rgba.capacity();
+  const SceneModel& model = *present_->model;
+  return {own, model.id, bytes_of(model), present_->copy_id, live_.goes_on()};
 }
 
 void give_memory_back() {

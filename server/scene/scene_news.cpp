@@ -29,8 +29,8 @@ SceneNews Scene::news(std::optional<Revision> after) const {
   std::vector<LoggedChange> logged;
   {
     const std::lock_guard lock(mutex_);
-    news.now = {history_.revision(), history_.first_revision(), history_.undo_steps(), history_.redo_steps(),
-                model_->mesh_id};
+    news.now = {present_->revision, history_.first_revision(), history_.undo_steps(), history_.redo_steps(),
+                present_->model->mesh_id};
     if (after && *after >= news.now.first_revision && *after <= news.now.revision)
       logged = history_.changes_after(*after, changes_at_a_time);
   }

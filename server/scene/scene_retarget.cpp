@@ -25,7 +25,7 @@ Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneMo
   std::vector<ListedEntry> listed;
   {
     const std::lock_guard lock(mutex_);
-    own = model_, listed = history_.listed_entries();
+    own = present_->model, listed = history_.listed_entries();
   }
   std::vector<std::vector<Command>> steps = commands_of(listed);
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -39,36 +39,32 @@ Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneMo
 }
 
 std::shared_ptr<const SceneModel> Scene::model() const {
-  const std::lock_guard lock(mutex_);
-  return model_;
+  return snapshot()->model;
 }
 
 Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
-  const Snapshot now = snapshot();
-  if (!revision) return GroomSource{id_, revision, now.revision, now.model, now.fields};
-  Result<PastFields> past = past_fields(*revision, "/revision");
-  if (!past) return past.status();
-  return GroomSource{id_, revision, *revision, past->model, std::make_shared<const FieldSet>(std::move(past->fields))};
+  const SnapshotPtr now = snapshot();
+  const Result<SceneSnapshot> asked = revision ? snapshot_at(*revision) : *now;
+  if (!asked) return asked.status();
+  return GroomSource{id_, revision, asked->revision, asked->model, asked->fields};
 }
 
 Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options) {
-  const std::lock_guard changing(changing_);
-  if (Status refused = admit(options); !refused.ok()) return refused;
-  Result<SubdividedScene> subdivided = subdivide_scene(*model_, *fields_, history_.settings().layers, how, id);
-  if (!subdivided) return subdivided.status();
-  if (options.dry_run || !subdivided->model) return summary();
-  const Revision revision = history_.revision() + 1;
-  auto settings = std::make_shared<SceneSettings>(history_.settings());
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
+  const SceneSnapshot& now = *present_;
+  Result<SubdividedScene> finer = subdivide_scene(*now.model, *now.fields, now.settings->layers, how, id);
+  if (!finer) return finer.status();
+  if (options.dry_run || !finer->model) return summary();
+  auto settings = std::make_shared<SceneSettings>(*now.settings);
   settings->checkpoints.clear();  // of revisions that are gone
-  StoredModel model;
-  model.subdivisions = subdivided->model->subdivisions;
-  const FieldDelta groom = difference(FieldSet(subdivided->fields.size()), subdivided->fields);
-  Beginning finer =
-      beginning(subdivided->model, std::move(subdivided->fields), new_history(revision, *settings), picture_);
-  Status written = journal_.subdivide_model({id_, name_, std::move(model), revision, groom, settings, options.request});
-  if (!written.ok()) return written;
-  begin_anew(finer);
-  return summary();
+  StoredScene stored{id_, name_, {}, now.revision + 1, {}, settings, options.request};
+  stored.model.subdivisions = finer->model->subdivisions;
+  stored.first_groom = difference(FieldSet(finer->fields.size()), finer->fields);
+  History history = new_history(stored.first_revision, *settings);
+  SnapshotPtr fresh = beginning(finer->model, std::move(finer->fields), history, now.skin_texture);
+  Status begun = begin_anew(fresh, history, [&] { return journal_.subdivide_model(stored); });
+  return begun.ok() ? Result<SceneSummary>(summary()) : begun;
 }
 
 }  // namespace pelage

@@ -57,9 +57,8 @@ Status no_such_source() {
 }
 
 FieldDelta groom_of(const Scene& scene) {
-  FieldDelta groom;
-  scene.read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
-  return groom;
+  const SnapshotPtr now = scene.snapshot();
+  return difference(FieldSet(now->fields->size()), *now->fields);
 }
 
 }  // namespace

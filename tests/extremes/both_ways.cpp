@@ -7,7 +7,7 @@
 #include <span>
 
 #include "server/frames/fur_view.h"
-#include "server/frames/moved_fur.h"
+#include "server/frames/shown_fur.h"
 
 namespace pelage::testing {
 
@@ -78,15 +78,14 @@ MovedDirection moved_of(const SceneView& view, const FrameRequest& request) {
 }  // namespace
 
 FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
-  std::optional<FurFrame> frame;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
-    const std::vector<VertexRange> all{{0, static_cast<std::uint32_t>(view.fields.size())}};
-    sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::shells);
-    frame = make_frame(view, request);
-  });
-  frame->coat.count = std::min(frame->coat.count, max_count_);
+  const SnapshotPtr now = scene.snapshot();
+  const SceneView view = now->view();
+  const std::vector<VertexRange> all = whole_range(view.fields.size());
+  sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::shells);
+  FurFrame frame = make_frame(view, request);
+  frame.coat.count = std::min(frame.coat.count, max_count_);
   renderer_.clear_view_cache();
-  return *frame;
+  return frame;
 }
 
 Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return renderer_.draw(sync(scene, request)); }
@@ -100,23 +99,20 @@ Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest&
 
 Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
   if (Status refused = tracer_.admit(request.width, request.height, traced_aovs, true); !refused.ok()) return refused;
-  Status status;
-  scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    sync_scene(renderer_, view, dirty);
-    const FurFrame frame = make_frame(view, request);
-    Result<Backplate> base = renderer_.draw_backplate(frame);
-    if (!base) {
-      status = base.status();
-      return;
-    }
-    const Mesh& mesh = view.model.surface.mesh();
-    const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
-    const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
-    const ModelArrays arrays = make_arrays(view);
-    const MovedDirection moved = moved_of(view, request);
-    status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()), frame,
-                           std::move(base).value(), traced_aovs, always);
-  });
+  const SnapshotPtr now = scene.snapshot();
+  const SceneView view = now->view();
+  const Mesh& mesh = view.model.surface.mesh();
+  sync_scene(renderer_, view, whole_range(mesh.positions.size()));
+  const FurFrame frame = make_frame(view, request);
+  Result<Backplate> base = renderer_.draw_backplate(frame);
+  if (!base) return base.status();
+  const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
+  const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
+  const ModelArrays arrays = make_arrays(view);
+  const MovedDirection moved = moved_of(view, request);
+  Status status =
+      tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()), frame,
+                    std::move(base).value(), traced_aovs, always);
   while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);
   if (!status.ok()) return status;
   std::vector<FloatImage> images;

@@ -44,14 +44,14 @@ class Needs : public WithRenderer {
   }
 
   FrameCounters drawn(const FrameRequest& request) {
-    std::optional<FurFrame> frame;
-    scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-      sync_scene(*renderer, view, dirty, nullptr, true);
-      frame = make_frame(view, request);
-    });
+    const SnapshotPtr now = scene_->snapshot();
+    const auto touched = drawn_ ? now->changes.since(*drawn_) : std::nullopt;
+    sync_scene(*renderer, now->view(), touched.value_or(whole_range(now->fields->size())), nullptr, true);
+    drawn_ = now->changes.number();
+    const FurFrame frame = make_frame(now->view(), request);
     DrawTimes times;
     renderer->clear_view_cache();
-    const Result<Image> drawn = renderer->draw(*frame, &times);
+    const Result<Image> drawn = renderer->draw(frame, &times);
     EXPECT_TRUE(drawn.ok()) << drawn.status().message;
     return times.counters;
   }
@@ -74,6 +74,7 @@ class Needs : public WithRenderer {
 
   FreshStore store_{"pelage_needs" + std::to_string(static_cast<int>(GetParam()))};
   std::shared_ptr<Scene> scene_;
+  std::optional<std::uint64_t> drawn_;  // the change that the renderer has
 };
 
 TEST_P(Needs, NothingWhereAFeatureIsNamedAndNotUsed) {

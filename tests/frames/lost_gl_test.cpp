@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "server/frames/frame_service.h"
+#include "tests/frames/drawn.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage::testing::lost_gl_test {
@@ -63,7 +64,7 @@ class LostGl : public StoreTest {
     FrameRequest request;
     request.width = request.height = 64;
     request.knobs.method = method, request.knobs.shells.count = 4;
-    return frames_->frame(scene_, request);
+    return drawn_frame(*frames_, scene_, request);
   }
 
   std::atomic<int> opened_ = 0;

@@ -1,6 +1,7 @@
 // Frames of earlier revisions through the frame service.
 #include "server/frames/frame_service.h"
 #include "server/frames/shown_scene.h"
+#include "tests/frames/drawn.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage::testing::past_frames_test {
@@ -20,7 +21,7 @@ class PastFrames : public StoreTest {
   FrameAnswer draw(const std::shared_ptr<Scene>& scene, std::optional<Revision> revision = {}) const {
     FrameRequest request;
     request.width = request.height = 96, request.knobs = knobs_of(Tier::draft), request.revision = revision;
-    Result<FrameAnswer> answer = frames_->frame(scene, request);
+    Result<FrameAnswer> answer = drawn_frame(*frames_, scene, request);
     EXPECT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
     return answer.ok() ? std::move(*answer) : FrameAnswer{};
   }
@@ -74,7 +75,7 @@ TEST_F(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
   frames_->forget(id);
   FrameRequest request;
   request.revision = 1;
-  EXPECT_EQ(frames_->frame(scene, request).status().pointer, "/revision");
+  EXPECT_EQ(drawn_frame(*frames_, scene, request).status().pointer, "/revision");
   draw(make(Builtin::plane, 2));  // after the render thread has forgotten
   EXPECT_EQ(frames_->copy_bytes(id), 0u);
 }
@@ -85,17 +86,21 @@ TEST_F(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   FrameRequest request;
   request.revision = 0;
   PastScenes scenes;
-  Result<FramePast> past = past_of(*scene, request, scenes);
-  ASSERT_TRUE(past.ok());
-  EXPECT_FALSE(past->copy) << "of the present as long as it is asked for";
+  const Result<FrameView> view = view_of(*scene, request, scenes);
+  ASSERT_TRUE(view.ok());
+  EXPECT_EQ(view->snapshot, scene->snapshot()) << "the present as long as it is asked for";
+  const FieldsHash asked = hash(*scene);
   execute(*scene, {comb_at(*scene, 5)});
-  MovedFur fur;
-  const Result<Shown> shown = show(renderer, *scene, request, *past, scenes, fur, false, false);
-  ASSERT_TRUE(shown.ok());
-  EXPECT_EQ(shown->revision, 0u);
-  ASSERT_TRUE(past->copy);
-  EXPECT_EQ(shown->copy_id, past->copy->view().copy_id);
-  for (const std::uint64_t id : {shown->copy_id, scene->memory().copy_id}) renderer.forget(id);
+  ShownFur fur;
+  const Shown newest = show(renderer, fur, scene->snapshot(), request);
+  const Shown shown = show(renderer, fur, view->snapshot, request);
+  EXPECT_EQ(newest.revision(), 1u);
+  EXPECT_EQ(shown.revision(), 0u);
+  EXPECT_EQ(shown.snapshot->fields->hash(), asked);
+  Renderer other{{.threads = 2}};
+  ShownFur none;
+  EXPECT_EQ(renderer.draw(shown.fur)->rgba, other.draw(show(other, none, view->snapshot, request).fur)->rgba)
+      << "what a newer snapshot has changed is taken back";
 }
 
 }  // namespace

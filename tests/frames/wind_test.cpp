@@ -1,6 +1,6 @@
 // Fur in the wind: still and moved frames leave each other alone.
-#include "server/frames/fur_view.h"
-#include "server/frames/moved_fur.h"
+#include "server/frames/shown_scene.h"
+#include "server/frames/shown_fur.h"
 #include "tests/frames/with_renderer.h"
 #include "tests/support/furred_model.h"
 
@@ -18,18 +18,20 @@ class InTheWind : public WithRenderer {
 
   FurFrame sync(Renderer& drawer, const FurredModel& model, std::optional<double> time) {
     request.time = time;
-    const SceneView view = model.view();
-    const MovedFur::Shown shown = fur.show(view, moment_of(view, request));
-    std::vector<VertexRange> dirty;
-    if (shown.whole) dirty.push_back({0, static_cast<std::uint32_t>(model.fields.size())});
-    sync_scene(drawer, view, dirty, shown.direction.get());
-    return make_frame(view, request);
+    const std::shared_ptr<const void> nobody;  // the model outlives the snapshot
+    return show(drawer, fur,
+                std::make_shared<const SceneSnapshot>(SceneSnapshot{.model = {nobody, &model.model},
+                                                                    .fields = {nobody, &model.fields},
+                                                                    .settings = {nobody, &model.settings},
+                                                                    .copy_id = model.model.id}),
+                request)
+        .fur;
   }
   Image at(Renderer& drawer, const FurredModel& model, std::optional<double> time) {
     return drawer.draw(sync(drawer, model, time)).value();
   }
 
-  MovedFur fur;
+  ShownFur fur;
   FrameRequest request = small_frame(AutoView::front, 160);
 };
 

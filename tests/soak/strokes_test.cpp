@@ -31,11 +31,11 @@ double resident_megabytes() {
 class Artist {
  public:
   Artist(const Scene& scene, std::uint64_t seed) : random_(seed) {
-    scene.read([&](const SceneView& view) {
-      const Mesh& mesh = view.model.surface.mesh();
-      size_ = mesh.size;
-      for (const glm::vec3 place : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(place)));
-    });
+    const SnapshotPtr now = scene.snapshot();
+    const SceneView view = now->view();
+    const Mesh& mesh = view.model.surface.mesh();
+    size_ = mesh.size;
+    for (const glm::vec3 place : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(place)));
   }
 
   Command stroke() {

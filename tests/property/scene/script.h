@@ -18,11 +18,11 @@ class Script {
 
   Script(Scene& scene, std::uint64_t seed, Layers layers = Layers::some)
       : scene_(scene), random_(seed), layers_(layers) {
-    scene.read([&](const SceneView& view) {
-      const Mesh& mesh = view.model.surface.mesh();
-      for (const glm::vec3 p : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(p)));
-      triangles_ = mesh.triangles.size();
-    });
+    const SnapshotPtr now = scene.snapshot();
+    const SceneView view = now->view();
+    const Mesh& mesh = view.model.surface.mesh();
+    for (const glm::vec3 p : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(p)));
+    triangles_ = mesh.triangles.size();
   }
 
   /// One accepted request (or more, for a stroke in parts).

@@ -6,7 +6,7 @@
 
 #include "server/history/journal.h"
 #include "server/history/sqlite.h"
-#include "tests/unit/history/failing_disk.h"
+#include "tests/support/failing_disk.h"
 
 namespace pelage::journal_damage_test {
 namespace {

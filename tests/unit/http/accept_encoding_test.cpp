@@ -5,9 +5,9 @@
 namespace pelage {
 namespace {
 
-constexpr auto identity = Encoding::identity, gzip = Encoding::gzip, brotli = Encoding::brotli;
+constexpr auto identity = ContentCoding::identity, gzip = ContentCoding::gzip, brotli = ContentCoding::brotli;
 
-std::optional<Encoding> of_both(std::string_view accepted) { return choose_encoding(accepted, true, true); }
+std::optional<ContentCoding> of_both(std::string_view accepted) { return choose_encoding(accepted, true, true); }
 
 TEST(AcceptEncoding, BrotliThenGzipAmongEquals) {
   EXPECT_EQ(of_both("gzip, deflate, br, zstd"), brotli);

@@ -91,12 +91,12 @@ TEST_F(AmendTest, SettingsAreReplayedToo) {
   execute(*scene, {look});
   coat.coat.root_share = 0.4;
   amend(*scene, 1, {coat});
-  scene->read([](const SceneView& view) {
-    EXPECT_EQ(view.settings.coat.root_share, 0.4);
-    EXPECT_EQ(view.settings.look.ambient, 2);
-  });
+  const SnapshotPtr now = scene->snapshot();
+  const SceneView view = now->view();
+  EXPECT_EQ(view.settings.coat.root_share, 0.4);
+  EXPECT_EQ(view.settings.look.ambient, 2);
   move(*scene, Undo{});
-  scene->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, 0.6); });
+  EXPECT_EQ(scene->snapshot()->settings->coat.root_share, 0.6);
 }
 
 TEST_F(AmendTest, WhatChangesNothingAnyMoreMakesNoEntry) {
@@ -214,10 +214,10 @@ TEST_F(AmendTest, ReplayedCheckpointsNameTheReplayedState) {
   execute(*scene, {back});
   EXPECT_EQ(hash(*scene), fresh({{first}}));
   EXPECT_EQ(amend(*scene, 1, {stronger(first)}).fields_hash, fresh({{stronger(first)}}));
-  scene->read([](const SceneView& view) {
-    ASSERT_EQ(view.settings.checkpoints.size(), 1u);
-    EXPECT_EQ(view.settings.checkpoints[0].revision, 7u);
-  });
+  const SnapshotPtr now = scene->snapshot();
+  const SceneView view = now->view();
+  ASSERT_EQ(view.settings.checkpoints.size(), 1u);
+  EXPECT_EQ(view.settings.checkpoints[0].revision, 7u);
   Erase explicit_one;
   explicit_one.revision = 1, explicit_one.flood = true, explicit_one.brush.strength = 1;
   execute(*scene, {explicit_one});

@@ -17,12 +17,12 @@ class BranchTest : public StoreTest {
   }
   static std::uint64_t copy_of(const Scene& scene) {
     std::uint64_t id = 0;
-    scene.read([&](const SceneView& view) { id = view.copy_id; });
+    id = scene.snapshot()->view().copy_id;
     return id;
   }
   static const SceneModel* model_of(const Scene& scene) {
     const SceneModel* model = nullptr;
-    scene.read([&](const SceneView& view) { model = &view.model; });
+    model = &scene.snapshot()->view().model;
     return model;
   }
   static std::string log_of(const Scene& scene) { return encode(Log{scene.log()}); }
@@ -46,11 +46,11 @@ TEST_F(BranchTest, BeginsAsTheSceneIs) {
   EXPECT_EQ(b.undo_steps, 2u);
   EXPECT_EQ(b.redo_steps, 1u);
   EXPECT_EQ(log_of(*side), log_of(*scene));
-  side->read([](const SceneView& view) {
-    EXPECT_EQ(view.settings.coat.root_share, 0.6);
-    ASSERT_EQ(view.settings.checkpoints.size(), 1u);
-    EXPECT_EQ(view.settings.checkpoints[0].revision, 2u);
-  });
+  const SnapshotPtr now = side->snapshot();
+  const SceneView view = now->view();
+  EXPECT_EQ(view.settings.coat.root_share, 0.6);
+  ASSERT_EQ(view.settings.checkpoints.size(), 1u);
+  EXPECT_EQ(view.settings.checkpoints[0].revision, 2u);
   EXPECT_EQ(model_of(*side), model_of(*scene)) << "the model is shared";
   EXPECT_NE(copy_of(*side), copy_of(*scene)) << "the renderer's copies are not: their fields differ";
   EXPECT_EQ(store_->list().size(), 2u);
@@ -131,17 +131,17 @@ TEST_F(BranchTest, IsRefusedAtTheLimitOfScenesAndForAScenesThatIsGone) {
   EXPECT_EQ(store_->list().size(), limits::scenes);
 }
 
-TEST_F(BranchTest, PastFieldsAreThoseOfTheirRevision) {
+TEST_F(BranchTest, SnapshotsAreThoseOfTheirRevision) {
   const auto scene = make();
   std::vector<FieldsHash> hashes{hash(*scene)};
   for (const std::size_t vertex : {5, 50, 90}) hashes.push_back(execute(*scene, {comb_at(*scene, vertex)}).fields_hash);
   for (Revision r = 0; r < hashes.size(); ++r) {
-    const auto past = scene->past_fields(r);
+    const auto past = scene->snapshot_at(r);
     ASSERT_TRUE(past.ok());
-    EXPECT_EQ(past->fields.hash(), hashes[r]);
+    EXPECT_EQ(past->fields->hash(), hashes[r]);
     EXPECT_EQ(past->model.get(), model_of(*scene));
   }
-  EXPECT_EQ(scene->past_fields(4).status().pointer, "/overlay_from");
+  EXPECT_EQ(scene->snapshot_at(4, "/overlay_from").status().pointer, "/overlay_from");
 }
 
 TEST_F(BranchTest, CanBeTakenWhileTheSceneChanges) {
@@ -157,14 +157,14 @@ TEST_F(BranchTest, CanBeTakenWhileTheSceneChanges) {
   std::vector<std::shared_ptr<Scene>> sides;
   for (int i = 0; i < 20; ++i) {
     sides.push_back(branch(*scene));
-    const auto past = scene->past_fields(sides.back()->revision());
-    EXPECT_TRUE(past.ok() && past->fields.hash() == hash(*sides.back()));
+    const auto past = scene->snapshot_at(sides.back()->revision());
+    EXPECT_TRUE(past.ok() && past->fields->hash() == hash(*sides.back()));
   }
   artist.join();
   for (const auto& side : sides) {
-    const auto past = scene->past_fields(side->revision());
+    const auto past = scene->snapshot_at(side->revision());
     ASSERT_TRUE(past.ok());
-    EXPECT_EQ(past->fields.hash(), hash(*side)) << side->revision();
+    EXPECT_EQ(past->fields->hash(), hash(*side)) << side->revision();
   }
 }
 

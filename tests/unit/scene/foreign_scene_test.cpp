@@ -41,9 +41,7 @@ class ForeignScene : public StoreTest {
     EXPECT_TRUE(file.ok() && (*file)->add_scene(stored_).ok());
     for (const std::string& picture : pictures) EXPECT_TRUE((*file)->add_picture(picture, picture_).ok());
     EXPECT_TRUE((*file)->append(stored_.id, entries_).ok());
-    std::string message;
-    scene_->read([&](const SceneView& view) { message = check_foreign(**file, stored_, view.model).message; });
-    return message;
+    return check_foreign(**file, stored_, *scene_->model()).message;
   }
 
   /// An entry more, of its commands, that sets the number at a vertex.

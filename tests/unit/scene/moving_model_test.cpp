@@ -76,17 +76,17 @@ TEST_F(MovingModels, AreSeenByWhoeverDrawsAndNotInTheGroom) {
   ASSERT_TRUE(there.ok());
   const std::uint64_t id = there->model->id;
   scene_->pose(std::move(*there));
-  scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>& dirty) {
-    EXPECT_EQ(view.copy_id, id);
-    EXPECT_EQ(view.model.id, id);
-    ASSERT_EQ(dirty.size(), 1u);
-    EXPECT_EQ(dirty[0].end, view.fields.size());
-  });
+  const SnapshotPtr posed = scene_->snapshot();
+  EXPECT_EQ(posed->view().copy_id, id);
+  EXPECT_EQ(posed->view().model.id, id);
+  const auto touched = posed->changes.since(posed->changes.number() - 1);
+  ASSERT_TRUE(touched && touched->size() == 1);
+  EXPECT_EQ(touched->front().end, posed->fields->size());
   EXPECT_EQ(scene_->summary().revision, before.revision);
   EXPECT_EQ(scene_->summary().model_id, before.model_id);
   scene_->pose({});
   const std::uint64_t rest = scene_->model()->id;
-  scene_->read([&](const SceneView& view) { EXPECT_EQ(view.model.id, rest); });
+  EXPECT_EQ(scene_->snapshot()->view().model.id, rest);
 }
 
 TEST_F(MovingModels, OfSplitTrianglesMoveToo) {

@@ -2,76 +2,33 @@
 #include <chrono>
 #include <functional>
 #include <future>
-#include <memory>
 #include <string>
-#include <utility>
 
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
+#include "tests/support/held.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage::nobody_waits_test {
 namespace {
 
-constexpr std::chrono::seconds guard(60);  // only against a hang
+using testing::expect_ends, testing::hang_guard, testing::Held, testing::that_waits;
 
-/// Something that goes on until it is let go, on a thread of its own.
-class Held {
- public:
-  /// `work` calls what it is given once it is in the middle, which returns when it is let go.
-  explicit Held(const std::function<void(const std::function<void()>&)>& work)
-      : thread_(std::async(std::launch::async, [this, work] {
-          work([this] {
-            begun_.set_value();
-            let_go_.get_future().wait();
-          });
-        })) {
-    EXPECT_EQ(begun_.get_future().wait_for(guard), std::future_status::ready);
-  }
-  ~Held() { end(); }
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
-
-  void end() {
-    if (!std::exchange(ended_, true)) let_go_.set_value();
-    if (thread_.valid()) thread_.get();
-  }
-
- private:
-  std::promise<void> begun_, let_go_;
-  bool ended_ = false;
-  std::future<void> thread_;
-};
-
-/// A cancel that nobody asks for; it calls `middle` the first time that it is asked.
-Cancel that_waits(const std::function<void()>& middle, int after = 1) {
-  return Cancel([middle, left = std::make_shared<int>(after)] {
-    if ((*left)-- == 0) middle();
-    return false;
-  });
-}
-
-/// All that clients read of a scene as it is, on a thread of its own; whether it ends.
+/// All that clients read of a scene as it is.
 void expect_read(Scene& scene, Revision revision) {
-  auto read = std::async(std::launch::async, [&scene] {
-    Revision seen = 0;
-    scene.read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) { seen = view.revision; });
+  expect_ends("a reader", [&] {
+    EXPECT_EQ(scene.snapshot()->revision, revision);
     EXPECT_TRUE(scene.pick({.nearest = glm::dvec3(0, 1, 0)})->hit);
-    EXPECT_EQ(scene.summary().revision, seen);
-    EXPECT_EQ(scene.settings()->revision, seen);
-    EXPECT_EQ(scene.groom({})->revision, seen);
+    EXPECT_EQ(scene.summary().revision, revision);
+    EXPECT_EQ(scene.settings()->revision, revision);
+    EXPECT_EQ(scene.groom({})->revision, revision);
+    EXPECT_EQ(scene.snapshot_at(0)->revision, 0u);
     EXPECT_EQ(scene.log().size(), scene.effective_log().size());
-    EXPECT_EQ(scene.news({}).now.revision, seen);
-    EXPECT_EQ(scene.wait_newer(seen, 0), seen);
+    EXPECT_EQ(scene.news({}).now.revision, revision);
+    EXPECT_EQ(scene.wait_newer(revision, 0), revision);
     EXPECT_GT(scene.memory().own, 0u);
-    return seen;
   });
-  if (read.wait_for(guard) != std::future_status::ready) {
-    ADD_FAILURE() << "a reader waits";
-    std::quick_exit(1);  // the thread that hangs would be waited for
-  }
-  EXPECT_EQ(read.get(), revision);
 }
 
 class NobodyWaits : public StoreTest {
@@ -126,7 +83,7 @@ TEST_F(NobodyWaits, WhileASceneIsExported) {
   expect_all_read();
   execute(*other_, {comb_at(*other_, 5)});
   auto change = std::async(std::launch::async, [&] { return execute(*scene_, {comb_at(*scene_, 50)}).revision; });
-  ASSERT_EQ(change.wait_for(guard), std::future_status::ready) << "a command waits for the copy";
+  ASSERT_EQ(change.wait_for(hang_guard), std::future_status::ready) << "a command waits for the copy";
   EXPECT_EQ(change.get(), 2u);
   copy.end();
   const auto saved = Journal::open(file);
@@ -136,19 +93,34 @@ TEST_F(NobodyWaits, WhileASceneIsExported) {
   EXPECT_EQ(entries->back().revision, 1u);
 }
 
-TEST_F(NobodyWaits, WhileADrawingGoesOn) {
-  Held drawing([&](const std::function<void()>& middle) {
-    scene_->read_for_drawing([&](const SceneView& view, const std::vector<VertexRange>&) {
-      const FieldsHash before = view.fields.hash();
-      middle();
-      EXPECT_EQ(view.fields.hash(), before) << "what is drawn changes under it";
-      EXPECT_EQ(view.revision, 1u);
-    });
+TEST_F(NobodyWaits, ARemovedSceneEndsItsCommand) {
+  Result<CommandAnswer> answer = failure(Code::internal, "not run");
+  Held command([&](const std::function<void()>& middle) {
+    answer = scene_->execute({comb_at(*scene_, 50)}, {.cancel = that_waits(middle)});
   });
-  expect_all_read();
-  auto change = std::async(std::launch::async, [&] { return execute(*scene_, {comb_at(*scene_, 50)}).revision; });
-  ASSERT_EQ(change.wait_for(guard), std::future_status::ready) << "a command waits for the drawing";
-  EXPECT_EQ(change.get(), 2u);
+  expect_ends("a removal", [&] { EXPECT_TRUE(store_->remove(scene_->id()).ok()); });
+  command.end();
+  EXPECT_EQ(answer.status().code, Code::not_found);
+}
+
+TEST_F(NobodyWaits, ChangesTakeTurnsInOrderAndNoMoreWaitThanMay) {
+  std::vector<std::future<Revision>> changes;
+  Held command([&](const std::function<void()>& middle) {
+    EXPECT_TRUE(scene_->execute({comb_at(*scene_, 50)}, {.cancel = that_waits(middle)}).ok());
+  });
+  for (std::size_t k = 0; k < ChangeTurns::max_waiting; ++k)
+    changes.push_back(std::async(std::launch::async, [&] { return execute(*scene_, {comb_at(*scene_, 5)}).revision; }));
+  Status refused;
+  expect_ends("a refusal", [&] {
+    do {
+      const auto answer = scene_->execute({comb_at(*scene_, 5)}, {.cancel = Cancel([] { return true; })});
+      refused = answer ? Status{} : answer.status();
+    } while (refused.code == Code::unavailable);  // while the others are on their way
+  });
+  EXPECT_EQ(refused.code, Code::busy);
+  command.end();
+  for (auto& change : changes) change.get();
+  EXPECT_EQ(scene_->revision(), 2 + ChangeTurns::max_waiting);
 }
 
 /// A journal whose lock a slow sync holds: another scene is copied into it, and the copy goes no further.
@@ -163,8 +135,8 @@ TEST(NobodyWaitsForASync, OfTheirSceneOrAnother) {
   const auto model = *build_model(raw, how, 1);
   const auto add = [&](const char* id, Journal& to) {
     auto scene = std::make_unique<Scene>(id, "fox", model, FirstGroom{}, to);
-    FieldDelta groom;
-    scene->read([&](const SceneView& view) { groom = difference(FieldSet(view.fields.size()), view.fields); });
+    const auto fields = scene->snapshot()->fields;
+    const FieldDelta groom = difference(FieldSet(fields->size()), *fields);
     EXPECT_TRUE(to.add_scene({id, "fox", how, 0, groom}).ok());
     return scene;
   };

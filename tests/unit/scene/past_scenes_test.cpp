@@ -11,8 +11,8 @@ namespace {
 
 class PastScenesTest : public StoreTest {
  protected:
-  PastCopy find(const std::shared_ptr<Scene>& scene, Revision revision) {
-    const Result<PastCopy> copy = past_.find(*scene, revision);
+  SnapshotPtr find(const std::shared_ptr<Scene>& scene, Revision revision) {
+    const Result<SnapshotPtr> copy = past_.find(*scene, revision);
     EXPECT_TRUE(copy.ok()) << copy.status().message;
     return copy.ok() ? *copy : nullptr;
   }
@@ -38,16 +38,16 @@ TEST_F(PastScenesTest, ShowWhatTheSceneWas) {
   did(move(*scene, Undo{2}));
   did(execute(*scene, {comb_at(*scene, 50)}));
   for (Revision r = 0; r + 1 < hashes.size(); ++r) {
-    const PastCopy copy = find(scene, r);
+    const SnapshotPtr copy = find(scene, r);
     ASSERT_TRUE(copy);
     const SceneView view = copy->view();
     EXPECT_EQ(view.revision, r);
     EXPECT_EQ(view.fields.hash(), hashes[r]);
     EXPECT_EQ(view.settings.lights.empty(), r == 2);
-    EXPECT_EQ(view.model_owner, scene->model());
+    EXPECT_EQ(&view.model, scene->model().get());
     EXPECT_NE(view.copy_id, present(*scene));
   }
-  EXPECT_FALSE(find(scene, hashes.size() - 1)) << "the present needs no copy";
+  EXPECT_EQ(find(scene, hashes.size() - 1), scene->snapshot()) << "the present needs no copy";
 }
 
 TEST_F(PastScenesTest, AreRefusedWhereTheModelHasNoSuchRevision) {
@@ -61,9 +61,9 @@ TEST_F(PastScenesTest, AreRefusedWhereTheModelHasNoSuchRevision) {
 
 TEST_F(PastScenesTest, TheLastOnesAreKept) {
   const auto scene = groomed(), other = groomed();
-  const PastCopy first = find(scene, 0);
+  const SnapshotPtr first = find(scene, 0);
   EXPECT_EQ(find(scene, 0), first);
-  const std::weak_ptr<const SceneCopy> second = find(other, 0);
+  const std::weak_ptr<const SceneSnapshot> second = find(other, 0);
   EXPECT_FALSE(second.expired());
   EXPECT_EQ(find(scene, 0), first);
   find(scene, 2);
@@ -75,7 +75,7 @@ TEST_F(PastScenesTest, TheLastOnesAreKept) {
 
 TEST_F(PastScenesTest, TheRendererHearsOfThoseThatNobodyHolds) {
   const auto scene = groomed();
-  PastCopy held = find(scene, 0);
+  SnapshotPtr held = find(scene, 0);
   const std::uint64_t held_id = held->view().copy_id, other_id = find(scene, 1)->view().copy_id;
   EXPECT_FALSE(past_.has_gone());
   past_.forget(present(*scene) + 1000);

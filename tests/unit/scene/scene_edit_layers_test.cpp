@@ -25,12 +25,9 @@ class SceneEditLayersTest : public StoreTest {
   /// The largest difference of a field that is seen, in its unit.
   static double distance(const Scene& a, const Scene& b, Field field) {
     double largest = 0;
-    a.read([&](const SceneView& one) {
-      b.read([&](const SceneView& two) {
-        for (std::uint32_t v = 0; v < one.fields.size(); ++v)
-          largest = std::max(largest, double{glm::distance(one.fields.value(field, v), two.fields.value(field, v))});
-      });
-    });
+    const auto one = a.snapshot()->fields, two = b.snapshot()->fields;
+    for (std::uint32_t v = 0; v < one->size(); ++v)
+      largest = std::max(largest, double{glm::distance(one->value(field, v), two->value(field, v))});
     return largest;
   }
 };

@@ -63,15 +63,15 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   EXPECT_EQ(after.redo_steps, before.redo_steps);
   EXPECT_EQ(encode(Log{again->log()}), log);
   EXPECT_EQ(again->effective_log().size(), effective);
-  again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, 0.6); });
+  EXPECT_EQ(again->snapshot()->settings->coat.root_share, 0.6);
   EXPECT_EQ(move(*again, Undo{3}).revision, 8u);
   EXPECT_EQ(hash(*again), hash(*make()));
-  again->read([](const SceneView& view) { EXPECT_EQ(view.settings.coat.root_share, Coat{}.root_share); });
+  EXPECT_EQ(again->snapshot()->settings->coat.root_share, Coat{}.root_share);
 }
 
 std::size_t eyes_of(const Scene& scene) {
   std::size_t count = 0;
-  scene.read([&](const SceneView& view) { count = view.settings.eyes.size(); });
+  count = scene.snapshot()->settings->eyes.size();
   return count;
 }
 
@@ -102,7 +102,7 @@ TEST_F(SceneStoreTest, EyesFarFromTheModelAreRefused) {
 
 std::vector<CurveGroup> curves_of(const Scene& scene) {
   std::vector<CurveGroup> groups;
-  scene.read([&](const SceneView& view) { groups = view.settings.curves; });
+  groups = scene.snapshot()->settings->curves;
   return groups;
 }
 
@@ -123,17 +123,17 @@ TEST_F(SceneStoreTest, ACreatureHasWhiskersThatARestartKeeps) {
 
 TEST_F(SceneStoreTest, ACreaturesWhiskersStandOutOfItsSkin) {
   const auto creature = make(Builtin::creature);
-  creature->read([](const SceneView& view) {
-    const Surface& surface = view.model.surface;
-    for (const CurveGroup& group : view.settings.curves) {
-      for (const GuideCurve& curve : group.curves) {
-        const glm::dvec3 root = surface.mesh().to_internal(curve.front()),
-                         tip = surface.mesh().to_internal(curve.back());
-        EXPECT_LT(glm::distance(root, surface.position(surface.nearest(root))), 0.02);
-        EXPECT_GT(glm::dot(tip - root, surface.normal(surface.nearest(root))), 0);
-      }
+  const SnapshotPtr now = creature->snapshot();
+  const SceneView view = now->view();
+  const Surface& surface = view.model.surface;
+  for (const CurveGroup& group : view.settings.curves) {
+    for (const GuideCurve& curve : group.curves) {
+      const glm::dvec3 root = surface.mesh().to_internal(curve.front()),
+                       tip = surface.mesh().to_internal(curve.back());
+      EXPECT_LT(glm::distance(root, surface.position(surface.nearest(root))), 0.02);
+      EXPECT_GT(glm::dot(tip - root, surface.normal(surface.nearest(root))), 0);
     }
-  });
+  }
 }
 
 TEST_F(SceneStoreTest, CurvesFarFromTheModelAreRefused) {
@@ -147,7 +147,7 @@ TEST_F(SceneStoreTest, CurvesFarFromTheModelAreRefused) {
 
 std::size_t bare_regions_of(const Scene& scene) {
   std::size_t count = 0;
-  scene.read([&](const SceneView& view) { count = view.settings.skin.size(); });
+  count = scene.snapshot()->settings->skin.size();
   return count;
 }
 

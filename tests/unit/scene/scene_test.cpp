@@ -89,7 +89,7 @@ TEST_F(SceneTest, ABatchIsAllOrNothingAndOneStep) {
   ASSERT_EQ(scene->effective_log().size(), 1u);
   EXPECT_EQ(scene->effective_log()[0].size(), 3u) << "without the one that missed";
   EXPECT_EQ(move(*scene, Undo{1}).fields_hash, first);
-  scene->read([](const SceneView& view) { EXPECT_EQ(view.settings.look.ambient, Look{}.ambient); });
+  EXPECT_EQ(scene->snapshot()->settings->look.ambient, Look{}.ambient);
 }
 
 TEST_F(SceneTest, ABatchGivesWhatItsCommandsGiveOneByOne) {
@@ -155,35 +155,29 @@ TEST_F(SceneTest, BatchesTakeWholeStrokes) {
   EXPECT_EQ(scene->execute({comb_at(*scene, 6), part}).status().pointer, "/commands/1/stroke/part");
 }
 
-TEST_F(SceneTest, DrawingGetsTheRangesThatChanged) {
+TEST_F(SceneTest, SnapshotsKnowWhatTheLastChangesTouched) {
   const auto scene = make();
-  const auto dirty = [&] {
-    std::vector<VertexRange> found;
-    scene->read_for_drawing([&](const SceneView&, const std::vector<VertexRange>& ranges) { found = ranges; });
-    return found;
-  };
-  const std::vector<VertexRange> all = dirty();
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].end, scene->summary().report.vertices);
-  EXPECT_TRUE(dirty().empty());
-  const std::vector<float> before = [&] {
-    std::vector<float> x;
-    scene->read([&](const SceneView& view) {
-      for (const auto d : view.fields.direction()) x.push_back(d.x);
-    });
-    return x;
-  }();
+  const SnapshotPtr before = scene->snapshot();
+  EXPECT_TRUE(before->changes.since(before->changes.number())->empty());
   execute(*scene, {comb_at(*scene, 5)});
   execute(*scene, {comb_at(*scene, 300)});
-  const std::vector<VertexRange> touched = dirty();
-  ASSERT_FALSE(touched.empty());
-  scene->read([&](const SceneView& view) {
-    for (std::uint32_t v = 0; v < before.size(); ++v) {
-      const bool in_a_range =
-          std::any_of(touched.begin(), touched.end(), [v](VertexRange r) { return r.begin <= v && v < r.end; });
-      EXPECT_TRUE(in_a_range || view.fields.direction()[v].x == before[v]) << v;
-    }
-  });
+  const SnapshotPtr after = scene->snapshot();
+  const auto touched = after->changes.since(before->changes.number());
+  ASSERT_TRUE(touched && !touched->empty());
+  for (std::uint32_t v = 0; v < before->fields->size(); ++v) {
+    const bool in_a_range =
+        std::any_of(touched->begin(), touched->end(), [v](VertexRange r) { return r.begin <= v && v < r.end; });
+    EXPECT_TRUE(in_a_range || after->fields->at(v) == before->fields->at(v)) << v;
+  }
+  EXPECT_FALSE(before->changes.since(after->changes.number())) << "an older snapshot knows nothing of later changes";
+}
+
+TEST_F(SceneTest, SnapshotsForgetWhatChangedLongAgo) {
+  RecentChanges changes;
+  for (std::uint32_t k = 0; k < RecentChanges::max_known + 10; ++k) changes = changes.with({{3 * k, 3 * k + 1}});
+  EXPECT_EQ(changes.since(10)->size(), RecentChanges::max_known);
+  EXPECT_EQ(changes.since(10)->front().begin, 30u);
+  EXPECT_FALSE(changes.since(9));
 }
 
 TEST_F(SceneTest, PickTellsWhatLiesUnderAPixel) {

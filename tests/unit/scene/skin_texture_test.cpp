@@ -30,14 +30,14 @@ class SkinTextureTest : public StoreTest {
   /// The bytes of the picture that frames of the scene take; empty for the model's own colours.
   static std::vector<std::uint8_t> picture_of(const Scene& scene) {
     std::vector<std::uint8_t> bytes;
-    scene.read([&](const SceneView& view) {
-      if (view.skin_texture) bytes = view.skin_texture->rgba;
-    });
+    const SnapshotPtr now = scene.snapshot();
+    const SceneView view = now->view();
+    if (view.skin_texture) bytes = view.skin_texture->rgba;
     return bytes;
   }
   static std::string name_in(const Scene& scene) {
     std::string name;
-    scene.read([&](const SceneView& view) { name = view.settings.skin_texture; });
+    name = scene.snapshot()->settings->skin_texture;
     return name;
   }
   std::uint64_t pictures() {
@@ -159,7 +159,7 @@ TEST_F(SkinTextureTest, AMissingPictureIsReported) {
 
 std::size_t pieces_of(const Scene& scene) {
   std::size_t pieces = 0;
-  scene.read([&](const SceneView& view) { pieces = view.model.patches.pieces.size(); });
+  pieces = scene.snapshot()->view().model.patches.pieces.size();
   return pieces;
 }
 
@@ -172,7 +172,7 @@ TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
     else
       EXPECT_EQ(pieces, triangles);
     std::uint32_t patches = 0;
-    scene->read([&](const SceneView& view) { patches = view.model.patches.patches; });
+    patches = scene->snapshot()->view().model.patches.patches;
     if (how == FurPatches::own_uvs)
       EXPECT_EQ(patches, 1u) << "one island of texture coordinates";
     else

@@ -45,10 +45,10 @@ class StoreTest : public ::testing::Test {
   /// A place of the surface in model coordinates.
   static glm::dvec3 place(const Scene& scene, std::size_t vertex) {
     glm::dvec3 found{};
-    scene.read([&](const SceneView& view) {
-      const Mesh& mesh = view.model.surface.mesh();
-      found = mesh.to_model(glm::dvec3(mesh.positions[vertex % mesh.positions.size()]));
-    });
+    const SnapshotPtr now = scene.snapshot();
+    const SceneView view = now->view();
+    const Mesh& mesh = view.model.surface.mesh();
+    found = mesh.to_model(glm::dvec3(mesh.positions[vertex % mesh.positions.size()]));
     return found;
   }
 

@@ -46,13 +46,13 @@ TEST_F(SubdivideSceneTest, FieldsSettingsAndRootsStayAndTheLogBeginsAnew) {
   EXPECT_EQ(after.revision, before.revision + 1);
   EXPECT_EQ(after.undo_steps, 0u);
   EXPECT_NE(model_id(*scene), old->id);
-  scene->read([&](const SceneView& view) {
-    EXPECT_EQ(view.settings.coat.count, 123);
-    EXPECT_EQ(view.settings.eyes.size(), 2u);
-    EXPECT_TRUE(view.settings.checkpoints.empty());
-    for (std::uint32_t v = 0; v < combed.fields->size(); ++v) ASSERT_EQ(view.fields.at(v), combed.fields->at(v));
-    EXPECT_EQ(view.model.subdivisions.size(), 1u);
-  });
+  const SnapshotPtr now = scene->snapshot();
+  const SceneView view = now->view();
+  EXPECT_EQ(view.settings.coat.count, 123);
+  EXPECT_EQ(view.settings.eyes.size(), 2u);
+  EXPECT_TRUE(view.settings.checkpoints.empty());
+  for (std::uint32_t v = 0; v < combed.fields->size(); ++v) ASSERT_EQ(view.fields.at(v), combed.fields->at(v));
+  EXPECT_EQ(view.model.subdivisions.size(), 1u);
   EXPECT_FALSE(scene->move(Undo{1}).ok()) << "undo does not reach over it";
 }
 
@@ -110,9 +110,9 @@ TEST_F(SubdivideSceneTest, APictureStaysOnTheModel) {
   subdivide(*scene);
   const auto bytes = [](const Scene& of) {
     std::vector<std::uint8_t> found;
-    of.read([&](const SceneView& view) {
-      if (view.skin_texture) found = view.skin_texture->rgba;
-    });
+    const SnapshotPtr now = of.snapshot();
+    const SceneView view = now->view();
+    if (view.skin_texture) found = view.skin_texture->rgba;
     return found;
   };
   EXPECT_EQ(bytes(*scene), testing::red_and_blue().rgba);

@@ -1,10 +1,10 @@
-#include "tests/unit/history/failing_disk.h"
+#include "tests/support/failing_disk.h"
 
 namespace pelage {
 
 FailingDisk::FailingDisk() : vfs_(*sqlite3_vfs_find(nullptr)) {
   base_ = sqlite3_vfs_find(nullptr);
-  syncs_to_fail = 0, is_full = false;
+  syncs_to_fail = 0, is_full = false, during_sync = nullptr;
   vfs_.zName = "failing disk";
   vfs_.xOpen = open;
   sqlite3_vfs_register(&vfs_, 1);
@@ -22,6 +22,7 @@ int FailingDisk::open(sqlite3_vfs*, const char* name, sqlite3_file* file, int fl
 }
 
 int FailingDisk::sync(sqlite3_file* file, int flags) {
+  if (during_sync) during_sync();
   if (syncs_to_fail == 0) return real_->xSync(file, flags);
   --syncs_to_fail;
   return SQLITE_IOERR_FSYNC;

@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <atomic>
+#include <functional>
 
 namespace pelage {
 
@@ -18,6 +19,7 @@ class FailingDisk {
   // What is done in spite of it: a sync that fails leaves what was written before.
   static inline std::atomic<int> syncs_to_fail{0};
   static inline std::atomic<bool> is_full{false};
+  static inline std::function<void()> during_sync = {};  // called in each; set while nothing is written
 
  private:
   static int open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* opened);

@@ -1,4 +1,4 @@
-#include "server/frames/moved_fur.h"
+#include "server/frames/shown_fur.h"
 
 #include "server/motion/sway.h"
 
@@ -19,18 +19,20 @@ std::optional<double> moment_of(const SceneView& scene, const FrameRequest& requ
   return request.time.value_or(scene.settings.wind.time);
 }
 
-MovedFur::Shown MovedFur::show(const SceneView& scene, std::optional<double> moment) {
-  const auto held = held_.find(scene.copy_id);
-  if (!moment) {
-    if (held == held_.end()) return {};
-    held_.erase(held);
-    return {nullptr, true};
-  }
-  if (held != held_.end() && held->second.revision == scene.revision && held->second.moment == *moment)
-    return {held->second.direction, false};
-  Held& now = held_[scene.copy_id];
-  now = {scene.revision, *moment, moved_at(scene, *moment)};
-  return {now.direction, true};
+ShownFur::Difference ShownFur::update(const SceneSnapshot& snapshot, std::optional<double> moment) {
+  const SceneView view = snapshot.view();
+  Copy& copy = copies_[view.copy_id];
+  const bool same_lean = copy.moment == moment && (!moment || copy.revision == view.revision);
+  if (!same_lean) copy.direction = moment ? moved_at(view, *moment) : nullptr;
+  copy.moment = moment, copy.revision = view.revision;
+  std::optional<std::vector<VertexRange>> touched;
+  if (same_lean && copy.change) touched = snapshot.changes.since(*copy.change);
+  copy.change.reset();
+  return {touched ? std::move(*touched) : whole_range(view.fields.size()), copy.direction};
+}
+
+void ShownFur::taken_over(const SceneSnapshot& snapshot) {
+  copies_.at(snapshot.view().copy_id).change = snapshot.changes.number();
 }
 
 }  // namespace pelage

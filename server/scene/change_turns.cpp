@@ -1,0 +1,39 @@
+#include "server/scene/change_turns.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace pelage {
+
+Result<ChangeTurns::Turn> ChangeTurns::take(const Cancel& cancel) {
+  constexpr std::chrono::milliseconds look_again(100);  // whether anybody waits
+  std::unique_lock lock(mutex_);
+  if (waiting_.size() >= max_waiting) {
+    return failure(Code::busy, "the scene has many changes to make", "",
+                   "at most " + std::to_string(max_waiting) + " that wait");
+  }
+  const std::uint64_t own = came_++;
+  waiting_.push_back(own);
+  while (taken_ || waiting_.front() != own) {
+    ended_.wait_for(lock, look_again);
+    lock.unlock();
+    const bool left = cancel.asked();
+    lock.lock();
+    if (!left) continue;
+    waiting_.erase(std::find(waiting_.begin(), waiting_.end(), own));
+    ended_.notify_all();  // the one behind may be the next now
+    return nobody_waits();
+  }
+  waiting_.pop_front();
+  taken_ = true;
+  return Turn(*this);
+}
+
+void ChangeTurns::end() {
+  const std::lock_guard lock(mutex_);
+  taken_ = false;
+  ended_.notify_all();
+}
+
+}  // namespace pelage
