@@ -15,13 +15,15 @@ function(pelage_npm_packages NAME WHAT)
   set(${NAME}_STAMP ${STAMP} PARENT_SCOPE)
 endfunction()
 
-# Each NAME.test.mjs of this folder is a test LABEL.NAME of at most TIMEOUT seconds. More arguments: properties.
-function(pelage_node_tests LABEL TIMEOUT)
+# The node program and its arguments are a test NAME of at most TIMEOUT seconds, run in this folder.
+function(pelage_node_test NAME TIMEOUT)
+  add_test(NAME ${NAME} COMMAND ${PELAGE_NODE} ${ARGN} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  set_tests_properties(${NAME} PROPERTIES TIMEOUT ${TIMEOUT}
+    ENVIRONMENT "PELAGE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};PELAGE_MCP=${PELAGE_MCP}")
+endfunction()
+
+# All *.test.mjs of this folder, on node's own runner, as one test.
+function(pelage_node_tests NAME TIMEOUT)
   file(GLOB FILES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*.test.mjs)
-  foreach(FILE ${FILES})
-    string(REPLACE ".test.mjs" "" SUBJECT ${FILE})
-    add_test(NAME ${LABEL}.${SUBJECT} COMMAND ${PELAGE_NODE} --test ${FILE} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-    set_tests_properties(${LABEL}.${SUBJECT} PROPERTIES TIMEOUT ${TIMEOUT} LABELS ${LABEL}
-      ENVIRONMENT "PELAGE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};PELAGE_MCP=${PELAGE_MCP}" ${ARGN})
-  endforeach()
+  pelage_node_test(${NAME} ${TIMEOUT} --test ${FILES})
 endfunction()

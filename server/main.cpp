@@ -18,6 +18,7 @@
 #include "base/caught.h"
 #include "base/limits.h"
 #include "base/temporary_name.h"
+#include "base/version/version.h"
 #include "renderer/picture_files/picture_files.h"
 #include "server/frames/calibrate.h"
 #include "server/frames/frame_planner.h"
@@ -95,6 +96,7 @@ CLI::Option* add_choice(CLI::App& app, const char* name, T& choice, const std::m
 }
 
 void declare(CLI::App& app, Options& options) {
+  app.set_version_flag("--version", version_line("pelaged"));
   app.add_option("--listen", options.listen, "ADDRESS:PORT; port 0 picks a free one")->capture_default_str();
   app.add_option("--port-file", options.port_file, "File that the port is written to, by rename");
   app.add_option("--data", options.data, "Folder of the journal")->capture_default_str();

@@ -9,7 +9,7 @@ shift $(($# > 0 ? 1 : 0))
 suites=("$@")
 if [ ${#suites[@]} -eq 0 ]; then
   for folder in tests/unit/*/ tests/property/*/; do suites+=("$(basename "$(dirname "$folder")")_$(basename "$folder")"); done
-  for file in tests/end_to_end/test_*.py; do name=$(basename "$file" .py); suites+=("end_to_end.${name#test_}"); done
+  for folder in clients files grooming node pictures service; do suites+=("end_to_end.$folder"); done
 fi
 targets=(fuzz_json)
 for suite in "${suites[@]}"; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the parts of the package that follow the contract: schemas.py, commands.py and requests.py.
+"""Writes the parts of the package that follow the contract: schemas.py, commands.py and requests.py. The build calls it.
 
 usage: generate.py OPENAPI_JSON [FOLDER]
 
@@ -22,7 +22,9 @@ def main(arguments):
     contract = Contract.read(arguments[0])
     folder = pathlib.Path(arguments[1]) if len(arguments) == 2 else pathlib.Path(__file__).resolve().parent / "pelage"
     for name, make in MODULES.items():
-        (folder / name).write_text(make(contract), encoding="utf-8")
+        made, file = make(contract), folder / name
+        if not file.exists() or file.read_text(encoding="utf-8") != made:
+            file.write_text(made, encoding="utf-8")
 
 
 if __name__ == "__main__":

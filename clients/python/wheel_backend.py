@@ -43,6 +43,9 @@ def metadata():
 
 def sources():
     """The package's files, by their paths in a wheel."""
+    if not (HERE / PACKAGE / "commands.py").exists():
+        raise SystemExit("pelage: a part of the package is made by the build: run `cmake --preset release && "
+                         "cmake --build --preset release --target pelage-python`, then pip again")
     files = sorted(path for path in (HERE / PACKAGE).rglob("*") if path.suffix == ".py" or path.name == "py.typed")
     return {path.relative_to(HERE).as_posix(): path.read_bytes() for path in files}
 

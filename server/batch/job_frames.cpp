@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <variant>
 
+#include "base/version/version.h"
 #include "protocol/json/animation.h"
 #include "protocol/json/encode.h"
 #include "server/batch/frame_range.h"
@@ -31,7 +32,7 @@ std::vector<Revision> revisions_of(const Scene& scene) {
 std::string identity_of(const Scene& scene) {
   const SceneSummary summary = scene.summary();
   std::string identity =
-      PELAGE_VERSION "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" + to_hex(summary.fields_hash) + "\n";
+      std::string(version()) + "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" + to_hex(summary.fields_hash) + "\n";
   identity += encode(SettingsAnswer{.settings = scene.snapshot()->view().settings});
   return identity;
 }

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/limits.h"
+#include "base/version/version.h"
 #include "protocol/json/encode.h"
 #include "server/batch/input_file.h"
 #include "server/batch/model_files.h"
@@ -39,7 +40,7 @@ struct Options {
 void declare(CLI::App& app, Options& options) {
   static const std::map<std::string, GlChoice> gl_names{
       {"auto", GlChoice::automatic}, {"none", GlChoice::none}, {"egl", GlChoice::egl}, {"osmesa", GlChoice::osmesa}};
-  app.set_version_flag("--version", "pelage-render " PELAGE_VERSION);
+  app.set_version_flag("--version", version_line("pelage-render"));
   app.add_option("job", options.job, "File of the job, JSON");
   app.add_option("--scene", options.scene, "File of the scene, in place of the job's");
   app.add_option("--frames", options.part.frames,

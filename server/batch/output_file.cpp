@@ -15,6 +15,7 @@
 
 #include "base/limits.h"
 #include "base/temporary_name.h"
+#include "base/version/version.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
 #include "renderer/picture_files/picture_files.h"
@@ -94,7 +95,7 @@ bool is_drawn(const std::string& path, const std::string& fingerprint) {
 std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
                                 double fps, double seconds) {
   std::vector<ImageText> texts{
-      {"Software", "pelage-render " PELAGE_VERSION},
+      {"Software", std::string("pelage-render ") + version()},
       {"pelage/frame", std::to_string(frame.number)},
       {"pelage/revision", std::to_string(frame.moment.request.revision.value_or(scene.revision))},
       {"pelage/fieldsHash", to_hex(scene.fields_hash)},

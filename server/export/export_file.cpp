@@ -87,4 +87,10 @@ Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest&
   return nobody_waits();
 }
 
+Result<ExportFile> export_file(const SceneStore& store, const Scene& scene, const ExportRequest& request,
+                               const Cancel& cancel) {
+  if (request.format == ExportFormat::pelage) return export_saved(store, scene, cancel);
+  return export_scene(*scene.snapshot(), request, cancel);
+}
+
 }  // namespace pelage

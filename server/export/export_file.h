@@ -30,6 +30,10 @@ struct ExportFile {
   bool write(const Sink& sink) const;
 };
 
+/// The story of an export: the scene itself, or what is made of a snapshot of it. Fails as both do.
+Result<ExportFile> export_file(const SceneStore& store, const Scene& scene, const ExportRequest& request,
+                               const Cancel& cancel = {});
+
 /// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
 /// (too_large): "/every" where more than limits::export_strands are expected, and a GLB that cannot be so large;
 /// unavailable once nobody waits, which is asked on several threads.

@@ -32,11 +32,6 @@ Gate::Pass enter_soon(Gate& gate) {
   return gate.enter();
 }
 
-Result<ExportFile> make_file(Service& service, const Scene& scene, const ExportRequest& wanted, const Cancel& cancel) {
-  if (wanted.format == ExportFormat::pelage) return export_saved(service.scenes, scene, cancel);
-  return export_scene(*scene.snapshot(), wanted, cancel);
-}
-
 /// Sends the file piece by piece, and holds the pass as long as that takes.
 void send_file(ExportFile file, Gate::Pass pass, Response& response) {
   const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
@@ -46,7 +41,7 @@ void send_file(ExportFile file, Gate::Pass pass, Response& response) {
       });
 }
 
-void export_file(Service& service, const Scene& scene, const Request& request, Response& response) {
+void answer_export(Service& service, const Scene& scene, const Request& request, Response& response) {
   const auto wanted = export_request_of(request);
   if (!wanted) return reply_problem(response, wanted.status());
   const auto dry_run = is_dry_run(request);
@@ -55,7 +50,7 @@ void export_file(Service& service, const Scene& scene, const Request& request, R
   if (!pass)
     return reply_problem(response, failure(Code::unavailable, "Another file is being exported.", "", "one at a time"));
   const ClientSocket client(request);
-  Result<ExportFile> file = make_file(service, scene, *wanted, cancel_of(client));
+  Result<ExportFile> file = export_file(service.scenes, scene, *wanted, cancel_of(client));
   if (!file) return reply_problem(response, file.status());
   if (*dry_run) return reply_json(response, 200, encode(file->about));
   response.status = 200;
@@ -69,7 +64,7 @@ void export_file(Service& service, const Scene& scene, const Request& request, R
 
 void add_export_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes/([^/]+)/export/([^/]+)", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { export_file(service, *scene, request, response); });
+    with_scene(service, request, response, [&](const auto& scene) { answer_export(service, *scene, request, response); });
   });
 }
 

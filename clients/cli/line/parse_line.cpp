@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/version/version.h"
 #include "clients/cli/help/completions.h"
 #include "clients/cli/help/examples.h"
 #include "clients/cli/help/man.h"
@@ -12,8 +13,6 @@
 namespace pelage {
 
 namespace {
-
-constexpr const char* version = "pelage " PELAGE_VERSION;
 
 /// Of the line itself: what CLI11 says of it.
 int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -28,7 +27,7 @@ int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, cha
 bool print_tree(const CLI::App& app, const Options& options) {
   const CommandHelp root = tree_of(app);
   std::string text;
-  if (options.action == Action::man) text = man_page(root, version);
+  if (options.action == Action::man) text = man_page(root, std::string("pelage ") + version());
   if (options.action == Action::completions)
     text = options.shell == "bash"  ? bash_completions(root)
            : options.shell == "zsh" ? zsh_completions(root)
@@ -47,7 +46,7 @@ void declare_line(CLI::App& app, Options& options) {
   app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
   app.add_option("--author", options.author, "Your name, 1 to 200 bytes, kept with each change and shown to others");
   app.add_flag("--json", options.json, "Print the server's answer as JSON, and what goes wrong as a problem document");
-  app.set_version_flag("--version", version);
+  app.set_version_flag("--version", version_line("pelage"));
   app.footer(footer_of(""));
   declare_scene_actions(app, options);
   declare_model_actions(app, options);

@@ -1,5 +1,6 @@
 """A pelaged on a free port with a folder of its own, and small ways to talk to it."""
 
+import atexit
 import http.client
 import io
 import json
@@ -141,6 +142,10 @@ class Server:
 
     # Scenes
 
+    def remove_scenes(self):
+        for scene in self.get("/v1/scenes").json["scenes"]:
+            self.call("DELETE", f"/v1/scenes/{scene['id']}")
+
     def new_scene(self, builtin="sphere", triangles=2000, **more):
         answer = self.post("/v1/scenes", {"model": {"builtin": builtin, "triangles": triangles}, **more})
         assert answer.status == 201, answer
@@ -183,15 +188,39 @@ def author(name):
     return {"Pelage-Author": urllib.parse.quote(name, safe="")}
 
 
+def lines_of(server, count=1, having=()):
+    """The lines of requests that have the text, or all of several, once there are `count`: a line comes after its answer."""
+    texts = [having] if isinstance(having, str) else having
+    deadline = time.monotonic() + 20
+    while True:
+        found = [line for line in server.printed().splitlines() if " request " in line and all(text in line for text in texts)]
+        if len(found) >= count or time.monotonic() > deadline:
+            return found
+        time.sleep(0.02)
+
+
+_shared = {}  # a server for each set of arguments, for all classes of this process that need none of their own
+
+
+def shared_server(arguments):
+    key = repr(sorted(arguments.items()))
+    server = _shared.get(key)
+    if server is None or server.process.poll() is not None:
+        server = _shared[key] = Server(**arguments)
+        atexit.register(server.close)
+    return server
+
+
 class ServedTest(unittest.TestCase):
-    """One server for all tests of a class; each test leaves it alive."""
+    """One server for all tests of a process; each test leaves it alive, and each class without scenes."""
 
     arguments = {}
+    own_server = False  # of a class that reads what the server has done since its start
 
     @classmethod
     def setUpClass(cls):
-        cls.server = Server(**cls.arguments)
-        cls.addClassCleanup(cls.server.close)
+        cls.server = Server(**cls.arguments) if cls.own_server else shared_server(cls.arguments)
+        cls.addClassCleanup(cls.server.close if cls.own_server else cls.server.remove_scenes)
 
     def tearDown(self):
         try:

@@ -1,4 +1,4 @@
-// What a test file has of its own: a server and a Chromium, closed at its end. The names below are set before the first test.
+// What all test files of this program share: a server and a Chromium, closed at its end. They are there before the first test.
 import {after, before} from "node:test";
 import {Server} from "./server.mjs";
 import {Studio, browser} from "./studio.mjs";
@@ -13,15 +13,24 @@ export async function serverWith(...arguments_) {
   return started;
 }
 
+let started;
+const start_once = () => started ??= (async () => {
+  server = await serverWith();
+  chrome = await browser();
+})();
+
+let files = 0;
+
 /** Called once, at the top of a test file. `prepare` runs when server and browser are there, `finish` before they go. */
 export function start({prepare = async () => {}, finish = async () => {}} = {}) {
+  ++files;
   before(async () => {
-    server = await serverWith();
-    chrome = await browser();
+    await start_once();
     await prepare();
   });
   after(async () => {
     await finish();
+    if (--files > 0) return;
     await chrome?.close();
     for (const one of servers) await one.stop();
   });
