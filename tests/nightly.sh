@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What takes too long for each change: all tests with all cases on each GL, benchmarks that run, the soak, many fuzzed
-# scenes, clang-tidy over all sources, all suites under the sanitizers, and ten minutes of the fuzzer.
+# scenes, the Debian package in a bare system, clang-tidy over all sources, all suites under the sanitizers, and ten
+# minutes of the fuzzer.
 # usage: tests/nightly.sh [SEED]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -15,6 +16,7 @@ cmake --build --preset tests -j "$jobs"
 ctest --preset tests -j "$jobs" --no-tests=error
 python3 tests/count.py build/tests/results
 tests/extremes/fuzz.sh 1000 "$seed"
+tests/package.sh
 
 tests/tidy.sh
 tests/sanitizers.sh 600

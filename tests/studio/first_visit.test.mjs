@@ -14,6 +14,7 @@ async function accessible(page, colorScheme) {
 const bothColours = async (page) => { for (const colours of ["dark", "light"]) await accessible(page, colours); };
 
 test("a first visit finds a fox and three hints, which go for good", async () => {
+  const server = await serverWith();
   const studio = await Studio.open(chrome, server.address);
   await studio.page.evaluate(() => localStorage.removeItem("pelage.welcomed"));
   await studio.page.getByText(/The creature grows its fur|The first picture is drawn/).waitFor();

@@ -13,6 +13,7 @@ import unittest
 import numpy
 from PIL import Image
 
+from support.nightly import nightly
 from support.server import BIN, REPOSITORY, Server
 
 EXAMPLES = REPOSITORY / "clients" / "python" / "examples"
@@ -104,6 +105,7 @@ class Pictures(ExampleTest):
 
 
 class Checks(ExampleTest):
+    @nightly
     def test_check_groom(self):
         stored = ("check_groom.py", "stored", "--triangles", 1000, *SMALL)
         self.assertIn("store it with --update", self.example(*stored, code=1))
@@ -123,6 +125,7 @@ class Checks(ExampleTest):
             self.assertLess(after, 0.6 * before, printed)
         self.assertEqual(numpy.load(self.folder / "matched" / "direction.npy").shape[1], 3)
 
+    @nightly
     def test_match_direction_of_a_patch(self):
         """A picture that fans out from below its lower rim, which the program is not told how it was made."""
         across = numpy.arange(256)
@@ -140,6 +143,7 @@ class Checks(ExampleTest):
 
 
 class OtherPrograms(ExampleTest):
+    @nightly
     def test_to_blender(self):
         printed = self.example("to_blender.py", "--every", 64, "--triangles", 1000, "--output", "blender", *SMALL)
         strands = int(re.search(r"(\d+) strands", printed)[1])
@@ -164,6 +168,7 @@ class OtherPrograms(ExampleTest):
             self.assertIn("float3[] primvars:groom_color = [(", text)
         self.assertEqual(len(list((self.folder / "unreal").iterdir())), 3)
 
+    @nightly
     def test_to_threejs(self):
         chromium = program_or_skip(shutil.which("chromium"), "chromium")
         program_or_skip(shutil.which("node") and (WEB_PACKAGES / "three").is_dir(), "node, or the studio's packages")

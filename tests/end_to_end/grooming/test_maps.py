@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
+from support.nightly import nightly
 from support.pictures import exr, png
 from support.server import ServedTest, comb, shared_folder
 
@@ -183,6 +184,7 @@ class Maps(ServedTest):
             self.assertRegex(name, "^[0-9a-f]{32}$")
             self.pelage("map", "get", scene.id, "length", "-o", path, "--size", 0, code=3)
 
+    @nightly
     def test_spot(self):
         scene = self.server.new_scene("plane", 2)
         content = (shared_folder() / "meshes" / "spot.obj").read_bytes()

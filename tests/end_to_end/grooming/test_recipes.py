@@ -2,6 +2,7 @@
 
 import json
 
+from support.nightly import nightly
 from support.server import REPOSITORY, ServedTest, shared_folder
 
 RECIPES = REPOSITORY / "clients" / "recipes"
@@ -68,6 +69,7 @@ class Recipes(ServedTest):
         for word in ("/steps/1/point", "far.json", "sizes"):
             self.assertIn(word, run.stderr)
 
+    @nightly
     def test_a_dry_run_says_what_each_tool_of_the_pages_would_touch(self):
         names = sorted(path.stem for path in EXAMPLES.glob("*.json") if path.stem not in ("studio", "checkpoint", "retarget", "map"))  # these need more than a model
         self.assertGreaterEqual(len(names), 20)
@@ -230,6 +232,7 @@ class Recipes(ServedTest):
     def test_the_groom_of_the_creature(self):
         self.check_groom(self.new("--builtin", "creature", "--triangles", 20000), "creature")
 
+    @nightly
     def test_the_groom_of_the_koala_and_on_another_model(self):
         meshes = shared_folder() / "meshes"
         for name, path, front in (("koala", meshes / "koala.ply", "z"), ("spot", meshes / "spot.obj", "-z")):

@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from support.nightly import nightly
 from support.server import REPOSITORY, ServedTest, comb, flood
 
 
@@ -18,6 +19,7 @@ class Retarget(ServedTest):
     def picture(self, scene, **quality):
         return scene.frame(width=256, height=256, camera={"auto": "three_quarter"}, background="transparent", **quality).body
 
+    @nightly
     def test_no_root_moves(self):
         # On a plane hardly more than rounding differs. On a body the new vertices have unit normals, where they were
         # interpolated before, which silhouettes show. Other roots differ by more. All strands are looked at: which of

@@ -8,6 +8,7 @@ import tempfile
 
 import numpy
 
+from support.nightly import nightly
 from support.server import REPOSITORY, ServedTest, shared_folder
 
 DEMO = REPOSITORY / "deploy" / "demo_groom.py"
@@ -81,6 +82,7 @@ class Tools(ServedTest):
     def test_spot(self):
         self.check_file(shared_folder() / "meshes" / "spot.glb", "format=glb&front=-z")
 
+    @nightly
     def test_koala(self):
         self.check_file(shared_folder() / "meshes" / "koala.ply", "format=ply")
 
@@ -101,6 +103,7 @@ class Tools(ServedTest):
             self.assertEqual(scene.post("undo", {}).status, 200)
             self.assertEqual(scene.frame(**FRAME).body, body)
 
+    @nightly
     def test_horse(self):
         self.check_file(pathlib.Path("/usr/share/glmark2/models/horse.3ds"), "format=3ds&up=y&front=x")  # it looks along x
 

@@ -4,6 +4,7 @@ import math
 import unittest
 
 from support.exr import read_exr
+from support.nightly import nightly
 from support.server import ServedTest
 
 GREY = [{"at": 0, "colour": [1, 1, 1]}, {"at": 1, "colour": [1, 1, 1]}]
@@ -43,6 +44,7 @@ class Depth(ServedTest):
         drawn, traced = (self.seen_height(scene, quality, elevation, distance) for quality in (RASTER, STRANDS))
         self.assertAlmostEqual(drawn, traced, delta=delta, msg=f"{elevation} degrees")
 
+    @nightly
     def test_flat_skin(self):
         for inclination in (0, 0.7):
             scene = self.scene("plane", 0.03, inclination)
@@ -50,6 +52,7 @@ class Depth(ServedTest):
                 with self.subTest(inclination=inclination, elevation=elevation):
                     self.check(scene, elevation, 4)
 
+    @nightly
     def test_bent_skin_lets_strands_stand_apart(self):
         self.check(self.scene("sphere", 0.04, 0.7), 15, 1.6, 0.03)
 

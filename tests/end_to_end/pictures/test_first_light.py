@@ -4,6 +4,7 @@ import unittest
 
 import numpy
 
+from support.nightly import nightly
 from support.server import Server, ServedTest, comb
 
 
@@ -80,6 +81,7 @@ class FirstLightOsmesa(FirstLight, ServedTest):
 
 
 class Backends(unittest.TestCase):
+    @nightly
     def test_egl_and_osmesa_give_the_same_bytes(self):
         pictures = {}
         for gl in ("egl", "osmesa"):

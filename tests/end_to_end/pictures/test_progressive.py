@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
+from support.nightly import nightly
 from support.server import Server, ServedTest, flood
 
 SIZE = {"width": 96, "height": 96}
@@ -276,6 +277,7 @@ class Traced(ServedTest):
 
 
 class Turns(ServedTest):
+    @nightly
     def test_pictures_that_take_turns_have_the_bits_that_they_have_alone(self):
         scenes = [self.server.new_scene("torus", 800), self.server.new_scene("sphere", 500)]
         quality = {"method": "strands", "trace": {"strands": 3000, "passes": 48}}

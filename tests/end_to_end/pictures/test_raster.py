@@ -5,6 +5,7 @@ import unittest
 import numpy
 
 from support.exr import read_exr
+from support.nightly import nightly
 from support.server import ServedTest, Server, comb, flood
 
 ALL = {"method": "raster", "raster": {"strands": 1000, "light_of": 1}}
@@ -13,6 +14,7 @@ LIGHT = {**VIEW, "format": "exr", "exr_type": "float", "background": "transparen
 
 
 class Raster(ServedTest):
+    @nightly
     def test_it_covers_and_shines_as_traced_strands(self):
         scene = self.server.new_scene("sphere", 2000)
         scene.run({"op": "set_ground", "ground": {"visible": False}})

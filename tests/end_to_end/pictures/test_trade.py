@@ -12,6 +12,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from support.nightly import nightly
 from support.server import BIN, REPOSITORY, ServedTest
 
 sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
@@ -61,6 +62,7 @@ class Trade(ServedTest):
         headings = [heading.text for heading in page.iter("h2")]
         self.assertIn("What to choose when", headings)
 
+    @nightly
     def test_resume_and_a_scene_of_the_users(self):
         scene = self.server.new_scene("torus", 200, name="mine")
         self.addCleanup(self.server.call, "DELETE", scene.path)

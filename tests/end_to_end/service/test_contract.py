@@ -214,7 +214,7 @@ class Requests(ServedTest):
         several = [frame, exr, jpeg, difference, strands, look, raster, {**progressive, "quality": "draft", "overlay": "mask"}, progressive, {**progressive, "progressive": True},
                    switched, past]
         for variation in (v for request in several for v in self.variations(request)):
-            self.agree("FrameRequest", variation, lambda b: scene.post("frames", b))
+            self.agree("FrameRequest", variation, lambda b: scene.post("frames?dry_run=1", b))
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
@@ -413,6 +413,8 @@ class Answers(ServedTest):
 
 
 class Status(ServedTest):
+    own_server = True
+
     def test_metrics(self):
         scene = self.server.new_scene("plane", 2)
         scene.frame(width=8, height=8)

@@ -9,6 +9,7 @@ import threading
 import time
 import unittest
 
+from support.nightly import nightly
 from support.server import Answer, Server, ServedTest, author, flood
 
 QUIET = 4  # comments, of 15 seconds each, after which nothing more is expected
@@ -235,6 +236,7 @@ class Events(ServedTest):
             self.assertIsNone(stream.answer.getheader("Content-Encoding"))
             self.assertEqual(stream.next().name, "scene")
 
+    @nightly
     def test_a_quiet_stream_is_kept_alive(self):
         with Stream(self.scene) as stream:
             stream.next()

@@ -11,6 +11,8 @@ TRACE = "4bf92f3577b34da6a3ce929d0e0e4736"
 
 
 class Text(ServedTest):
+    own_server = True
+
     def test_one_line_for_each_request(self):
         scene = self.server.new_scene("plane", 2)
         answer = self.server.get(f"{scene.path}?once")

@@ -1,5 +1,5 @@
-// What all test files of this program share: a server and a Chromium, closed at its end. They are there before the first test.
-import {after, before} from "node:test";
+// What all test files of this program share: a server and a Chromium.
+import {test} from "node:test";
 import {Server} from "./server.mjs";
 import {Studio, browser} from "./studio.mjs";
 
@@ -13,28 +13,26 @@ export async function serverWith(...arguments_) {
   return started;
 }
 
-let started;
-const start_once = () => started ??= (async () => {
-  server = await serverWith();
-  chrome = await browser();
-})();
+const finishes = [];
 
-let files = 0;
-
-/** Called once, at the top of a test file. `prepare` runs when server and browser are there, `finish` before they go. */
+/** Called once, at the top of a test file. `prepare` runs before its tests, `finish` after them. */
 export function start({prepare = async () => {}, finish = async () => {}} = {}) {
-  ++files;
-  before(async () => {
-    await start_once();
+  test("made ready", async () => {
+    server ??= await serverWith();
+    chrome ??= await browser();
     await prepare();
   });
-  after(async () => {
-    await finish();
-    if (--files > 0) return;
-    await chrome?.close();
-    for (const one of servers) await one.stop();
-  });
+  finishes.push(finish);
 }
+
+/** Called once the tests of a file are known. */
+export const endFile = (subject) => test(`${subject}: closed`, finishes.pop());
+
+/** Called after the last file. */
+export const endAll = () => test("server and browser: closed", async () => {
+  await chrome?.close();
+  for (const one of servers) await one.stop();
+});
 
 /** A window on the own server. */
 export const openStudio = (options = {}) => Studio.open(chrome, server.address, options);
