@@ -11,12 +11,13 @@
 
 namespace pelage {
 
-/// What an exception says: unavailable where memory ran out, as more may be free a little later; internal otherwise.
+/// Returns the Status of an exception: unavailable where memory ran out, because more may be free a little later;
+/// internal otherwise.
 inline Status status_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    return failure(Code::unavailable, "The server's memory does not do for this now.");
+    return failure(Code::unavailable, "The server does not have enough memory for this now.");
   } catch (const std::exception& error) {
     return failure(Code::internal, std::string("The server failed: ") + error.what());
   } catch (...) {

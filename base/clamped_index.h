@@ -3,8 +3,9 @@
 
 namespace pelage {
 
-/// The whole part of `x` within [low, high], low for NaN. A plain cast of what int cannot hold is undefined: on most
-/// machines it gives the lowest int, from which a loop to an edge of a picture runs for two thousand million rounds.
+/// Returns the whole part of `x`, clamped to [low, high]; low for NaN. A plain cast of a number that int cannot hold is
+/// undefined: most machines give the lowest int, and a loop from there to the edge of a picture takes two billion
+/// steps.
 template <class Number>
 constexpr int clamped_index(Number x, int low, int high) {
   if (!(x > static_cast<Number>(low))) return low;

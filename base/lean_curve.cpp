@@ -20,8 +20,8 @@ LeanPoint arc(double a0, double a, double s) {
   return {s * std::sin(a0 + x / 2) * sinc(x / 2), s * std::cos(a0 + x / 2) * sinc(x / 2), a0 + x};
 }
 
-/// y = K sqrt(x) with the chord of the arc, u = 2y / K^2, turned by the angle at the root. Written with the ratio
-/// r = u / u1, in which nothing grows without bound when a goes to 0.
+/// Returns a point on y = K sqrt(x), which has the chord of the arc and is turned by the angle at the root, with u = 2y
+/// / K^2. It solves for the ratio r = u / u1, which stays bounded when a goes to 0.
 LeanPoint root(double a0, double a, double s) {
   const double u1 = 2 * std::tan(a / 2);
   const double whole = parabola_length(u1);

@@ -15,8 +15,8 @@ struct Lean {
   glm::vec<3, Number> along;
 };
 
-/// The lean that a value of the direction field has in the frame of a unit normal and tangent. Upright fur leans along
-/// the tangent by 0. renderer/shaders/lean.glsl has the same.
+/// Returns the lean that a value of the direction field has in the frame of a unit normal and tangent. Upright fur has
+/// the inclination 0 along the tangent. renderer/shaders/lean.glsl has the same function.
 template <class Number>
 Lean<Number> lean_of(glm::vec<2, Number> direction, glm::vec<3, Number> normal, glm::vec<3, Number> tangent) {
   const Number length = glm::length(direction);
@@ -25,16 +25,16 @@ Lean<Number> lean_of(glm::vec<2, Number> direction, glm::vec<3, Number> normal, 
   return {glm::min(length, Number(1)), heading.x * tangent + heading.y * glm::cross(normal, tangent)};
 }
 
-/// A place on the curve of a strand of length 1: how far it has gone along the lean and up the normal, and the angle of
-/// its tangent from the normal in radians.
+/// A point on the curve of a strand of length 1: its distances from the root along the lean and along the normal, and
+/// the angle between its tangent and the normal in radians.
 struct LeanPoint {
   double across = 0;
   double up = 0;
   double angle = 0;
 };
 
-/// The place at `s` in [0, 1] for an inclination in [0, 1] and a root share in [0, 1]. Exact in length for both curves:
-/// the length of the curve up to s is s. No singularity: an inclination of 0 is the straight strand.
+/// Returns the point at `s` in [0, 1] for an inclination in [0, 1] and a root share in [0, 1]. Both curves keep the
+/// length exactly: up to s it is s. There is no singularity: an inclination of 0 gives the straight strand.
 LeanPoint lean_point(LeanCurve curve, double inclination, double root_share, double s);
 
 }  // namespace pelage

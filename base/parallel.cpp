@@ -63,14 +63,14 @@ class FirstException {
   std::exception_ptr first_;
 };
 
-/// A thread that cannot be lowered stays as it is: then it shares the cores.
+/// Gives the calling thread the lowest priority. Where that fails the thread keeps its priority and shares the cores.
 void run_only_when_idle() {
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);
 }
 
-/// At most `count` threads of the lowest priority that call `run`: fewer where the machine has no more to give. Not
-/// oneTBB's, because a thread without privileges cannot leave SCHED_IDLE again.
+/// Starts at most `count` threads of the lowest priority that call `run`, fewer where the machine has no more. They are
+/// not oneTBB's, because a thread without privileges cannot leave SCHED_IDLE again.
 std::vector<std::thread> start_idle_threads(std::size_t count, const std::function<void()>& run) {
   std::vector<std::thread> team;
   team.reserve(count);

@@ -6,10 +6,10 @@
 
 namespace pelage {
 
-/// A value as it stands in an address: all but letters, digits and -._~, becomes %XX.
+/// Encodes a value for an address: every byte but letters, digits and -._~ becomes %XX.
 std::string percent_encoded(std::string_view text);
 
-/// %XX becomes its byte; what is no such escape stays.
+/// Replaces each %XX by its byte; anything else stays as it is.
 std::string percent_decoded(std::string_view text);
 
 }  // namespace pelage

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-/// Runs from when it is made.
+/// Measures the time since its construction.
 class Stopwatch {
  public:
   using Clock = std::chrono::steady_clock;

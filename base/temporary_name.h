@@ -8,7 +8,8 @@ namespace pelage {
 /// This machine's name; "" where it has none.
 std::string host_name();
 
-/// ".NAME.HOST-RANDOM.tmp" beside the path, a name of its own whatever machines and processes share the folder.
+/// Returns ".NAME.HOST-RANDOM.tmp" in the folder of the path: a name of its own, whatever machines and processes share
+/// the folder.
 std::string temporary_beside(const std::string& path);
 
 }  // namespace pelage

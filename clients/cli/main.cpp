@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* one_folder = "build or install all programs in one folder";
 
-/// Becomes the program of this name that lies beside this one. Comes back only to say that it cannot.
+/// Replaces this program by the one of this name beside it. Returns only if that fails.
 pelage::ExitCode hand_over(const char* program, char* const* arguments) {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -32,7 +32,7 @@ pelage::ExitCode compare(const pelage::Options& options) {
   }
 }
 
-/// The machine that is measured is this one, so the server's program does it, and no server need run.
+/// Measures this machine by the server's program, so that no server has to run.
 pelage::ExitCode calibrate(const pelage::Options& options) {
   std::vector<std::string> words{"pelaged", "--calibrate"};
   for (const auto& [flag, value] : options.server_options) words.insert(words.end(), {flag, value});

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Of refusals of HTTP itself, which have no code of their own.
+/// Returns advice on refusals by HTTP itself, which have no code of their own.
 const char* advice_for(int http_status) {
   if (http_status == 401) return "give the server's token with --token or PELAGE_TOKEN";
   if (http_status == 403) return "start the server with --host and the name in its address";

@@ -33,13 +33,13 @@ class Session {
   const Options& options_;
 };
 
-/// Of an answer; "" when it has none. `name` in lower case.
+/// Returns a header of an answer; "" when it has none. `name` is in lower case.
 std::string header(const HttpAnswer& answer, const char* name);
 
-/// Prints a scene, or what refused to say it.
+/// Prints a scene, or why the server did not describe it.
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer);
 
-/// Prints what a command changed, or what refused it; `context` as for report.
+/// Prints what a command changed, or why it was refused; `context` as for report.
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context = {});
 
 }  // namespace pelage

@@ -25,8 +25,8 @@ std::string to_hex(FieldsHash hash);
 /// The hash of 32 hex digits in lower case; nothing of any other text.
 std::optional<FieldsHash> hash_of_hex(std::string_view text);
 
-/// What a frame asked of the GL; without one all but `bytes` and `redrawn` are 0. `bytes` are those sent for it to what
-/// draws, changes of fields included.
+/// What a frame took from the GL. Without a GL all but `bytes` and `redrawn` are 0. `bytes` counts what was sent for
+/// the frame to the renderer, changes of fields included.
 struct FrameCounters {
   std::size_t passes = 0;       // programs put to use, one after another
   std::size_t draws = 0;        // draw calls
@@ -81,7 +81,7 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// A connected part that the load says something about.
+/// A connected part that the report of a loaded model names.
 struct NumberedPart {
   int part = 1;  // its number, from 1
   std::size_t triangles = 0;
@@ -102,10 +102,10 @@ struct ModelReport {
   std::string pose = {};                         // "NAME@SECONDS" that it stands in; "" as the file has it
   std::vector<std::string> animations = {};      // that the file has
   std::vector<Repair> repairs;
-  // Parts that may be wound the wrong way: they are open, so that nothing says which of their sides is outside, and
-  // what little they enclose says the other one.
+  // Parts that may be wound the wrong way. They are open, so that no side is known to be outside, and the sign of the
+  // little volume that they enclose contradicts their winding.
   std::vector<NumberedPart> doubtful_parts = {};
-  std::vector<NumberedPart> sheets = {};  // of several parts those of one layer, bare behind
+  std::vector<NumberedPart> sheets = {};  // of several parts, those of one layer of triangles, bare on their backs
   bool operator==(const ModelReport&) const = default;
 };
 
@@ -130,7 +130,7 @@ struct SceneList {
   bool operator==(const SceneList&) const = default;
 };
 
-/// Of each painted field, from first_painted on; a colour is that of what covers.
+/// The values of the painted fields, from first_painted on; a colour is that of the paint that covers.
 using PaintedValues = std::array<glm::dvec4, field_count - first_painted>;
 
 enum class StrandKind { coat, curve };
@@ -168,16 +168,16 @@ struct Comparison {
   bool operator==(const Comparison&) const = default;
 };
 
-/// What made a revision: a new step ("do" on the wire); a part that joins the last step; the ways through the steps;
-/// and commands that are listed by themselves but belong to the undo step of the entry before. Journals hold the
-/// numbers.
+/// What made a revision. command: a new step ("do" on the wire). join: a part that joins the last step. undo, redo and
+/// revert: a move through the steps. replay: commands that are listed by themselves but belong to the undo step of the
+/// entry before. Journals store the numbers.
 enum class EntryKind { command, join, undo, redo, revert, replay };
 
 /// One line of the undo log.
 struct LogEntry {
   Revision revision = 0;
   std::string kind;      // the word of an EntryKind
-  Revision step = 0;     // of the step that it made, joined or replayed: the revision that made it; else 0
+  Revision step = 0;     // number of the step that it made, joined or replayed: that step's first revision; else 0
   std::string commands;  // JSON text of the resolved commands, "" for undo and redo
   std::size_t touched = 0;
   bool in_effect = false;   // whether its commands are among those that lead to the present

@@ -39,7 +39,7 @@ struct Variation {
   double hue = 0;        // 1: from a third towards blue to a third towards red
   double length = 0;     // 1: from none to twice
   double lean = 0;       // 1: the whole range of the inclination
-  double size = 0.12;    // from one swell to the next, sizes, [0.005, 2]
+  double size = 0.12;    // distance from one crest to the next, sizes, [0.005, 2]
 
   bool operator==(const Variation&) const = default;
 };
@@ -74,8 +74,8 @@ struct Ticking {
   bool operator==(const Ticking&) const = default;
 };
 
-/// Tufts: clumps larger than the tile, which gather strands about places on the body itself, so that the fur does not
-/// repeat and has form at a distance. Each finer scale is .45 of the one before.
+/// Tufts: clumps larger than the tile, which gather strands around points of the body itself, so that the fur does not
+/// repeat and has form at a distance. Each finer scale is .45 times the one before.
 struct Tufts {
   double gather = 0;   // how far tips go to the middle of their tuft, [0, 1]
   double size = 0.05;  // mean distance of the largest tufts, sizes, [0.01, 1]
@@ -96,7 +96,7 @@ struct Coat {
   double curl_together = 0;        // how far the strands of a clump curl as one lock, [0, 1]
   double wave = 0;                 // amplitude of a sine in one plane, over a length of .03, [0, 0.5]
   double wave_turns = 3;           // waves from root to tip, [0, 20]
-  double mess = 0;                 // how far each strand goes and bows its own way, [0, 1]
+  double mess = 0;                 // how far each strand leans and bows in a direction of its own, [0, 1]
   double clump = 0.4;              // how far tips gather to the middle of their clump, [0, 1]
   double clump_size = 0.010;       // mean distance of clumps, sizes, [0.001, 0.5]
   double fine_clump = 0;           // the same inside clumps, for locks of a few strands, [0, 1]

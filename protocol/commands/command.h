@@ -64,8 +64,8 @@ struct SetSkin {
   std::vector<SkinRegion> regions;
 };  // at most 64
 
-/// Lays a picture on the model by its texture coordinates, in place of all colours of its own. It is named by the 32
-/// hex digits that its upload answered with; "" takes it off again.
+/// Lays a picture on the model by its texture coordinates, in place of the model's own colours. The picture is named by
+/// the 32 hex digits that its upload answered with; "" removes it.
 struct SetSkinTexture {
   static constexpr const char* op = "set_skin_texture";
   static constexpr Inputs inputs = Inputs::none;
@@ -137,7 +137,8 @@ const char* op_of(const Command& command);
 const Stroke* stroke_of(const Command& command);
 Stroke* stroke_of(Command& command);
 
-/// The name of the edit layer that keeps what the tool changes; "" for the groom, and for commands that are no tools.
+/// Returns the name of the edit layer that takes the tool's change; "" for the groom, and for commands that are no
+/// tools.
 std::string edit_layer_of(const Command& command);
 
 }  // namespace pelage

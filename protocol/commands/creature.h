@@ -25,12 +25,12 @@ struct Iris {
 
 struct Pupil {
   PupilShape shape = PupilShape::round;
-  std::optional<double> size = {};  // share of the iris, [0, 1]; none: answers the light
+  std::optional<double> size = {};  // share of the iris, [0, 1]; none: it adapts to the light
 
   bool operator==(const Pupil&) const = default;
 };
 
-/// What the lids leave open: an almond on a sphere around the eye. Angles are seen from the eye's centre.
+/// The opening between the lids: an almond on a sphere around the eye. Angles are seen from the eye's centre.
 struct Lids {
   std::optional<glm::dvec3> facing = {};     // middle of the opening, model coordinates; none: where the eye looks
   double width_degrees = 64;                 // from the middle to a corner, [1, 90]
@@ -78,13 +78,14 @@ struct SkinBumps {
   bool operator==(const SkinBumps&) const = default;
 };
 
-/// An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the earlier.
+/// An ellipsoid: skin inside it has no fur and a look of its own. Where regions overlap, the later one covers the
+/// earlier one.
 struct SkinRegion {
   glm::dvec3 centre{0};      // model coordinates
   glm::dvec3 radii{0.05};    // sizes, [1e-6, 1e6]; the third along the axis
   glm::dvec3 axis{0, 0, 1};  // any length but 0; the first radius lies level
   double turn_degrees = 0;   // around the axis, counter-clockwise as seen from its tip, [-180, 180]
-  double softness = 0.5;     // how far outside it fur takes to be whole, in its radii, [0, 10]
+  double softness = 0.5;     // width outside it over which fur becomes full again, in its radii, [0, 10]
   std::optional<SkinFacing> facing = {};
   glm::vec3 colour{0.36f, 0.17f, 0.13f};  // linear
   double shine = 0.5;                     // reflectance: 0.5 skin (4% head on), 1 twice that, [0, 1]
@@ -101,8 +102,8 @@ struct SkinRegion {
 /// Points in model coordinates, root first, 2 to 32. The curve passes through them (Catmull and Rom 1974).
 using GuideCurve = std::vector<glm::dvec3>;
 
-/// Curves of one kind. Guides are drawn as they are given; between each two that follow each other `fill` more are
-/// mixed.
+/// Curves of one kind. Guides are drawn as they are given, and `fill` more curves are interpolated between each two
+/// neighbours.
 struct CurveGroup {
   std::vector<GuideCurve> curves;              // 1 to 4096 guides
   double width_root = 0.0008;                  // sizes, [0, 0.1]

@@ -9,9 +9,9 @@
 namespace pelage {
 
 /// `usda`: strands as BasisCurves of USD, as text. `hair`: strands as a HAIR file (cyHair). `shells`: the skin and
-/// layers over it as a GLB that any viewer shows. `cards`: the skin and textured strips along the
-/// clumps of the fur in levels of detail, as games draw it, as a GLB. `fields`: the skin with the fields of its fur as
-/// a GLB, for shaders. `pelage`: the scene itself, with its model, log and pictures, for another server.
+/// shells over it as a GLB that any viewer shows. `cards`: the skin and textured strips along the clumps of the fur in
+/// levels of detail, as games draw it, as a GLB. `fields`: the skin with the fields of its fur as a GLB, for shaders.
+/// `pelage`: the scene itself, with its model, log and pictures, for another server.
 enum class ExportFormat { usda, hair, shells, cards, fields, pelage };
 
 constexpr bool holds_strands(ExportFormat format) {
@@ -21,10 +21,10 @@ constexpr bool holds_strands(ExportFormat format) {
 /// What of the fur is exported.
 struct ExportRequest {
   ExportFormat format = ExportFormat::usda;
-  int every = 1;       // about one strand of so many, chosen by numbers of their own; [1, 1000000]
+  int every = 1;       // about one strand in so many, chosen by a random number; [1, 1000000]
   bool widen = false;  // makes strands `every` times as wide, which keeps what they cover
   bool curves = true;  // with whiskers, lashes and brows
-  int shells = 16;     // layers of `shells`, [1, 32]
+  int shells = 16;     // number of shells over the skin, [1, 32]
   int cards = 6000;    // of the finest level of `cards`, about; [100, 200000]
 };
 

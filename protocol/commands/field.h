@@ -55,10 +55,10 @@ inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::den
 constexpr const FieldShape& shape_of(Field field) { return field_shapes[static_cast<std::size_t>(field)]; }
 constexpr Field field_at(std::size_t number) { return static_cast<Field>(number); }
 
-// Edit layers: changes of a groom that are kept apart, so that they can be weighed, muted and taken away.
+// Edit layers: changes of a groom that are stored apart from it, so that they can be weighted, muted and removed.
 
-/// Changes that are kept apart from the groom below them: what is seen is the groom and, edit layer by edit layer,
-/// their weight times what they add, held in each field's range. The mask lies outside of all edit layers.
+/// A set of changes that is stored apart from the groom below. The visible value is the groom plus, edit layer by edit
+/// layer, the weight times what the edit layer adds, clamped to the field's range. The mask belongs to no edit layer.
 struct EditLayer {
   std::string name = {};  // 1 to 200 bytes; names differ
   double weight = 1;      // [-4, 4]; below 0 the opposite of what was groomed
@@ -66,9 +66,9 @@ struct EditLayer {
   bool operator==(const EditLayer&) const = default;
 };
 
-/// add: a new edit layer. set: changes the weight, the mute or the name. move: to another place among the edit layers.
-/// merge_down: into the edit layer below or, of the lowest, into the groom; neither may be muted. remove: with all it
-/// holds.
+/// add: adds an edit layer. set: changes its weight, mute or name. move: changes its position among the edit layers.
+/// merge_down: merges it into the edit layer below or, if it is the lowest, into the groom; neither may be muted.
+/// remove: removes it with its contents.
 enum class EditLayerAction { add, set, move, merge_down, remove };
 struct ChangeEditLayer {
   static constexpr const char* op = "edit_layer";

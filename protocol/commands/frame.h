@@ -36,7 +36,7 @@ struct View {
 // What a frame request says: the size, the camera and the quality.
 
 enum class Tier { draft, interactive, detailed, reference };
-/// raster: strands, rasterized; strands: all of them, ray traced; shells: the layers of GPU fur, drawn by a GL.
+/// raster: rasterized strands. strands: all strands, ray traced. shells: the shells of GPU fur, drawn by a GL.
 enum class Method { raster, strands, shells };
 /// How light gets through traced fur: by the colour and count of the strands that a ray to the light crosses, or along
 /// whole paths that scatter from strand to strand.
@@ -45,8 +45,8 @@ enum class Transport { transmittance, paths };
 /// scatter by energy_conserving in either case: no other model conserves energy.
 enum class StrandScattering { look, energy_conserving };
 enum class ShellPolicy { uniform, adaptive };  // adaptive: fewer shells where the view needs fewer (fur modelling 2)
-/// four_pass: skin, depth of dense fur, fur that faces away, fur that faces the camera (after Scheuermann 2004).
-/// sorted: the fragments of each pixel by depth, slow and exact.
+/// four_pass: skin, depth of dense fur, back-facing fur, front-facing fur (after Scheuermann 2004). sorted: the
+/// fragments of each pixel by depth, slow and exact.
 enum class FragmentOrder { four_pass, sorted };
 enum class ToneMap { none, filmic };
 enum class Background { colour, transparent, studio };  // studio: a soft gradient with darker corners
@@ -84,7 +84,7 @@ enum class Aov {
   tangent,   // of the fur from root to tip, unit; 0 where the skin is bare
   albedo,    // linear
   direct,    // what lights add, without the ambient part, linear
-  shadow,    // share of that light that shadows leave, [0, 1]; 1 where none comes
+  shadow,    // unshadowed share of `direct`, [0, 1]; 1 where there is no direct light
   sample_count,  // segments of strands that were blended, mean over the pixel; of traced strands the samples
   strand,  // that covers most of the pixel: its number from 1 on, where on it, and its coat; 0 where skin shows more
   root     // of that strand, model's coordinates
@@ -97,8 +97,8 @@ struct Tracing {
   StrandScattering scattering = StrandScattering::look;
   int bounces = 32;         // of a path, [1, 4096]; paths
   int strands = 2'000'000;  // at most, [1, 8000000]; fewer are drawn wider
-  double noise = 0;         // stops once the estimate is below, [0, 1]: mean error of a shown channel; 0 never
-  double seconds = 0;       // stops after them, [0, 3600]; 0 never
+  double noise = 0;         // estimated mean error of a displayed channel at which it stops, [0, 1]; 0 never
+  double seconds = 0;       // after which it stops, [0, 3600]; 0 never
   double shutter = 0;       // seconds that it is open about the frame's time, [0, 10]: blurs fur that moves
   bool filter = true;       // features filter pictures of few passes
   std::uint32_t seed = 1;
@@ -108,13 +108,13 @@ struct Tracing {
 
 /// Which strands are rasterized, and how they are lit.
 struct Rasterizing {
-  double strands = 1.4;  // kept of those that stand on a pixel of skin seen from above, the others wider, [0.01, 1000]
+  double strands = 1.4;  // drawn on a pixel of skin seen from above; fewer strands are wider, [0.01, 1000]
   int light_of = 4;      // strands that share the light of one, [1, 8]
 
   bool operator==(const Rasterizing&) const = default;
 };
 
-/// How fur is drawn in layers (GPU fur).
+/// How fur is drawn as shells (GPU fur).
 struct Layering {
   int count = 16;  // of shells where the view needs most, [1, 1024]
   ShellPolicy policy = ShellPolicy::uniform;
@@ -126,7 +126,7 @@ struct Layering {
   bool operator==(const Layering&) const = default;
 };
 
-/// What a tier stands for, and what a request may set one by one.
+/// The settings that a tier stands for, and that a request may also set one by one.
 struct Knobs {
   Method method = Method::raster;
   double scale = 1;         // rendered size over asked size, [0.25, 2]; not of method strands
@@ -140,13 +140,14 @@ struct Knobs {
 
 /// The knobs that a tier stands for.
 Knobs knobs_of(Tier tier);
-/// What a JPEG or a WebP keeps of a picture that was drawn with these knobs: the closer it is, the more. [1, 100]
+/// Returns the quality of a JPEG or WebP of a picture that was drawn with these knobs, [1, 100]: the closer the picture
+/// is to the truth, the higher.
 int lossy_quality(const Knobs& knobs);
 
 /// Why a traced picture ended; none while it goes on.
 enum class TraceEnd { none, passes, noise, seconds };
 
-/// What a traced picture is made of.
+/// What tracing a picture took, and how noisy it still is.
 struct TraceReport {
   int passes = 0;      // 0 for what is not traced
   double samples = 0;  // mean of a pixel
@@ -191,7 +192,7 @@ struct FrameRequest {
       {};  // rasterized strands now, traced ones while somebody waits for them (`after_pass`)
   std::optional<std::uint64_t> revision = {};  // of this model: the scene as it was then; without progressive
   std::optional<double> time =
-      {};                   // seconds, [-1e6, 1e6]: when the wind has moved the fur so; the scene's time unless given
+      {};                   // seconds, [-1e6, 1e6]: the moment of the wind that is drawn; the scene's time unless given
   double max_seconds = 60;  // refused where drawing is expected to take longer, [1, 86400]
   std::string view;         // name of the viewer; of several frames asked for one view only the newest is drawn
 

@@ -11,8 +11,9 @@
 
 namespace pelage {
 
-/// How a parameter goes from key to key: it stays until the next one; straight; or along a curve that never leaves the
-/// range of the two keys beside it (monotone cubic Hermite, Fritsch and Carlson 1980).
+/// How a parameter changes from key to key. step: it stays until the next key. linear: it goes straight to the next
+/// key. spline: it follows a curve that never leaves the range of the two keys beside it (monotone cubic Hermite,
+/// Fritsch and Carlson 1980).
 enum class KeyInterpolation { step, linear, spline };
 
 /// `value` is JSON: a number, a list of numbers or a colour; for `step` any text or boolean too.
@@ -21,24 +22,26 @@ struct ParameterKey {
   std::string value;
 };
 
-/// One parameter over frames. Before its first key it has that key's value, after its last one that one's.
+/// The keys of one parameter over frames. Before its first key it has that key's value, after its last key the last
+/// one's.
 struct ParameterKeys {
   std::string parameter;  // JSON pointer: /frame/..., or a member of the scene's settings, as /lights/0/intensity
   KeyInterpolation interpolation = KeyInterpolation::linear;
   std::vector<ParameterKey> keys;  // at least one, frames ascend
 };
 
-/// model: the model turns, so that lights stay where they are on the picture. camera: the camera goes round it.
+/// model: the model turns, and the lights stay where they are on the picture. camera: the camera moves around the
+/// model.
 enum class Turning { model, camera };
 
-/// About the vertical axis through what the camera looks at; the last frame is a step short of the first one's end, so
-/// that the clip loops.
+/// A turn about the vertical axis through the camera's target. The last frame is one step short of `degrees`, so that
+/// the clip loops.
 struct Turntable {
   double degrees = 360;
   Turning turns = Turning::model;
 };
 
-/// Where the scene's model stands at each frame, with the groom on it: in numbered files, or in an animation of one
+/// How the scene's model moves, with the groom on it: by numbered files, one for each frame, or by an animation of one
 /// file.
 struct JobMotion {
   std::string model;                   // "walk.####.obj", # are the digits of the frame; or a file with the animation
@@ -47,13 +50,13 @@ struct JobMotion {
   double inertia = 0;                  // [0, 10], how much of the body's acceleration the fur feels
 };
 
-/// Each frame as the mean, in light, of pictures while a shutter is open: whatever moves leaves a blur.
+/// Makes each frame the mean, in linear light, of pictures while a shutter is open, so that whatever moves is blurred.
 struct MotionBlur {
   double shutter = 0.5;  // frames that it is open, (0, 4], half of them before the frame's time; .5 is 180 degrees
   int samples = 8;       // pictures at moments spread evenly, [2, 256]
 };
 
-/// How many parts of about equal size each frame is drawn in, side by side and below each other: [1, 16] each.
+/// The tiles of about equal size in which each frame is drawn, [1, 16] in each direction.
 struct TileGrid {
   int columns = 1, rows = 1;
 };

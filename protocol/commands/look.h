@@ -60,8 +60,8 @@ struct Look {
 
 enum class LightKind { directional, point, spot, area };
 
-/// Shadow of one part of the body on another: from a depth map alone, softened by the shadow width (GPU fur 4), or
-/// blurred by the light's size as traced strands see it (Fernando 2005, percentage-closer soft shadows).
+/// Shadow of one part of the body on another. hard: from a depth map alone. soft: softened by the shadow width (GPU fur
+/// 4). penumbra: blurred by the light's size, as traced strands see it (Fernando 2005, percentage-closer soft shadows).
 enum class CastShadow { none, hard, soft, penumbra };
 
 /// Directional: `direction` is where the light goes, in the model's coordinates. Point: `position`, falling with the
@@ -107,7 +107,7 @@ struct Environment {
 struct Ground {
   bool visible = false;
   std::optional<double> height;  // model's y; the lowest point of the model when absent
-  double shadow = 0.7;           // how much of the light that the model holds off is missing, [0, 1]
+  double shadow = 0.7;           // share of the occluded light that is missing, [0, 1]
   double contact = 0.7;          // how much it darkens where the model is near, [0, 1]
 };
 

@@ -94,7 +94,7 @@ constexpr MapEncoding encoding_of(Field field, MapEncoding encoding) {
   return field == Field::direction ? MapEncoding::uv_tangent : MapEncoding::value;
 }
 
-/// Returns whether a field can be kept in this way.
+/// Returns whether a map in this encoding can hold the field.
 constexpr bool fits(Field field, MapEncoding encoding) {
   if (encoding == MapEncoding::vertices) return true;
   return (field == Field::direction) != (encoding_of(field, encoding) == MapEncoding::value);

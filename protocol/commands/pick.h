@@ -1,4 +1,4 @@
-// Which place of a model is meant.
+// Requests for a position on a model.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,24 +8,24 @@
 
 namespace pelage {
 
-/// From `origin`, model coordinates, along `direction`.
+/// A ray from `origin` along `direction`, model coordinates.
 struct PickRay {
   glm::dvec3 origin{0}, direction{0, 0, -1};
 };
 
-/// The place of the surface that lies farthest along `direction`, of what lies in the box from `min` to `max`, model
-/// coordinates; of several the one of the first triangle. The whole model where there is no box.
+/// Asks for the position of the surface that lies farthest along `direction`, inside the box from `min` to `max` (model
+/// coordinates) or, without a box, on the whole model. Of several the one on the first triangle counts.
 struct PickFarthest {
   glm::dvec3 direction{0, 1, 0};
   std::optional<glm::dvec3> min = {}, max = {};  // both or none; min nowhere above max
 };
 
-/// What lies under a pixel of a view; or the first that a ray hits, or the farthest along a direction, or the nearest
-/// to a point in model coordinates. At most one of the last three.
+/// Asks what lies under a pixel of a view, or for the first hit of a ray, the farthest position along a direction, or
+/// the nearest one to a point in model coordinates. At most one of the last three is given.
 struct PickRequest {
   View view = {};
   glm::dvec2 pixel{0};       // origin top left
-  Reach reach = Reach::fur;  // of a pixel: whether the strand that is seen there is told, too
+  Reach reach = Reach::fur;  // of a pixel: fur also reports the strand that is seen there
   std::optional<PickRay> ray = {};
   std::optional<PickFarthest> farthest = {};
   std::optional<glm::dvec3> nearest = {};

@@ -1,5 +1,4 @@
-// The dial: how far a frame is estimated to be from the truth, what it is estimated to cost, and the price that the
-// machine has learnt.
+// The dial: estimates of a frame's error and cost, and the calibration of a machine.
 #pragma once
 
 #include <string>
@@ -18,14 +17,14 @@ enum class PlanEnd {
   cheapest  // even the cheapest cost more than the budget
 };
 
-/// Of a frame of rasterized strands, before it is drawn. Error is the mean LDR-FLIP over the fur's mask against the
-/// same strands, traced (R2 of science.md 6). Cost is the milliseconds that pass while this machine draws it.
+/// The estimate of a frame of rasterized strands, before it is drawn. Error is the mean LDR-FLIP over the fur's mask
+/// against the same strands, traced (R2 of science.md 6). Cost is the drawing time on this machine in milliseconds.
 struct FrameEstimate {
-  double error = 0;         // of half of the frames in views like it, [0, 1]
+  double error = 0;         // median error of the frames in views like it, [0, 1]
   double error_safety = 1;  // 1 or more: 95% of frames have at most error times it
   double cost_ms = 0;
   double cost_safety = 1;  // the same of cost
-  double correction = 1;   // measured over predicted cost of this scene so far, which cost_ms has in it
+  double correction = 1;   // measured over predicted cost of this scene so far; cost_ms includes it
   PlanEnd end = PlanEnd::asked;
   std::string calibration;  // its name
   bool operator==(const FrameEstimate&) const = default;
@@ -53,12 +52,12 @@ struct FrameProgressList {
   bool operator==(const FrameProgressList&) const = default;
 };
 
-/// What a machine was measured to draw at.
+/// The measured drawing speed of a machine.
 struct Calibration {
   std::string name = "defaults";
   std::string machine;  // what draws (drawn_by); "" for any
   int threads = 0;      // that it draws on; 0 for any
-  double price = 1;     // milliseconds over those of the default prices, above 0
+  double price = 1;     // its milliseconds over those of the default prices, above 0
   bool operator==(const Calibration&) const = default;
 };
 

@@ -15,8 +15,8 @@ namespace pelage {
 enum class Units { relative, world };                // a fraction of the model's size, or its own unit
 enum class RadiusUnits { relative, world, pixels };  // pixels: of the stroke's view, at the depth of the sample
 
-/// How far a vertex is from a dab: through space, along the surface (it does not reach another part of the model that
-/// is only near in space), or in the picture plane of the stroke's view.
+/// How the distance of a vertex from a dab is measured: through space, along the surface (which does not reach a part
+/// of the model that is near in space alone), or in the picture plane of the stroke's view.
 enum class FalloffShape { volume, surface, screen };
 /// What a brush reaches: skin within its radius, with the fur that stands on it, or fur that itself comes within it.
 enum class Reach { skin, fur };

@@ -1,5 +1,5 @@
 // Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for
-// all. A tool works on what is seen. `edit layer` names the edit layer that keeps what it changes; "" for the groom
+// all. A tool works on the visible values. `edit_layer` names the edit layer that stores its change; "" for the groom
 // below them all.
 #pragma once
 
@@ -72,7 +72,7 @@ struct Attract {
 
 enum class DistanceKind { straight, dijkstra, heat };  // through space; along edges; along the surface (heat method)
 
-/// What fur is like at one place.
+/// The fur at one position.
 struct Key {
   glm::dvec3 position{0};                    // model coordinates; the nearest place on the surface is meant
   std::optional<glm::dvec3> direction = {};  // where it leans; not zero
@@ -178,7 +178,7 @@ struct Part {
   double lean = 0.7;  // [0, 1]
 };
 
-/// Turns fur round the nearest place of the stroke: one sample is a cowlick, a line two currents that pass each other.
+/// Turns fur around the nearest point of the stroke: one sample makes a cowlick, a line makes two opposite currents.
 struct Whorl {
   static constexpr const char* op = "whorl";
   static constexpr Inputs inputs = Inputs::none;
@@ -243,8 +243,8 @@ struct Lift {
   std::string edit_layer = {};
 };
 
-/// Goes back to the first groom, or to a checkpoint or revision of this scene; with an edit layer and neither of them,
-/// takes away what the edit layer adds.
+/// Restores the first groom, or a checkpoint or revision of this scene. With an edit layer and neither of them, removes
+/// what the edit layer adds.
 struct Erase {
   static constexpr const char* op = "erase";
   static constexpr Inputs inputs = Inputs::none;
@@ -302,9 +302,10 @@ struct Paint {
   glm::vec3 colour{1};           // linear; of colour fields
 };
 
-/// How a model is laid over another one: its box over the other's, axis by axis, or both in the same model coordinates.
+/// How a model is aligned with another one: its box is scaled to the other's, axis by axis, or both stay in the same
+/// model coordinates.
 enum class Alignment { box, none };
-/// Takes the fields of another scene, or of this one at another revision, from the nearest places of its surface.
+/// Takes the fields of another scene, or of this one at another revision, from the nearest positions on its surface.
 /// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
 struct Retarget {
   static constexpr const char* op = "retarget";

@@ -55,7 +55,7 @@ Status unknown_section(const std::string& name, const std::string& pointer) {
 
 json command_of(const Section& section, const json& value) { return {{"op", section.op}, {section.member, value}}; }
 
-/// A refusal of a command's member as one of the parameter.
+/// Turns the refusal of a command's member into one of the parameter.
 Status in_section(Status status, const Section* section) {
   if (!section) status.pointer = "/frame" + status.pointer;
   if (section)
@@ -98,7 +98,7 @@ struct Animation::Impl {
   bool takes(const std::string& parameter, const json::json_pointer& path, const json& value) const;
 };
 
-/// Returns whether the parameter, in its place, is not what is refused.
+/// Returns whether the contract accepts this value of the parameter; refusals of other members do not count.
 bool Animation::Impl::takes(const std::string& parameter, const json::json_pointer& path, const json& value) const {
   json changed = document;
   changed[path] = value;
@@ -119,7 +119,7 @@ Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointe
   json::json_pointer path;
   try {
     path = json::json_pointer(keys.parameter);
-    // Members that have their default are not written down in a frame: its own check knows them.
+    // A frame leaves out members that have their default, so that only its own check knows all of them.
     if (path.empty() || path == json::json_pointer("/" + section)) throw std::invalid_argument("a whole part");
     if (section != frame_section) static_cast<void>(document.at(path));
     json copy = document;

@@ -10,7 +10,7 @@ namespace pelage {
 
 inline constexpr const char* author_header = "Pelage-Author";
 
-/// Refused (malformed) unless the name has 1 to 200 bytes of UTF-8 without control characters.
+/// Refuses (malformed) a name that is not 1 to 200 bytes of UTF-8 without control characters.
 Status check_author(std::string_view name);
 
 /// The name as the header carries it: all but letters, digits and "-._~" as %XX. A reader of HTTP headers that decodes

@@ -29,17 +29,17 @@ namespace pelage {
 /// `{"op": ...}` or `{"commands": [...]}`; 1 to 1,000 commands.
 Result<std::vector<Command>> decode_commands(std::string_view text);
 Result<NewScene> decode_new_scene(std::string_view text);
-/// `usual` is the format of what names none.
+/// Decodes a frame request; `usual` is the format of a request that names none.
 Result<FrameRequest> decode_frame_request(std::string_view text, FrameFormat usual = FrameFormat::png);
 /// A job of pelage-render. Paths and frame ranges are for the batch renderer to check.
 Result<RenderJob> decode_job(std::string_view text);
 
 /// Names and values of a query string, decoded.
 using Query = std::vector<std::pair<std::string, std::string>>;
-/// The same request as parameters of an address: width, height, camera (an automatic view) or eye, target, up (three
-/// numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure, tone_map, view,
-/// format, lossy_quality, exr_type, layers (names with commas), overlay, overlay_from, revision. Pointers name the
-/// member of the request that the parameter stands for.
+/// Decodes the same request from the parameters of an address: width, height, camera (an automatic view) or position,
+/// target, up (three numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure,
+/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), overlay, overlay_from, revision. Pointers
+/// name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.
 Result<Tracing> decode_tracing_query(const Query& query);
@@ -48,7 +48,7 @@ Result<ImportOptions> decode_import_query(const Query& query);
 
 /// What comes with the bytes of an environment's picture: intensity and turn_degrees.
 Result<Environment> decode_environment_query(const Query& query);
-/// `from` and `to`, both required.
+/// Decodes the revisions of a comparison: `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
 /// How fine a mesh: triangles.
@@ -81,11 +81,11 @@ Result<BranchRequest> decode_branch(std::string_view text);
 /// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.
 Result<AmendRequest> decode_amend(std::string_view text);
 
-// What a client reads of the server's answers. Members and words that are new are passed over, and limits may have
-// grown, so that an older client lives on.
+// How a client reads the server's answers. It ignores unknown members and words, and accepts limits that have grown, so
+// that an older client still works.
 
-/// Refuses (malformed, with the pointer of the bad member) what is no such answer. T is a struct that encode.h makes an
-/// answer of.
+/// Decodes an answer. Refuses (malformed, with the pointer of the bad member) anything else. T is a struct that
+/// encode.h makes an answer of.
 template <class T>
 Result<T> decode_answer(std::string_view text);
 

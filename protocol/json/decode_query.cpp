@@ -53,7 +53,7 @@ class QueryMembers {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
   void object(MemberName name, const Rasterizing& raster, const char* = "") { add_below(name, raster); }
-  void object(MemberName, const Tracing&, const char* = "") {}  // for POST alone, as the next
+  void object(MemberName, const Tracing&, const char* = "") {}  // only POST takes it, as the next
   void object(MemberName, const Layering&, const char* = "") {}
   void object(MemberName name, const std::optional<Crop>&, const char* = "") { add(name, Kind::crop); }
   void object(MemberName name, const Camera&, const char* = "") {
@@ -67,7 +67,7 @@ class QueryMembers {
   void special(MemberName, const std::optional<Tracing>&, const char* = "") {}
 
  private:
-  /// A camera's view is named as the camera itself.
+  /// Adds the parameters below a member. A camera's automatic view has the name of the camera itself.
   void add_below(MemberName name, const auto& value) {
     QueryMembers below;
     members(below, value);
@@ -115,7 +115,7 @@ json crop_of(const json& list, const std::string& text) {
   return {{"left", list[0]}, {"top", list[1]}, {"width", list[2]}, {"height", list[3]}};
 }
 
-/// What is no number, list or truth value stays text, and the decoder says what it expected.
+/// Converts a parameter to JSON. What is no number, list or boolean stays text, and the decoder says what it expected.
 json value_of(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::names) return names_of(text);

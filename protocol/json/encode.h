@@ -38,7 +38,8 @@ std::string encode(const FrameCost& cost);
 std::string encode(const ExportAnswer& answer);
 std::string encode(const FrameProgressList& frames);
 std::string encode(const FrameCounters& counters);
-/// Noise that cannot be estimated yet is infinite, which JSON cannot say; no shown channel is further off than 1.
+/// Encodes a trace report. Noise that cannot be estimated yet is infinite, which JSON cannot hold; it is written as 1,
+/// the largest error of a displayed channel.
 std::string encode(const TraceReport& report);
 std::string encode(const MapAnswer& answer);
 std::string encode(const PictureAnswer& answer);

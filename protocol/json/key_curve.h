@@ -18,13 +18,13 @@ class KeyCurve {
   /// of as many numbers nor colours, unless they step.
   static Result<KeyCurve> create(const ParameterKeys& keys, const std::string& pointer);
 
-  /// Colours are lists of linear red, green and blue between keys.
+  /// Returns the value at a frame; between keys, colours are lists of linear red, green and blue.
   nlohmann::json at(double frame) const;
 
   const nlohmann::json& first() const { return values_.front(); }
-  /// A value with fractions between keys that are whole numbers; none where they are not, or never change.
+  /// Returns a value with fractions between keys that are whole numbers; none where they are not, or never change.
   std::optional<nlohmann::json> between_whole_keys() const;
-  /// From now on values are rounded.
+  /// Rounds the values of all later calls of at().
   void keep_whole() { whole_ = true; }
 
  private:

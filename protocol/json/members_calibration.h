@@ -6,7 +6,7 @@
 
 namespace pelage::json_parts {
 
-inline constexpr int calibration_version = 5;  // of what a price is over
+inline constexpr int calibration_version = 5;  // of the default prices that `price` refers to
 inline constexpr Range price{1e-6, 1e6};
 
 template <class V>

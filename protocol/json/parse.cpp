@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Builds the tree while it is read, so that a second key or a level too many is seen when it comes.
+/// Builds the tree while the text is parsed, so that a duplicate key or a level too many is noticed at once.
 class TreeBuilder {
  public:
   json take_root() { return std::move(root_); }

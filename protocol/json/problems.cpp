@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-/// What a code is in a problem: the end of its `type`, and the `title`.
+/// How a code appears in a problem document: the end of its `type`, and the `title`.
 struct ProblemType {
   Code code;
   const char *name, *title;
@@ -33,7 +33,7 @@ const ProblemType& type_of(Code code) {
   return types[0];
 }
 
-/// Of refusals that HTTP itself makes, which have no type of their own but the status; else null.
+/// Returns the title of a refusal that HTTP itself makes, which has no type but its status; else null.
 const char* http_title(int http_status) {
   switch (http_status) {
     case 401: return "Unauthorized";

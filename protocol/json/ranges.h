@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// Closed interval of a number; an end of infinity is none.
+/// A closed interval of numbers; an infinite end is no limit.
 struct Range {
   double low, high;
   const char* unit = "";                                                    // `x-unit` of the contract
@@ -44,7 +44,7 @@ inline constexpr Range max_error{1e-6, 1, "mean FLIP"};
 inline constexpr Range moment{-limits::time_seconds, limits::time_seconds, "seconds"};
 inline constexpr Range fov_degrees{1, 150, "degrees"};
 
-// Of answers.
+// Ranges in answers.
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr Range any_number{-unbounded, unbounded};
 inline constexpr Range not_negative{0, unbounded};

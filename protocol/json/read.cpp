@@ -57,7 +57,7 @@ class MemberReader {
   void type(const char*, const char* = "") {}
   void answer(const char*, const char* = "") { all_required_ = true; }
   bool takes(bool condition) { return condition; }
-  bool shows(bool) { return true; }  // what must not be there beside others is for rules to say
+  bool shows(bool) { return true; }  // rules say which members exclude each other
   bool has(const char* name, bool) { return object_.has(name); }
 
   template <class T>
@@ -180,7 +180,7 @@ class MemberReader {
   void word(MemberName name, std::string& out, const std::array<json_names::Name<E>, N>& names, const char* = "") {
     member(name, [&](const Value& v) { out = v.word_of(texts_of(names)); });
   }
-  /// Each at most once; `noun` is what one of them is called.
+  /// Reads a list of names, each at most once; `noun` is what a message calls one of them.
   template <class E, std::size_t N>
   void names(MemberName name, std::vector<E>& out, const std::array<json_names::Name<E>, N>& names, std::size_t min,
              const std::string& noun, const char* = "") {
@@ -234,7 +234,7 @@ class MemberReader {
       out = std::move(chosen), count_alternative(list);
     });
   }
-  /// What has a form of its own: get() reads it.
+  /// Reads a member that has a form of its own, by get().
   template <class T>
   void special(MemberName name, T&& out, const char* = "") {
     member(name, [&](const Value& v) { get(v, out); });

@@ -8,8 +8,8 @@
 
 namespace pelage::json_parts {
 
-/// Refuses what the list of members and the rules do not allow. Instantiated in read.cpp for the documents of
-/// decode.h, decode_answers.h and calibration.h.
+/// Reads a struct. Refuses what the list of members and the rules do not allow. Instantiated in read.cpp for the
+/// documents of decode.h and calibration.h.
 template <class T>
 T read(const Value& value);
 

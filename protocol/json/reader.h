@@ -21,8 +21,8 @@ bool is_utf8(std::string_view text);
 
 // Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
 
-/// Whether a document has to keep to every word of the contract, or comes from a server that may know more: members and
-/// words that are new are then passed over, and limits may have grown.
+/// How strictly a document is read. strict: it has to follow the contract to the word. tolerant: it comes from a server
+/// that may know more, so that unknown members and words are ignored, and limits may have grown.
 enum class Reading { strict, tolerant };
 
 /// One value of the tree, and the pointer to it. The first refusal is kept in the status that all readers of a
@@ -57,7 +57,7 @@ class Value {
   glm::vec3 colour() const;      // "#rrggbb" (sRGB) or [r, g, b] (linear, each in [0, 1]) to linear
   std::vector<Value> list(std::size_t min, std::size_t max) const;
 
-  /// A text that is one of these. Tolerant: any text.
+  /// Returns a text that is one of `known`; if tolerant, any text.
   std::string word_of(const std::vector<std::string_view>& known) const;
   template <class E, std::size_t N>
   E name_of(const std::array<json_names::Name<E>, N>& names) const;  // the first unless it is one of them

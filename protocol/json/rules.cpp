@@ -8,33 +8,33 @@ namespace {
 
 bool given(const Value& value, const char* name) { return value.tree().is_object() && value.tree().contains(name); }
 
-/// What one method does and others do not.
+/// Refuses what the chosen method cannot do.
 void check_drawing(const Value& value, const FrameRequest& request) {
   const Method method = request.knobs.method;
   if (method != Method::raster && request.progressive)
-    value.refuse_below("progressive", "Traced strands improve what was rasterized.", "method raster");
+    value.refuse_below("progressive", "Progressive pictures begin with rasterized strands.", "method raster");
   const auto names_strands = [](Aov aov) { return aov == Aov::strand || aov == Aov::root; };
   if (method == Method::strands && std::any_of(request.aovs.begin(), request.aovs.end(), names_strands))
-    value.refuse_below("aovs", "Strands are named where they are rasterized, which are the same.", "method raster");
+    value.refuse_below("aovs", "Only rasterized strands have these AOVs.", "method raster");
   if (method != Method::shells) return;
   if (request.overlay != Overlay::none)
-    value.refuse_below("overlay", "Overlays lie on strands.", "none, or method raster or strands");
+    value.refuse_below("overlay", "Shells have no overlays.", "none, or method raster or strands");
   const auto drawn = [](Aov aov) { return aov == Aov::beauty || aov == Aov::alpha; };
   if (!std::all_of(request.aovs.begin(), request.aovs.end(), drawn))
     value.refuse_below("aovs", "Shells have no such AOV.", "beauty and alpha, or method raster or strands");
 }
 
-/// Nothing waits for news of the past.
+/// Refuses progressive pictures of earlier revisions, which never get better.
 void check_past(const Value& value, const FrameRequest& request) {
   if (request.revision && request.progressive)
-    value.refuse_below("progressive", "Only pictures of the present get better.", "without revision");
+    value.refuse_below("progressive", "Only the present revision has progressive pictures.", "without revision");
 }
 
-/// Knobs are named, or chosen by what they may cost, or by how far they may be off.
+/// Refuses more than one choice of the knobs: by name, by what they may cost, or by their error.
 void check_dial(const Value& value, const FrameRequest& request) {
   const bool two_goals = request.budget_ms && request.max_error;
   if (two_goals || (request.plans() && given(value, "quality"))) {
-    value.refuse_below(request.max_error ? "max_error" : "budget_ms", "One of them chooses the quality.",
+    value.refuse_below(request.max_error ? "max_error" : "budget_ms", "Only one of them can choose the quality.",
                        "one of quality, budget_ms and max_error");
   }
 }
@@ -87,24 +87,24 @@ void check_overlay(const Value& value, const FrameRequest& request) {
     value.refuse_below("overlay_from", "A picture of a difference needs the revision to compare with.", "required");
   }
   if (!compares && request.overlay_from) {
-    value.refuse_below("overlay_from", "Only a picture of a difference compares.", "overlay difference");
+    value.refuse_below("overlay_from", "Only the overlay difference compares revisions.", "overlay difference");
   }
   if (request.format == FrameFormat::jpeg && request.background == Background::transparent) {
     value.refuse_below("background", "JPEG has no alpha.", "a colour or studio");
   }
 }
 
-/// Of one method alone.
+/// Refuses members that belong to another method.
 void check_method(const Value& value, const Knobs& knobs) {
   const bool traced = knobs.method == Method::strands, layered = knobs.method == Method::shells;
   if (traced && given(value, "scale"))
-    value.refuse_below("scale", "Strands are traced at the asked size.", "method raster or shells");
+    value.refuse_below("scale", "Traced strands have no scale.", "method raster or shells");
   if (layered && given(value, "eye_steps"))
     value.refuse_below("eye_steps", "Shells are drawn without eyes.", "method raster or strands");
-  if (!traced && given(value, "trace")) value.refuse_below("trace", "Only strands are traced.", "method strands");
+  if (!traced && given(value, "trace")) value.refuse_below("trace", "Only method strands traces.", "method strands");
   if (!layered && given(value, "shells")) value.refuse_below("shells", "Strands have no shells.", "method shells");
   if (knobs.method != Method::raster && given(value, "raster"))
-    value.refuse_below("raster", "Nothing is rasterized.", "method raster");
+    value.refuse_below("raster", "Only method raster rasterizes strands.", "method raster");
 }
 
 }  // namespace
@@ -136,8 +136,8 @@ void settle(const Value& value, Tracing& tracing) {
 void check(const Value& value, const Tracing& tracing) {
   const bool paths = tracing.transport == Transport::paths;
   if (paths && tracing.scattering == StrandScattering::look)
-    value.refuse_below("scattering", "Paths need a model that makes no light.", "energy_conserving");
-  if (!paths && given(value, "bounces")) value.refuse_below("bounces", "Only paths bounce.", "transport paths");
+    value.refuse_below("scattering", "Paths need a scattering model that conserves energy.", "energy_conserving");
+  if (!paths && given(value, "bounces")) value.refuse_below("bounces", "Only paths have bounces.", "transport paths");
 }
 
 void settle(const Value& value, Camera& camera) {
@@ -282,7 +282,7 @@ bool are_colours(const std::vector<Field>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), is_colour);
 }
 
-/// Returns whether all that the tool changes differs from root to tip.
+/// Returns whether the tool changes colours alone: only they differ from root to tip.
 template <class Tool>
 bool changes_colours_only(const Tool& tool) {
   if constexpr (requires { tool.field; }) return is_colour(tool.field);
@@ -296,7 +296,7 @@ bool changes_colours_only(const Unify& unify) {
 bool names_mask(Field field) { return field == Field::mask; }
 bool names_mask(const std::vector<Field>& fields) { return std::count(fields.begin(), fields.end(), Field::mask) > 0; }
 
-/// The mask lies outside of all layers.
+/// Refuses an edit layer where the mask is changed, which belongs to no edit layer.
 template <class Tool>
 void check_layer(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.edit_layer; }) {
@@ -305,7 +305,7 @@ void check_layer(const Value& value, const Tool& tool) {
     if constexpr (requires { tool.fields; }) mask = mask || names_mask(tool.fields);
     if constexpr (requires { tool.mean; }) mask = mask || names_mask(tool.mean);
     if (mask && !tool.edit_layer.empty())
-      value.refuse_below("edit_layer", "The mask lies outside of all layers.", "no layer where the mask is changed");
+      value.refuse_below("edit_layer", "The mask belongs to no edit layer.", "no edit layer for the mask");
   }
 }
 
@@ -316,7 +316,7 @@ void check_brush(const Value& value, const Tool& tool) {
     if (brush.invert && Tool::opposite == Opposite::no)
       value.refuse_below("brush/invert", "The tool has no opposite.", "false");
     if (brush.reach == Reach::fur && brush.falloff_shape != FalloffShape::volume)
-      value.refuse_below("brush/reach", "How far strands are away is measured through space.",
+      value.refuse_below("brush/reach", "The distance to strands is measured through space.",
                          "skin, or falloff_shape volume");
     if (brush.strand_to <= brush.strand_from)
       value.refuse_below("brush/strand_to", "The part of the strand ends before it begins.", "above strand_from");
@@ -359,7 +359,7 @@ void check(const Value& value, const Interpolate& command) {
 
 void check(const Value& value, const Unify& unify) {
   if (!unify.direction && !unify.inclination && !unify.length && unify.mean.empty())
-    value.refuse("Nothing is unified.", "one or more of direction | inclination | length | mean");
+    value.refuse("The command names nothing to unify.", "one or more of direction | inclination | length | mean");
   const auto has = [&](Field field) { return std::count(unify.mean.begin(), unify.mean.end(), field) > 0; };
   if ((has(Field::direction) && (unify.direction || unify.inclination)) || (has(Field::length) && unify.length))
     value.refuse_below("mean", "A field goes to its mean or to a value.", "fields without a value");
@@ -427,10 +427,10 @@ void check(const Value& value, const SetCurves& command) {
 
 void check(const Value& value, const ChangeEditLayer& layer) {
   if (layer.action == EditLayerAction::set && !layer.weight && !layer.muted && layer.rename.empty())
-    value.refuse("Nothing of the layer is set.", "one or more of weight | muted | rename");
+    value.refuse("The command sets nothing of the edit layer.", "one or more of weight | muted | rename");
   if (layer.action == EditLayerAction::move && !layer.above)
-    value.refuse_below("above", "Nothing says where the layer moves to.", "required");
-  if (layer.above == layer.name) value.refuse_below("above", "A layer cannot lie on itself.", "another layer");
+    value.refuse_below("above", "The command does not say where the edit layer moves to.", "required");
+  if (layer.above == layer.name) value.refuse_below("above", "An edit layer cannot lie on itself.", "another layer");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Json described(Json schema, const char* words) {
   if (*words) schema["description"] = words;
   return schema;
 }
-/// What members of several structs refer to.
+/// Returns the schemas that members of several structs refer to.
 Json shapes() {
   const Json digits = {{"type", "string"}, {"pattern", "^[0-9a-f]{32}$"}};
   const Json hex = {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
@@ -332,8 +332,8 @@ class MemberSchemas {
   }
 
   Json& all_;
-  bool one_form_;        // of several, each with a schema
-  bool answer_ = false;  // whose members are all there, but for sparse ones
+  bool one_form_;        // of several forms, each with a schema
+  bool answer_ = false;  // all members are there, except sparse ones
   const char *name_ = "", *words_ = "";
   Json properties_ = Json::object(), required_ = Json::array();
 };

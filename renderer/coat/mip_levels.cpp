@@ -26,16 +26,17 @@ std::size_t at(int x, int y, int texels) {
   return static_cast<std::size_t>((y & (texels - 1)) * texels + (x & (texels - 1)));
 }
 
-/// At 60 degrees to the stack.
+/// Returns the opacity of an optical depth at 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// How much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of clumps
-/// that are drawn together, as water does it, one sees the outside.
+/// Returns how much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of
+/// tight clumps, such as wet ones, one sees the outside.
 float seen_from_outside(const Coat& coat) {
   return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, water_gathers * coat.wetness));
 }
 
-/// Of four texels: their mean as their strands weigh it, and as what is seen of clumps from outside does.
+/// Returns the light of four texels: a mix of their mean weighted by strands and of their plain mean, which is what is
+/// seen of clumps from outside.
 float light_of(const std::array<const SliceTexel*, 4>& parts, float outside) {
   const float first = parts[0]->light;
   if (std::all_of(parts.begin(), parts.end(), [&](const SliceTexel* part) { return part->light == first; }))
@@ -53,7 +54,8 @@ constexpr int rays_of_tile = 64;                                    // on a side
 constexpr double min_let_through = 0.002;                           // of rays: less says nothing about a slice
 constexpr float opaque_depth = 12;                                  // of a slice; more is not told apart
 
-/// The factor for which a falling function has that value; bisection in its logarithm (base 2), from `low` to `high`.
+/// Finds the factor at which a falling function has the value `wanted`, by bisection in its logarithm (base 2), from
+/// `low` to `high`.
 template <typename Falling>
 double bisect(double low, double high, int steps, double wanted, const Falling& value) {
   for (int step = 0; step < steps; ++step) {
@@ -76,7 +78,8 @@ glm::dvec2 between_texels(std::size_t k) {
   return {part(0.7548776662466927), part(0.5698402909980532)};
 }
 
-/// As the filter of the shader reads it: thin strands are spread over four texels, and hold off more so.
+/// Returns the optical depth as the filter of the shader reads it: thin strands are spread over four texels, and so
+/// occlude more.
 double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dvec2 place) {
   const glm::ivec2 low(glm::floor(place));
   const glm::dvec2 part = place - glm::dvec2(low);
@@ -94,7 +97,7 @@ void for_rays(int texels, const Use& use) {
   }
 }
 
-/// What all of the stack's slices hold along it.
+/// Returns the optical depth of all slices along the stack, for each ray.
 std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors, int texels) {
   std::vector<double> depths(static_cast<std::size_t>(std::min(texels, rays_of_tile) * std::min(texels, rays_of_tile)),
                              0.0);
@@ -106,7 +109,7 @@ std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors
   return depths;
 }
 
-/// The scale for which the whole stack lets through what is wanted on average; bisection in the logarithm, as it is
+/// Returns the scale at which the whole stack has the mean transmittance `wanted`; bisection in the logarithm, as it is
 /// monotone.
 double matching_scale(const Stack& stack, const Factors& factors, int texels, double wanted) {
   const std::vector<double> depths = depths_of_columns(stack, factors, texels);
@@ -132,7 +135,8 @@ std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texel
   return depths;
 }
 
-/// Rays on their way down the stack, at 60 degrees: what they have passed, and what a slice holds along them.
+/// Rays on their path down the stack, at 60 degrees: the optical depth that they have passed, and that of a slice along
+/// them.
 struct SlantedRays {
   std::vector<double> reached, here;
 
@@ -153,9 +157,10 @@ struct SlantedRays {
     return 0.5 * std::sqrt(squares) / static_cast<double>(here.size());
   }
 
-  /// The factor within an octave of `last` (any for the first slice that holds something) for which about `wanted` get
-  /// past. It leaves `last` only as far as the rays can tell: deep in wide strands most are stopped already, and what
-  /// the others need would swing from slice to slice.
+  /// Returns the factor within an octave of `last` (any for the first slice that holds something) at which about the
+  /// share `wanted` of the rays gets past. It differs from `last` only as far as the uncertainty of the rays allows:
+  /// deep in wide strands most are stopped already, and the factor that the others need would swing from slice to
+  /// slice.
   double match(double wanted, std::optional<double> last) const {
     const double as_last = let_through(last.value_or(1)), unknown = last ? uncertainty(*last) : 0;
     const double aim = std::clamp(as_last, wanted - unknown, wanted + unknown);
@@ -166,9 +171,9 @@ struct SlantedRays {
   }
 };
 
-/// Factors for which at 60 degrees as many rays get past each slice, and all that lie above, as get past the
-/// strands. A mean over the whole stack would not do: dense fur lets so little through that the mean is of the widest
-/// gaps alone, and a stack that keeps it is far too thin at the tips, which are what one sees.
+/// Returns factors at which, at 60 degrees, as many rays get past each slice, and all that lie above, as get past the
+/// strands. A mean over the whole stack would not do: in dense fur it is the mean of the widest gaps alone, and a stack
+/// that keeps it is far too thin at the tips, which are what one sees.
 Factors match_slices(const Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
   SlantedRays rays;
   std::optional<double> factor;
@@ -184,8 +189,8 @@ Factors match_slices(const Stack& stack, int texels, double shift, const std::ar
   return factors;
 }
 
-/// The scale on the depths of matched slices for which rays at a slant reach as deep on average as they do between the
-/// strands: what they let through, averaged over the slices, is `wanted`.
+/// Returns the scale on the depths of matched slices at which slanted rays reach as deep on average as between the
+/// strands: their transmittance, averaged over the slices, is `wanted`.
 double reaching_scale(const Stack& stack, const Factors& factors, int texels, double shift, double wanted) {
   std::vector<std::vector<double>> depths;
   for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -203,7 +208,7 @@ double reaching_scale(const Stack& stack, const Factors& factors, int texels, do
   });
 }
 
-/// Brings the largest depth to what a byte holds. Answers the factor that undoes it.
+/// Scales the factors so that the largest depth fits into a byte. Returns the factor that undoes it.
 double fit_to_bytes(const Stack& stack, Factors& factors) {
   float largest = 1e-3f;
   for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -237,7 +242,7 @@ void store(float depth, float light, const Look& look, std::uint8_t* shape, std:
   std::copy(look.colour.begin(), look.colour.end(), colour);
 }
 
-/// What empty texels take, so that filtering never mixes in a colour that no strand has: the slice's mean.
+/// Returns the slice's mean, which empty texels take, so that filtering never mixes in a colour that no strand has.
 SliceTexel mean_texel(const std::vector<SliceTexel>& slice) {
   SliceTexel sum;
   for (const SliceTexel& texel : slice) sum.add(texel);
@@ -263,7 +268,7 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
 
 using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
 
-/// A slice of `texels` a side at half of it.
+/// Returns a slice of `texels` a side at half the resolution.
 std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
   const float outside = seen_from_outside(coat);
   const int half = texels / 2;

@@ -37,7 +37,7 @@ StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands
 /// Puts it into the texels of a full-size slice.
 void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice);
 
-/// All levels. `stack` has slice_count full-size slices of these strands.
+/// Builds all levels. `stack` has slice_count full-size slices of these strands.
 std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands,
                                      std::vector<std::vector<SliceTexel>> stack);
 

@@ -14,8 +14,8 @@ namespace pelage {
 
 namespace {
 
-// Discs that lie over each texel on average when a slice lets nothing through any more: each brings a depth of 5.8, and
-// more than stored_depth is not kept.
+// Mean number of discs over each texel at which a slice is opaque: each adds a depth of 5.8, and no more than
+// stored_depth is stored.
 constexpr double opaque_cover = 16;
 const double max_depth = -std::log1p(-0.997);  // of one disc
 
@@ -66,8 +66,8 @@ Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
           glm::vec2(slope), strand_colour(coat, strand, q), static_cast<float>(strand.number)};
 }
 
-/// Strands whose discs lie over each other many times are not all drawn: any number of first ones covers the tile
-/// evenly (strand_tile.cpp), and without an end the widest strands would take days.
+/// Bakes a slice. It stops at opaque_cover: any first part of the strands covers the tile evenly (strand_tile.cpp), and
+/// all of the widest strands would take days.
 std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {
   std::vector<SliceTexel> slice(slice_texels * slice_texels);
   const double s = (index + 0.5) / slice_count;

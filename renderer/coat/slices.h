@@ -1,5 +1,5 @@
-// The slices baked from the strands of a tile, one for each of `slice_count` heights, with mip levels that keep what
-// the whole stack lets through (science.md 1).
+// The slices baked from the strands of a tile, one for each of `slice_count` heights, with mip levels that preserve the
+// transmittance of the whole stack (science.md 1).
 #pragma once
 
 #include <array>
@@ -23,9 +23,9 @@ struct SliceLevel {
   int texels = 0;
   std::vector<std::uint8_t> shape;
   std::vector<std::uint8_t> colour;
-  /// Factors on the stored optical depth, along the strands' stack and at 60, 30 and 75 degrees to it. At 60 the rays
-  /// that get past each slice are then those that opaque strands let past, along the stack those that get past all
-  /// slices, and at 30 and 75 rays reach as deep on average.
+  /// Factors on the stored optical depth, along the strands' stack and at 60, 30 and 75 degrees to it. With them as
+  /// many rays as with opaque strands get past each slice at 60 degrees, and past all slices along the stack; at 30 and
+  /// 75 degrees rays reach as deep on average.
   std::array<double, 4> depth_scale{1, 1, 1, 1};
 };
 
@@ -39,10 +39,10 @@ struct Slices {
 /// each slice; once it has answered false the work ends, without levels, whatever it answers later.
 Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on = {});
 
-/// The slices without their texels, for who keeps those elsewhere: scales and depths.
+/// Returns the slices without their texels, for a caller that stores those elsewhere: scales and depths.
 Slices without_texels(const Slices& slices);
 
-/// Bytes of the slices, and those that baking them takes at its height, with them.
+/// Bytes of the slices; and the most that baking takes at a time, with them.
 std::size_t slices_bytes();
 std::size_t baking_bytes();
 

@@ -36,8 +36,8 @@ struct Rays {
   std::vector<std::uint8_t> open = std::vector<std::uint8_t>(ray_side * ray_side, 1);
   int left = ray_side * ray_side;
 
-  /// Those that a disc meets on its way from one place to another: rays at a slant pass between the discs of thin
-  /// strands.
+  /// Stops the rays that a disc hits as it moves from one position to another: slanted rays would pass between the
+  /// discs of thin strands that stand still.
   void stop(glm::dvec2 from, glm::dvec2 to, double radius) {
     const glm::dvec2 way = to - from;
     const double square = std::max(glm::dot(way, way), 1e-12);

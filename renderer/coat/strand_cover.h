@@ -1,4 +1,4 @@
-// What rays meet of a coat's opaque strands: the truth that slices are baked to keep.
+// How rays hit a coat's opaque strands: the reference that baked slices have to match.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ std::array<double, slice_count> rays_let_through(const Coat& coat, const std::ve
 
 inline constexpr int crossing_cells = 64;  // on a side of the tile
 
-/// For each slice and cell (x fastest) the strands that a ray crosses there which goes as far sideways as it rises, in
+/// For each slice and cell (x fastest), how many strands a ray crosses there that goes as far sideways as it rises, in
 /// fur nominal_length long: the sum of diameter times height over the cell's area.
 using CrossingGrid = std::array<std::vector<double>, slice_count>;
 CrossingGrid crossings_of(const Coat& coat, const std::vector<Strand>& strands);

@@ -77,7 +77,8 @@ constexpr double turn = 2 * std::numbers::pi;
 
 glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Even but not regular for any count: the R2 low-discrepancy sequence (Roberts 2018), which fits a torus, with jitter.
+/// Returns a root's position. Roots lie evenly but not regularly for any count: the R2 low-discrepancy sequence
+/// (Roberts 2018), which fits a torus, with jitter.
 glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
   const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
   const glm::dvec2 jitter(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));

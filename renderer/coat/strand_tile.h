@@ -45,16 +45,16 @@ class ClumpGrid {
 
 // The clumps of a coat's tile as a texture: where the strands of each place gather.
 
-/// `side * side` texels of 4 bytes, x fastest, over the periodic tile: the way to the middle of the place's clump over
-/// +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and the clump's
-/// pull (StrandClump).
+/// `side * side` texels of 4 bytes, x fastest, over the periodic tile: the vector to the middle of the position's clump
+/// over +-reach (x, y), how far inside of the clump it lies (0 on the border to the next, 1 in the middle), and the
+/// clump's pull (StrandClump).
 struct ClumpMap {
   static constexpr int side = 256;
   std::vector<std::uint8_t> texels;
   double reach = 0;  // tiles
 };
 
-/// Of the clumps that `clump` and `clump_size` of the coat make. Deterministic in the coat alone.
+/// Bakes the map of the clumps that `clump` and `clump_size` of the coat make. Deterministic in the coat alone.
 ClumpMap bake_clump_map(const Coat& coat);
 
 // The fur texture generator: the strands of one periodic sample tile (fur modelling 4). Slices and, later, traced
@@ -67,8 +67,8 @@ struct Strand {
   glm::dvec2 clump{0};       // from the root to the middle of its clump
   glm::dvec2 fine_clump{0};  // from the root to the middle of its lock inside the clump
   glm::dvec2 bow{0};         // offset of the tip by bending
-  glm::dvec2 heading{0};     // offset of the tip by where it sets out: mess and lodging
-  glm::dvec2 wave{0};        // amplitude of the sine and the way it swings
+  glm::dvec2 heading{0};     // offset of the tip by its direction at the root: mess and lodging
+  glm::dvec2 wave{0};        // amplitude and direction of the sine
   double wave_phase = 0;     // radians
   double curl_phase = 0;     // radians
   double length_share = 1;   // of the field's length, (0, 1]
@@ -77,7 +77,7 @@ struct Strand {
   double warmth = 1;         // red over blue, before its lightness is put right
   glm::vec3 own_colour{0};   // linear; of odd hairs and of the undercoat
   float own_share = 0;       // how far it replaces the ramp's, [0, 1]
-  double number = 0;         // uniform in [0, 1): kept while below the density
+  double number = 0;         // uniform in [0, 1): the strand grows while it is below the density
 };
 
 /// Deterministic in the coat alone. A setting at its neutral value leaves the other settings' strands as they were.
@@ -101,7 +101,8 @@ glm::vec3 strand_colour(const Coat& coat, const Strand& strand, double q);
 /// Returns whether both coats give the same strands: patterns, variation and the lean do not count.
 bool same_strands(const Coat& a, const Coat& b);
 
-/// The way along a strand over its length as curls and waves wind it, 1 or more; not painted ones.
+/// Returns the length along a strand over its straight length, as curls and waves wind it, 1 or more; painted curls do
+/// not count.
 double winding(const Coat& coat);
 
 // What water does to a coat beside gathering its clumps. Each factor is 1 for a dry coat.
@@ -132,7 +133,7 @@ inline glm::vec3 wet_colour(const Coat& coat, glm::vec3 colour) {
   return coat.wetness > 0 ? glm::pow(colour, glm::vec3(static_cast<float>(wet_absorption(coat)))) : colour;
 }
 
-/// Of the ramp's colours; at least 1e-4.
+/// Returns the largest luminance of the ramp's colours; at least 1e-4.
 float largest_luminance(const Coat& coat);
 
 }  // namespace pelage

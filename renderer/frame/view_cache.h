@@ -58,8 +58,9 @@ class ViewCache {
   Views views_;
 };
 
-/// A view's light as a picture of 8 bits, of which `changed` of the light is not finished yet; the view keeps it where
-/// nothing lies over it. The input's light is the view's own, or that with the ground.
+/// Finishes a view's light as a picture of 8 bits. If the view has that picture already, only the area `changed`, whose
+/// light is new, is finished again; a picture under an overlay is not stored. The input's light is the view's own, or
+/// that with the ground.
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
 /// ShownFrame::format of such a picture.
 int kept_format(const FurFrame& frame);

@@ -23,12 +23,12 @@ std::size_t stored_bytes(GLenum format) {
   }
 }
 
-/// Without mip levels, which add a third or less.
+/// Returns the number of texels, without mip levels, which add a third or less.
 std::size_t volume(GLsizei width, GLsizei height, GLsizei depth) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
 }
 
-/// Of a whole chain of levels, each half as wide and high.
+/// Returns the bytes of a whole chain of levels, each half as wide and high.
 std::size_t texture_bytes(GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
   std::size_t bytes = 0;
   for (GLsizei level = 0; level < levels; ++level) {

@@ -17,7 +17,7 @@ class FragmentCounter {
 
   void begin() const;
   void end() const;
-  /// Between the last begin and end. Waits for the GL to finish them.
+  /// Returns the count between the last begin and end. Waits for the GL to finish.
   std::uint64_t result() const;
 
  private:

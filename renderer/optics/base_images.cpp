@@ -13,7 +13,7 @@ namespace {
 
 constexpr int max_side = 4096;
 
-/// Nearest texels at another size.
+/// Appends an image at another size, by its nearest texels.
 void append(const ImageView& image, int width, int height, std::vector<std::int32_t>& texels) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -14,17 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// Four bytes, in [0, 1].
+/// Returns the four bytes of a word, each in [0, 1].
 HWY_INLINE Vec4 texel_of(Int word) { return {byte_of<0>(word), byte_of<1>(word), byte_of<2>(word), byte_of<3>(word)}; }
 
-/// A whole number of texels, on a periodic side.
+/// Wraps a texel index that lies at most one side length outside of a periodic side.
 HWY_INLINE Int wrapped(Int at, Int side) {
   const Int low = hn::IfThenElse(hn::Lt(at, whole(0)), hn::Add(at, side), at);
   return hn::IfThenElse(hn::Lt(low, side), low, hn::Sub(low, side));
 }
 
-/// The colour of an image at a place (v up), linear, between four texels of a level: the nearest for so much of the
-/// picture's side as a pixel sees.
+/// Returns the linear colour of an image at `uv` (v up), interpolated between four texels of a level: the one nearest
+/// to `pixel`, the share of the picture's side that a pixel sees.
 HWY_INLINE Vec3 image_colour(const BaseImages& images, Vec3 uv, Real pixel) {
   const auto* numbers = reinterpret_cast<const std::int32_t*>(images.levels.data());
   const auto largest = static_cast<float>(std::max(images.levels[0].width, images.levels[0].height));

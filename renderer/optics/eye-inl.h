@@ -17,7 +17,7 @@ namespace pelage::HWY_NAMESPACE {
 
 using std::asin, std::sin;  // of what is the same in all lanes
 
-/// Even between the four texels about a place in [0, 1], each of them four bytes; the sides of a row meet.
+/// Interpolates between the four texels about a position in [0, 1], each of them four bytes; the ends of a row join.
 HWY_INLINE Vec4 level_texel(const TissueLevels& tissues, Int level, Real around, Real along) {
   const Int width = hn::Shr(whole(iris_map_width), level), height = hn::Shr(whole(iris_map_height), level);
   const Int first = gather(tissues.first.data(), level), last_row = hn::Sub(height, whole(1));
@@ -57,7 +57,7 @@ struct EyeShading : FrameLight {
   HWY_INLINE Vec4 tissue_of_level(Real level, Real around, Real along) const {
     return level_texel(tissues, to_int(level), around, along);
   }
-  /// The one that lies so many after a whole number.
+  /// Returns the caustic that lies `beside` texels after a whole number.
   HWY_INLINE Real caustic_at(Real texel, int beside) const { return gather(caustics + beside, to_int(texel)); }
 
 #define FUNCTION HWY_INLINE

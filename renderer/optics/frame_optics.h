@@ -17,7 +17,7 @@ struct FrameOptics {
   const AzimuthalFit* azimuthal = nullptr;  // never null; empty for models that need none
   int model = 0;                            // ShadingModel
   int lights = 0;
-  bool far_lights = true;              // none stands at a place
+  bool far_lights = true;              // no light has a position
   bool model_colours = false;          // whether fur takes the model's colours
   const BaseImages* images = nullptr;  // the model's, where fur or skin takes them; null for none
   float wetness = 0;                   // of the coat, [0, 1]

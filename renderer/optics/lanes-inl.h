@@ -226,7 +226,7 @@ HWY_INLINE Vec3 mix(Vec3 a, Vec3 b, Real share) {
 HWY_INLINE Vec3 mix(Vec3 a, Vec3 b, Vec3 share) {
   return {mix(a.x, b.x, share.x), mix(a.y, b.y, share.y), mix(a.z, b.z, share.z)};
 }
-/// Of each of the three.
+/// Applies a function to each of the three components.
 template <class Function>
 HWY_INLINE Vec3 each(Vec3 a, Function function) {
   return {function(a.x), function(a.y), function(a.z)};
@@ -251,7 +251,7 @@ HWY_INLINE Vec4 mix(Vec4 a, Vec4 b, Real share) {
   return {mix(a.x, b.x, share), mix(a.y, b.y, share), mix(a.z, b.z, share), mix(a.w, b.w, share)};
 }
 
-/// Of arrays, in what renderer/shaders/shared writes for lanes and for GLSL.
+/// The index of arrays in code of renderer/shaders/shared, which is compiled for lanes and as GLSL.
 using Index = std::size_t;
 
 }  // namespace pelage::HWY_NAMESPACE

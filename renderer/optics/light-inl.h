@@ -45,7 +45,7 @@ HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
 #undef FUNCTION
 
 /// The blocks of a frame, under the names that the shared code has for them. Its functions change nothing, but GLSL has
-/// no word to say so: objects are not const.
+/// no word for that, so that objects are not const.
 struct FrameLight {
   const FrameBlock& frame;
   const SkinBlock& bare_skin;

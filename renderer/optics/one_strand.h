@@ -1,4 +1,5 @@
-// Light on one strand by the code that draws fur over lanes (scattering-inl.h): for rays, which meet one at a time.
+// Light on one strand, computed by the code that draws fur over lanes (scattering-inl.h): for rays, which hit strands
+// one at a time.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -29,10 +30,11 @@ struct LitStrand {
 // and not below 0. Shadow and ambient are the caller's. The same bits on one kind of CPU. Safe to share between
 // threads.
 
-/// By the look's model, light from behind the surface included (B of GPU fur eq 1).
+/// Returns what the look's model scatters, light from behind the surface included (B of GPU fur eq 1).
 glm::vec3 scatter_strand(const StrandOptics& optics, const LitStrand& strand);
 
-/// By one fibre, averaged over its width: pi times the sum of Mp Ap Np. The model is one of fibres.
+/// Returns what one fibre scatters, averaged over its width: pi times the sum of Mp Ap Np. The model has to be one of
+/// fibres.
 glm::vec3 scatter_once(const StrandOptics& optics, const LitStrand& strand);
 
 /// What a bundle of fibres sends back where one of them sends back `once`.

@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// Cost of a scene over what its views predict.
+/// The measured cost of a scene over what its views predict.
 struct CostCorrection {
   double factor = 1;
   bool learnt = false;  // from enough frames
@@ -21,7 +21,7 @@ class CostLog {
   static constexpr std::size_t max_scenes = 256;
   static constexpr std::size_t window_frames = 7;  // of a scene
   static constexpr std::size_t min_frames = 3;     // before a correction changes: the first ones bake and build
-  static constexpr double slack = 1.08;            // times or over
+  static constexpr double slack = 1.08;            // factor, in either direction
   static constexpr double step = 1.04;             // corrections are powers of it
   static constexpr double max = 32;                // corrections lie in [1 / max, max]
 

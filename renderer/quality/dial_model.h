@@ -15,7 +15,7 @@ inline constexpr std::size_t cost_terms = 7;
 /// in pixels to the power of `growth`.
 struct DialRow {
   Knobs knobs;
-  double error = 0;   // mean FLIP of half of the views, above 0
+  double error = 0;   // median of the mean FLIP of views, above 0
   double growth = 0;  // of the error with the fur's length
   double safety = 1;  // 95% of views have at most the error times it, 1 or more
 };
@@ -29,7 +29,7 @@ struct DialModel {
   std::vector<DialRow> rows;                // one to eight
 };
 
-/// Written by tests/bench/dial.cpp.
+/// Returns the model that tests/bench/dial.cpp writes.
 const DialModel& default_model();
 
 /// The tier `interactive` but for these: what rows differ in.
@@ -39,11 +39,11 @@ Knobs dial_knobs(double strands, int light_of, double scale);
 /// each light; millions of pixels that the kept ones cover; a hundred thousand pixels of furred skin.
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs);
 
-/// By the default prices: milliseconds above 0, without what eyes, curves and the ground add, and what grows anew. Of
-/// shells, which no planner chooses, a guess.
+/// Returns the cost by the default prices: milliseconds above 0, without what eyes, curves and the ground add, and what
+/// grows anew. For shells, which no planner chooses, it is a guess.
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs);
 
-/// Mean FLIP of half of the views like this, (0, 1].
+/// Returns the median of the mean FLIP of views like this, (0, 1].
 double predicted_error(const DialModel& model, const DialRow& row, const ViewFeatures& view);
 
 }  // namespace pelage

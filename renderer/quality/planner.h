@@ -28,7 +28,7 @@ struct PlannedFrame {
   FrameEstimate estimate;
 };
 
-/// How far over its budget a frame may be: 95% of them are not further.
+/// How far a frame may exceed its budget: 95% of frames stay within this factor.
 inline constexpr double budget_margin = 1.25;
 
 /// A row of the model. budget_ms: the least safe error of those whose safe cost is within budget_margin of it, else

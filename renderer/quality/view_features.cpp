@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_triangles = 16384;   // that are looked at
 constexpr double furthest_back_facing = -0.6;  // cosine from which on fur is seen
 constexpr double nearest = 1e-3;               // distance along the view, sizes
-constexpr double places_across = 32;           // of the picture, that a triangle's parts are told apart at
+constexpr double places_across = 32;           // cells across the picture, into which triangles are split
 constexpr double max_parts = 16;               // along a triangle's side
 constexpr double max_depth_complexity = 16;    // of skin over the picture
 constexpr double max_fur = 1e6;                // pixels
@@ -25,7 +25,7 @@ class Looker {
   }
 
   void look(const glm::uvec3& triangle);
-  /// `times` as many triangles as were looked at.
+  /// Returns the features of `times` as many triangles as were looked at.
   ViewFeatures features(double times) const;
 
  private:
@@ -39,7 +39,7 @@ class Looker {
   double seen_skin_ = 0;  // sizes^2
 };
 
-/// Column and row in pixels, and the depth; the middle of the fur's height.
+/// Returns column and row in pixels and the depth of a vertex, at the middle of the fur's height.
 glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
   const glm::dvec3 normal(skin_.normals[vertex]);
   const glm::dvec3 offset =

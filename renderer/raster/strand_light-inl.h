@@ -36,8 +36,8 @@ struct StrandLanes {
   Shine shine;
 };
 
-/// Points of a strand that are lit: knots from the first on, evenly to the tip. Thirds of a straight strand do as
-/// well as all of its knots (docs/notes/2026-11-27-strand-raster.md); more on curls.
+/// The knots of a strand at which light is computed: evenly from the first one to the tip. On a straight strand its
+/// thirds are as good as all of its knots (docs/notes/2026-11-27-strand-raster.md); curls need more.
 struct LitKnots {
   int first = 0, count = 4, segments = 1;
 

@@ -1,4 +1,4 @@
-// The shadow maps of a frame's lights, kept until a light, the fields, the coat or the resolution changes.
+// The shadow maps of a frame's lights, cached until a light, the fields, the coat or the resolution changes.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ class ShadowMaps {
   /// Returns whether a frame has shadows from maps at all.
   static bool wanted(const FurFrame& frame);
 
-  /// Makes the maps unless the kept ones serve; true when it drew. `block` is the frame's own, the drawing's variant
-  /// says what shapes the fur (PATTERN, TUFTS), and what that reads is bound. Leaves the maps bound to texture units 4
-  /// to 6, and the block to binding 2.
+  /// Draws the maps unless the cached ones fit. Returns whether it drew. `block` is the frame's own, the drawing's
+  /// variant says what shapes the fur (PATTERN, TUFTS), and what that reads is bound. Leaves the maps bound to texture
+  /// units 4 to 6, and the block to binding 2.
   bool prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing);
 
  private:

@@ -38,7 +38,7 @@ std::string shape_of(const Coat& coat, const ModelBuffers& model) {
          model.paint_defines();
 }
 
-/// Those of all that a frame uses: what it does not use is not even compiled.
+/// Returns the #define lines of all that a frame uses: what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const Layering& shells = frame.knobs.shells;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + light_of(frame, model.has_colours()) +
@@ -170,7 +170,7 @@ Status ShellsRenderer::draw_shells(const FurDrawing& drawing) {
   return {};
 }
 
-// The shells in the order of shells, from far to near: most lists then are in order already.
+// Draws the shells in their own order, from far to near: most lists then are in order already.
 Status ShellsRenderer::draw_sorted(const FurDrawing& drawing) {
   const FurDrawing fragments = drawing.with("#define SORTED\n");
   return sorted_.draw(gl_, target_, {0, 0, target_.width(), target_.height()}, drawing.frame.knobs.shells.count,

@@ -37,10 +37,10 @@ class ShellsRenderer {
   /// Sends the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Premultiplied linear light of a model that it has, in the size that the frame's scale asks for: skin and fur, and
-  /// of what else a frame has nothing. Fails with unavailable when the GL was reset or does not answer within a minute:
-  /// it is then lost, and so is all that was sent. With
-  /// too_large when there is no memory for the size, and with invalid when the GL cannot sort as asked.
+  /// Draws premultiplied linear light of a model that it has, in the size that the frame's scale asks for: skin and
+  /// fur, and nothing else of a frame. Fails with unavailable when the GL was reset or does not answer within a minute:
+  /// it is then lost, and so is all that was sent. Fails with too_large when there is no memory for the size, and with
+  /// invalid when the GL cannot sort as asked.
   Result<FloatImage> draw(const FurFrame& frame, FrameCounters& counters);
 
   bool lost() const { return lost_; }

@@ -1,4 +1,4 @@
-// The order in which strands are kept: any first part of them lies evenly over the skin.
+// The order of strands in which any first part of them lies evenly over the skin.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t judged_samples = 4;  // fewer say too little about their spread
 
-/// As renderer/finish/encode.cpp shows linear light.
+/// Returns linear light as renderer/finish/encode.cpp displays it.
 double shown(double linear) {
   const double x = 0.72 * std::clamp(linear, 0.0, 1e4);
   return srgb_from_linear(std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0));
@@ -89,7 +89,7 @@ void Film::add(int x, int y, const FilmSample& s) {
     for (const float value : values) *mean += (value - *mean) * share, ++mean;
   };
   const auto keep_colour = [&](Part part, glm::vec3 c) { keep(part, {c.x, c.y, c.z}); };
-  // Welford 1962: off the mean before times off the mean after.
+  // Welford 1962: the deviation from the mean before, times the deviation from the mean after.
   const auto off_mean = [&] { return means_[spread].empty() ? 0 : luminance(s.radiance - colour(beauty, pixel)); };
   const float before = off_mean();
   keep(beauty, {s.radiance.r, s.radiance.g, s.radiance.b, s.alpha});
@@ -128,8 +128,9 @@ glm::vec3 Film::colour(Part part, std::size_t pixel) const {
   return {mean[0], mean[1], mean[2]};
 }
 
-/// Half of what is shown a standard error above and below the mean, times the mean of |x| of a normal distribution.
-/// Alpha divides both mean and error before the tone map and multiplies what is shown after it.
+/// Returns half the difference of what is displayed a standard error above and below the mean, times the mean of |x| of
+/// a normal distribution. Alpha divides both mean and error before the tone map and multiplies what is displayed after
+/// it.
 double Film::shown_error(std::size_t pixel, double exposure) const {
   const double count = samples_[pixel], alpha = double(at(beauty, pixel)[3]);
   if (!(alpha > 0)) return 0;
@@ -169,7 +170,7 @@ double Film::noise(double exposure) const {
   return all.pixels > 0 ? all.sum / all.pixels : 0;
 }
 
-/// In the conventions of Renderer::draw_aovs.
+/// Returns an AOV of a pixel in the conventions of Renderer::draw_aovs.
 glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
   const float covered = means_[body].empty() ? 0 : std::clamp(*at(body, pixel), 0.0f, 1.0f);
   const auto whole = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };

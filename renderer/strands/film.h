@@ -25,7 +25,7 @@ struct FilmSample {
   glm::vec2 light{0};   // luminance of that, and what it would be without shadows
 };
 
-/// Means of samples by pixel. Shells that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
+/// Means of samples by pixel. AOVs that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
 /// beauty, 48 for what the filter looks at and the AOVs of it, 12 each for position and direct, 8 for shadow. Pixels
 /// are added to from one thread at a time; a tile belongs to one thread during a pass.
 class Film {
@@ -55,9 +55,9 @@ class Film {
   /// The same over the pixels of all tiles where anything was seen, 0 where there are none.
   double noise(double exposure) const;
 
-  /// Means, in the conventions of Renderer::draw_aovs (depth: one over the distance). `filtered` smooths beauty by
-  /// direction, depth and colour, the less the more samples there are; at 64 a pixel nothing is left of it. For AOVs
-  /// that were asked for, `filtered` where the filter was.
+  /// Returns means, in the conventions of Renderer::draw_aovs (depth: one over the distance). `filtered` smooths beauty
+  /// by direction, depth and colour, the less the more samples there are, and not at all from 64 a pixel on. The AOV
+  /// has to have been asked for, and `filtered` needs a film with the filter.
   FloatImage aov(Aov aov, bool filtered) const;
 
  private:

@@ -19,7 +19,7 @@ constexpr int block_pixels = 32;     // pixels of a row that are worked on toget
 constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
 constexpr float unknown = 1e9f;      // noise of a feature that too few pixels show
 
-/// Of features that have no noise: tangent, normal, root of albedo, logarithm of depth.
+/// Groups of features, and their widths where they have no noise: tangent, normal, root of albedo, logarithm of depth.
 constexpr int feature_groups = 4;
 constexpr std::array<float, feature_groups> sharpness{0.2f, 0.25f, 0.08f, 0.012f};
 constexpr std::array<int, feature_groups + 1> group_begins{0, 3, 6, 9, 10};
@@ -46,7 +46,8 @@ enum Plane : int {
   plane_count = result_end
 };
 
-/// Radius, pixels: from 7 at 1 sample, where the last that weighs anything is 6 away, to 1, where none is.
+/// Returns the radius of the filter in pixels: from 7 at 1 sample, where the farthest pixel with a weight is 6 away, to
+/// 1, where no other pixel has a weight.
 float reach_of(std::uint32_t samples) {
   if (samples >= filtered_samples) return 1;
   return 1 + farthest * (1 - std::log2(static_cast<float>(std::max(samples, 1u))) / 6);
@@ -60,7 +61,7 @@ struct Sums {
   Lanes near_body{};
 };
 
-/// Rows of a picture with all around them that they look at.
+/// A band of rows of a picture, with the pixels around it that the filter reads.
 class Band {
  public:
   Band(const FilterSource& source, int top, int bottom);
@@ -70,7 +71,7 @@ class Band {
  private:
   float* row(int plane, int y) { return &planes_[offset(plane, y)]; }
   const float* row(int plane, int y) const { return &planes_[offset(plane, y)]; }
-  /// Of column 0 of a row of the picture.
+  /// Returns the offset of column 0 of a row of the picture.
   std::size_t offset(int plane, int y) const {
     return (static_cast<std::size_t>(plane * rows_ + (y - top_ + filter_margin)) * stride_) + filter_margin;
   }
@@ -163,9 +164,9 @@ void Band::judge_windows(int x, int y) {
   }
 }
 
-/// Features of few samples would choose light by chance, and chance favours what is common. So they are drawn to the
-/// mean of the quietest of the four windows with the pixel in a corner: edges are in others (Kuwahara 1976). What noise
-/// is left makes them count less.
+/// Makes the guides that choose the pixels to average. Features of few samples would choose them by chance, and chance
+/// favours what is common. So they are blended with the mean of the least noisy of the four windows with the pixel in a
+/// corner: edges are in others (Kuwahara 1976). The noise that is left makes them count less.
 void Band::make_guides(int y) {
   for (int group = 0; group < feature_groups; ++group) {
     const int begin = group_begins[std::size_t(group)], end = group_begins[std::size_t(group) + 1];
@@ -186,8 +187,8 @@ void Band::make_guides(int y) {
   }
 }
 
-/// Light from pixels at an offset, weighed by how alike they are: about exp(-difference), and nothing beyond the reach.
-/// Albedo itself is averaged from nearer.
+/// Adds light from pixels at an offset, weighted by how alike they are: about exp(-difference), and nothing beyond the
+/// radius. Albedo itself is averaged over a smaller radius.
 void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
   Lanes difference{}, weight;
   for (int group = 0; group < feature_groups; ++group) {
@@ -235,7 +236,7 @@ void Band::gather(int x, int y) {
   finish(x, y, sums);
 }
 
-/// A ratio of sums, so that where light and albedo vary together their mean is kept.
+/// Divides sums of light by sums of albedo, so that where both vary together their mean is preserved.
 void Band::finish(int x, int y, const Sums& sums) {
   for (std::size_t i = 0; i < block_pixels; ++i) {
     const int u = x + static_cast<int>(i);
@@ -258,7 +259,7 @@ void Band::filter() {
   }
 }
 
-/// Light and body's alpha. Silhouettes are smoothed by 3 x 3 pixels, the less the more samples there are.
+/// Returns light, and the body's alpha. Silhouettes are smoothed by 3 x 3 pixels, the less the more samples there are.
 glm::vec4 Band::at_silhouette(int x, int y) const {
   const float share = 0.75f * (1 / std::sqrt(row(over_reach, y)[x]) - 1) / farthest;
   glm::vec4 own(0), mean(0);
@@ -275,7 +276,7 @@ glm::vec4 Band::at_silhouette(int x, int y) const {
   return min < max ? own + share * (mean / sum - own) : own;
 }
 
-/// Share of what is open that the ground darkens, over the filter's reach.
+/// Returns the share that the ground darkens of what the body does not cover, over the filter's radius.
 float Band::smooth_ground(int x, int y) const {
   const float over = row(over_reach, y)[x];
   float dark = 0, open = 0;

@@ -27,9 +27,10 @@ struct FilterSource {
   std::span<const float> normal, tangent, albedo;  // 3
 };
 
-/// Beauty and alpha, from up to 6 pixels away at 1 sample a pixel, less by its logarithm, and from none at 64. Pixels
-/// without body give and take no light, but for silhouettes, which are smoothed by their neighbours; the ground's
-/// shadow is smoothed by itself. The same bits for any count of threads; 0 for one each core.
+/// Returns beauty and alpha, averaged over up to 6 pixels to each side at 1 sample a pixel, over fewer by its
+/// logarithm, and over none at 64. Pixels without body give and take no light, except silhouettes, which are smoothed
+/// by their neighbours; the ground's shadow is smoothed by itself. The same bits for any number of threads; 0 stands
+/// for one for each core.
 FloatImage filter_beauty(const FilterSource& source, int threads = 0);
 
 }  // namespace pelage

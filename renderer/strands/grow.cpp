@@ -21,15 +21,15 @@ namespace pelage {
 
 namespace {
 
-constexpr double looked_through = 16;  // copies for each that is kept, at most
-constexpr double min_of_tile = 256;    // strands that repeat with the tile
+constexpr double looked_through = 16;  // copies that are examined for each that grows, at most
+constexpr double min_of_tile = 256;    // strands of the tile that stay at least
 
 bool any_above_default(std::span<const float> field) {
   return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });
 }
 
-/// The share of the tile's strands that copies are looked for of: what makes up a small share is not found one by one.
-/// A power of 1/2 where `share` is one.
+/// Returns the share of the tile's strands whose copies are examined, so that a small share does not examine every
+/// copy. A power of 1/2 if `share` is one.
 double tile_share_of(double share, int count) {
   double of_tile = 1;
   while (of_tile > looked_through * share && of_tile * count > 2 * min_of_tile) of_tile /= 2;
@@ -61,7 +61,7 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
   return hash.value();
 }
 
-/// As they are before anything moves them.
+/// Returns the fields before anything moves the fur.
 FurFields at_rest(FurFields fields) {
   if (!fields.still.empty()) fields.direction = fields.still;
   return fields;
@@ -119,7 +119,7 @@ std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segme
   return same ? std::move(before) : std::make_shared<const CoatTables>(recipe, segments);
 }
 
-/// How a strand stands on its root, but for the way in which the fur leans there.
+/// How a strand stands on its root, without the lean of the fur there.
 struct StandingForm {
   float reach = 1, stretch = 1;  // StrandRoot
   std::array<glm::vec3, 64> sideways;
@@ -137,7 +137,7 @@ StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t pie
 }  // namespace
 
 struct Grower::Impl {
-  /// A piece as it is, and as it is when the shutter closes where anything moves.
+  /// A piece as the shutter opens and, if anything moves, as it closes.
   struct Piece {
     std::uint32_t index;  // of the model
     FurPiece opening;
@@ -209,7 +209,7 @@ StandingForm Grower::Impl::form_of(const TileCopy& copy, const RootFields& root)
   return standing;
 }
 
-/// No clumps and locks, a bow of its own, and some reach beyond the fur.
+/// Returns the form of a guard hair: no clumps and locks, a bow of its own, and some length beyond the fur.
 StandingForm Grower::Impl::guard_hair(const TileCopy& copy, const RootFields& root) const {
   StandingForm standing;
   const float longer = number_of(copy, 4);

@@ -35,7 +35,7 @@ using StrandChunk = std::vector<std::uint32_t>;
 /// Compact parts of at most `strands_each` strands, or of one piece.
 std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each);
 
-/// Strands of whole fur, before density, bare skin and `share`: what says how many are to be expected.
+/// Returns how many strands to expect of the whole fur, before density, bare skin and `share` reduce their number.
 double expected_strands(const FurModel& model, const Coat& coat);
 
 /// A corner of a piece of skin, as it looks between strands.
@@ -53,8 +53,8 @@ struct CoatTables;
 /// 44 bytes; n is 6 for straight ones and up to 48 for curls and waves (strand_segments in tile_strands.h).
 ///
 /// Where shells repeat a tile that was made for fur of one length, strands of shorter fur go to the side by no more
-/// than they are long. A share below 1/16 also leaves out whole strands of the tile, so that growing takes no longer
-/// than 16 times what is kept would, while 256 of the tile are left. Limits: a piece grows at most 4,194,304 strands,
+/// than they are long. A share below 1/16 also leaves out whole strands of the tile, down to 256 of them, so that about
+/// 16 copies at most are examined for each strand that grows. Limits: a piece grows at most 4,194,304 strands,
 /// and none where its place on the tile is further than 100 sizes from the origin or has no area (TileCells); who must
 /// bound memory asks expected_strands first.
 class Grower {
@@ -64,23 +64,23 @@ class Grower {
          std::shared_ptr<const CoatTables> before = nullptr);
   ~Grower();
 
-  /// The strands of a chunk; some of them and more than `most` bytes, where they would be more. Fur of no length grows
-  /// none, density keeps those whose number is below it. A radius is never below 1e-7, so that nothing is divided by 0
-  /// where strands have no width.
+  /// Returns the strands of a chunk; if they would take more than `max` bytes, only some of them, which also exceed
+  /// `max`. Fur of no length grows none; density keeps the strands whose number is below it. A radius is never below
+  /// 1e-7, so that nothing is divided by 0 where strands have no width.
   StrandSet grow(const StrandChunk& chunk, std::size_t max = std::numeric_limits<std::size_t>::max()) const;
   /// Moves strands that grew from a chunk, from where `still` has them to where `direction` leads (FurFields::still,
   /// not empty).
   void bend(const StrandChunk& chunk, StrandSet& set) const;
-  /// By which `bend` moves the strands of a piece.
+  /// Returns what `bend` moves the strands of a piece by.
   PieceBend bend_of(std::uint32_t piece) const;
-  /// In which strands lean.
+  /// Returns the curves in which strands lean.
   const LeanTable& leans() const;
-  /// Of the corners of a piece.
+  /// Returns the look of the skin at the corners of a piece.
   std::array<SkinLook, 3> skin(std::uint32_t piece) const;
   /// Returns a 64-bit fingerprint of all that `grow(chunk)` and `skin` of its pieces depend on. It stays the same while
   /// they would give the same result.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
-  /// Of what `bend(chunk)` depends on besides; 0 where nothing is bent.
+  /// Returns a fingerprint of what `bend(chunk)` depends on besides; 0 where nothing is bent.
   std::uint64_t bend_fingerprint(const StrandChunk& chunk) const;
   const std::shared_ptr<const CoatTables>& tables() const;
 

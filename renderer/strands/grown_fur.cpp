@@ -26,7 +26,7 @@ double area_of(const FurModel& model, const StrandChunk& chunk) {
   return area;
 }
 
-/// Of a part that stands on some pieces of the model.
+/// Finds the bounds of a part that stands on some pieces of the model.
 void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, GrownPart& part) {
   const StrandSet& set = *part.strands;
   const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
@@ -80,7 +80,7 @@ void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
   model_ = model.id, count_ = coat.count, tile_ = coat.tile, share_ = recipe.share;
 }
 
-/// Gives the strands that were grown.
+/// Grows a chunk at rest. Returns the number of strands that were grown.
 std::size_t GrownFur::grow_still(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
                                  std::size_t chunk) {
   Still& still = still_[chunk];

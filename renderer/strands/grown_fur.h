@@ -24,9 +24,9 @@ struct GrownPart {
   std::shared_ptr<const StrandSet> strands;  // never null
   glm::vec3 low{0}, high{0};                 // around their skin and all of them with their thickness, sizes
   glm::vec3 middle{0};                       // of the skin, sizes
-  float radius = 0;                          // of the ball there that has it, sizes
-  float longest = 0;                         // at least of them, in steps that a stroke seldom changes, sizes
-  float thickest = 0;                        // of all that have stood there, half of it, sizes
+  float radius = 0;                          // of a ball about `middle` that holds it, sizes
+  float longest = 0;                         // bound of their lengths, in steps that a stroke seldom changes, sizes
+  float thickest = 0;                        // largest radius of all strands that have stood there, sizes
   double area = 0;                           // of the skin that they stand on, sizes^2
   float crowding = 1;                        // strands over those of the whole coat on that area; 0 for curves
   float wider = 1;                           // than those of the whole coat, where a share of it was grown
@@ -41,19 +41,20 @@ struct FurBend {
   std::span<const LeanRow> leans;     // in which they lean: LeanTable::rows
 };
 
-/// Whether strands are bent, or left to who bends them by a FurBend.
+/// Whether strands are bent already, or left to a caller that bends them by a FurBend.
 enum class Bending { done, left };
 
 class GrownFur {
  public:
-  /// Grows what is not as it was, on up to `threads`. Gives the strands that were grown. The views are not kept.
+  /// Grows what has changed, on up to `threads` threads. Returns the number of strands that were grown. The views are
+  /// not stored.
   std::size_t update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
                      std::span<const FurCurves> curves = {}, Bending bending = Bending::done);
 
   const std::vector<GrownPart>& parts() const { return parts_; }
-  /// How these parts are to be bent, where that was left.
+  /// Returns how the parts are to be bent, if that was left to the caller.
   FurBend bend() const { return {bends_, leans_ ? leans_->rows() : std::span<const LeanRow>()}; }
-  /// Of each piece of the model.
+  /// Returns the look of the skin at the corners of each piece of the model.
   const std::vector<std::array<SkinLook, 3>>& skin() const { return skin_; }
   std::size_t count() const;
   std::size_t bytes() const;

@@ -20,7 +20,8 @@ struct Axes {
   glm::vec3 right, up;
 };
 
-/// Across a unit direction, the first one level: along x where the direction is upright.
+/// Returns two axes orthogonal to a unit direction. The first one is level; it lies along x where the direction is
+/// upright.
 Axes axes_across(glm::vec3 direction) {
   const glm::vec3 level(direction.z, 0, -direction.x);  // up x direction
   const float length = glm::length(level);
@@ -28,7 +29,7 @@ Axes axes_across(glm::vec3 direction) {
   return {right, glm::cross(direction, right)};
 }
 
-/// A direction whose cosine to a unit middle is 1 - `missing`.
+/// Returns a direction whose cosine to a unit middle is 1 - `missing`.
 glm::vec3 turned_off(glm::vec3 middle, float missing, float around) {
   const float sine = std::sqrt(std::max(0.0f, missing * (2 - missing)));
   const Axes axes = axes_across(middle);
@@ -36,7 +37,7 @@ glm::vec3 turned_off(glm::vec3 middle, float missing, float around) {
   return glm::normalize((1 - missing) * middle + sine * aside);
 }
 
-/// The fading edge of a spot; 1 for others but an area light, which shines by the cosine.
+/// Returns the falloff of a spot at its edge, and the cosine of an area light; 1 for other lights.
 float cone_share(const FurLight& light, glm::vec3 to_light) {
   if (light.kind == LightKind::directional || light.kind == LightKind::point) return 1;
   const float inside = -glm::dot(to_light, light.direction);
@@ -61,8 +62,9 @@ LightSample from_disc(const FurLight& light, glm::vec2 u) {
   return {light.angle > 0 ? to_light : -light.direction, std::numeric_limits<float>::infinity(), light.radiance};
 }
 
-/// Even over the solid angle of the ball. Its radiance is that of the point light over radius^2, times the solid angle
-/// 2 pi (1 - cos a) over pi: 2 / (distance^2 (1 + cos a)), without cancellation. A spot's cone is from the centre.
+/// Samples the ball uniformly over its solid angle. Its radiance is that of the point light over radius^2, times the
+/// solid angle 2 pi (1 - cos a) over pi: 2 / (distance^2 (1 + cos a)), without cancellation. A spot's cone is from the
+/// centre.
 LightSample from_ball(const FurLight& light, glm::vec3 place, glm::vec2 u) {
   LightSample centre = from_point(light, light.position, place);
   const float share = light.radius / centre.distance;  // sin a
@@ -112,7 +114,8 @@ glm::vec3 StrandLights::environment(glm::vec3 direction) const {
 
 namespace {
 
-/// Across and up in [0, 1]: around +y and its height, so that even in both is even over all directions.
+/// Returns a direction from `across` around +y and `up` along its height, both in [0, 1]: uniform numbers give uniform
+/// directions.
 glm::vec3 direction_at(float across, float up) {
   const float y = 2 * up - 1, level = 2 * std::sqrt(std::max(0.0f, up * (1 - up)));
   const float around = 2 * glm::pi<float>() * across;
@@ -124,7 +127,7 @@ struct Found {
   float within = 0;  // [0, 1)
 };
 
-/// Of sums that grow from 0 to 1, the step that u in [0, 1) falls on; never one of no height.
+/// Finds the step of sums from 0 to 1 on which u in [0, 1) falls; never a step of no height.
 Found find_step(std::span<const float> sums, float u) {
   const auto above = std::upper_bound(sums.begin() + 1, sums.end() - 1, u);
   const float low = *(above - 1), high = *above;
@@ -144,7 +147,8 @@ void cumulate(std::span<const double> parts, std::span<float> sums) {
 
 }  // namespace
 
-/// Cells weigh what they shine, and a little more, so that no direction that shines is left out.
+/// Makes the table for sampling. A cell weighs the light that it emits and a little more, so that no direction with
+/// light is left out.
 void StrandLights::tabulate() {
   constexpr int finer = 4;
   std::vector<double> cells(std::size_t{rows} * columns), by_row(rows);

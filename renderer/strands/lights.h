@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// A way to a light. `radiance` is in the units of lighting.glsl's light_at: 1 is what a white matt surface that faces
-/// it returns as 1, so it is irradiance over pi; finite and not negative for every place.
+/// A direction to a light, and its radiance. `radiance` is in the units of lighting.glsl's light_at: 1 is what a white
+/// matt surface that faces it returns as 1, so it is irradiance over pi; finite and not negative for every position.
 struct LightSample {
   glm::vec3 to_light{0, 1, 0};  // unit
   float distance = 0;           // sizes; infinity for a directional light
@@ -34,7 +34,7 @@ class StrandLights {
   /// it: a directional light is a disc of directions, a point or spot light a ball (from within it, its middle), an
   /// area light a rectangle that shines to one side. A spot's cone is that of its middle.
   LightSample sample(int i, glm::vec3 place, glm::vec2 u) const;
-  /// What light i brings to `place` seen as a point, luminance: for choosing among lights.
+  /// Returns the luminance that light i, seen as a point, brings to `place`: for choosing among lights.
   float importance(int i, glm::vec3 place) const;
 
   bool has_environment() const { return environment_bright_; }

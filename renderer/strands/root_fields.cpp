@@ -9,7 +9,7 @@
 namespace pelage {
 
 namespace {
-constexpr int inclinations = 256;  // between the rows that are kept
+constexpr int inclinations = 256;  // steps between the rows of the table
 }
 
 LeanTable::LeanTable(LeanCurve curve, double root_share) : rows_(inclinations + 1) {
@@ -38,7 +38,8 @@ LeanRow LeanTable::row(float inclination) const {
 
 namespace {
 
-/// Of the length 1, or any unit vector across `normal` for one that has no length.
+/// Returns the unit vector along the part of `v` that is orthogonal to `normal`; any orthogonal one where that
+/// vanishes.
 glm::vec3 unit_across(glm::vec3 v, glm::vec3 normal) {
   const glm::vec3 across = v - normal * glm::dot(v, normal);
   const float length = glm::length(across);

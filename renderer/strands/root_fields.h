@@ -32,9 +32,9 @@ class LeanTable {
   /// Returns the row for an inclination in [0, 1]. Cubic interpolation between its knots is off the curve by less than
   /// 1e-5 of its length.
   LeanRow row(float inclination) const;
-  /// Knot k of that.
+  /// Returns knot k of that row.
   LeanKnot knot(float inclination, std::size_t k) const;
-  /// Of inclinations at even steps from 0 to 1; those in between are mixed.
+  /// Returns rows for inclinations at even steps from 0 to 1; those in between are interpolated.
   std::span<const LeanRow> rows() const { return rows_; }
 
  private:
@@ -44,10 +44,10 @@ class LeanTable {
 // The fields of the surface where a strand is rooted, as renderer/shells/fur/fur_vertex.glsl hands them to fragments:
 // worked out at the corners of a piece and mixed.
 
-/// Of all vertices.
+/// Returns the fields of all vertices.
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
 
-/// At a root.
+/// The fields at a root.
 struct RootFields {
   glm::vec3 place{0};
   glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // unit and orthogonal
@@ -67,10 +67,10 @@ RootFields corner_fields(const FurModel& model, std::span<const FurVertex> verti
 struct CornerLean {
   glm::vec3 normal{0, 1, 0};  // unit
   float length = 0;           // of the fur, sizes
-  glm::vec3 way{0};           // along the skin, unit
+  glm::vec3 way{0};           // direction along the skin, unit
   float inclination = 0;      // [0, 1]
 };
-/// `pattern` where length and lean change with the place, null where not.
+/// Returns the lean at a corner. `pattern` is null where length and lean do not change with the position.
 CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
                        const PatternBlock* pattern);
 
@@ -78,16 +78,16 @@ CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 
 struct CornerBend {
   CornerLean still, moved;
 };
-/// Of each corner of a piece.
+/// What moves the fur at each corner of a piece.
 using PieceBend = std::array<CornerBend, 3>;
 
-/// The curves in which fur leans on a piece, mixed of those at its corners.
+/// The curves in which fur leans on a piece, interpolated between those at its corners.
 class LeanCurves {
  public:
   void set(int corner, const LeanTable& leans, const CornerLean& lean);
-  /// From the root to the height s in [0, 1] of the fur there, sizes.
+  /// Returns the offset from the root at the height s in [0, 1] of the fur there, sizes.
   glm::vec3 at(glm::vec3 share, float s) const;
-  /// What leads from `other` to these.
+  /// Returns what has to be added to `other` to give these curves.
   LeanCurves less(const LeanCurves& other) const;
 
  private:
@@ -100,7 +100,7 @@ class LeanCurves {
 /// A piece of fur with what its strands share.
 class FurPiece {
  public:
-  /// `pattern` where length and lean change with the place, null where not.
+  /// `pattern` is null where length and lean do not change with the position.
   FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
            const PatternBlock* pattern);
 

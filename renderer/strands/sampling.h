@@ -97,7 +97,7 @@ glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 u);
 
 // The axes about a strand that renderer/shading/fibre.h counts directions by.
 
-/// From tip to root, then across towards the eye, so that the eye's azimuth is 0.
+/// The axes of a fibre: from tip to root, then across towards the camera, so that the camera's azimuth is 0.
 class FibreFrame {
  public:
   /// Both unit; `tangent` from root to tip.

@@ -43,7 +43,8 @@ PaintedCurl painted_curl(const Coat& coat, const Strand& strand, float curl) {
 
 }  // namespace
 
-/// The way from a root to a middle, and the part of it that a strand has gone at the height 1.
+/// The vector from a root to the middle of its clump or tuft, and the part of it that a strand has moved by the height
+/// 1.
 struct StrandForm::Pull {
   glm::vec3 way{0};
   float part = 0;
@@ -55,7 +56,7 @@ StrandForm::StrandForm(const Coat& coat, const TileStrands& tile)
     : coat_(coat), tile_(tile), clumps_(coat.tile, coat.clump_size, coat.seed, 1) {}
 
 StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& root) const {
-  const auto own = static_cast<float>(coat_.wetness);  // what that draws together is in the tile
+  const auto own = static_cast<float>(coat_.wetness);  // its effect on clumps is in the tile already
   const float water = std::min(own + root.wetness, 1.0f) - own;
   const auto gathers = static_cast<float>(water_gathers);
   const float gather = static_cast<float>(max_clump_gather) * std::min(root.clump + gathers * water, 1.0f);
@@ -148,7 +149,7 @@ glm::vec3 StrandColours::model_colour(const RootFields& root) const {
   return colour * sample_picture(model_.images[static_cast<std::size_t>(root.image)], root.image_uv, linear_);
 }
 
-/// colour_wetted in paint_light.glsl: by water beyond the coat's own.
+/// Exponent of colour_wetted in paint_light.glsl, for water beyond the coat's own.
 float StrandColours::wet_exponent(float wetness) const {
   return (1 + 0.8f * std::min(own_wetness_ + wetness, 1.0f)) / (1 + 0.8f * own_wetness_);
 }
@@ -164,7 +165,7 @@ StrandColours::Shared StrandColours::shared_at(const RootFields& root) const {
           root.root_paint.a > 0 || root.tip_paint.a > 0};
 }
 
-/// At the height s in the fur, of what would be `own` without model, pattern, paint and water.
+/// Returns the colour at the height s in the fur; `own` is the colour without model, pattern, paint and water.
 glm::vec3 StrandColours::colour(const Shared& shared, const RootFields& root, glm::vec3 own, float s) const {
   glm::vec3 colour = model_colours_ ? shared.model * (0.36f + 0.84f * luminance(own) * over_largest_) : own;
   if (pattern_) colour = with_weights(*pattern_, shared.pattern.weights, colour) * shared.pattern.varied;

@@ -21,11 +21,12 @@ class StrandForm {
   /// Both must outlive it.
   StrandForm(const Coat& coat, const TileStrands& tile);
 
-  /// Writes how far each knot of a strand lies beside the curve that it leans along, sizes. Shells look up, at a place
-  /// x and a height s, the strand at x - m p / (1 - p), m being the way from x to the middle of its clump and p the
-  /// part that has been gone; solved for x, with the tile's offset and painted curl o, middles m of root and parts p by
-  /// clump and tuft: (o + sum of m p / (1 - p)) / (1 + sum of p / (1 - p)). A strand does not go to the side by more
-  /// than it is long: offsets on the tile, made for longer fur, shrink to that.
+  /// Writes how far each knot of a strand lies beside the curve along which it leans, sizes. Shells look up, at a
+  /// position x and a height s, the strand at x - m p / (1 - p), where m is the vector from x to the middle of its
+  /// clump and p the part of it that the strand has moved. Solved for x, with the tile's offset and painted curl o,
+  /// vectors m from the root, and parts p by clump and tuft, that is (o + sum of m p / (1 - p)) / (1 + sum of p / (1 -
+  /// p)). A strand moves to the side by no more than it is long: offsets on the tile, made for longer fur, shrink to
+  /// that.
   void sideways(std::uint32_t strand, const RootFields& root, std::span<glm::vec3> knots) const;
 
  private:
@@ -41,7 +42,7 @@ class StrandForm {
 // The colours of a strand where it stands: the tile's through the model's own, the pattern, paint and water, as
 // renderer/shells/fur/fur_fragment.glsl mixes them.
 
-/// A picture between its texels, linear; `uv` with v up, repeated.
+/// Returns a picture's linear colour, interpolated between its texels; `uv` has v up, and is repeated.
 glm::vec3 sample_picture(const ImageView& image, glm::vec2 uv, const std::array<float, 256>& linear);
 
 class StrandColours {
@@ -49,13 +50,14 @@ class StrandColours {
   /// All must outlive it.
   StrandColours(const FurModel& model, const GrowRecipe& recipe, const TileStrands& tile);
 
-  /// Linear colours of a strand's knots, packed. Gives what leads from there to the mean strand (StrandSet::to_mean).
+  /// Writes the linear colours of a strand's knots, packed. Returns the factor from them to the mean strand
+  /// (StrandSet::to_mean).
   std::uint32_t write(std::uint32_t strand, const RootFields& root, std::span<std::uint32_t> knots) const;
-  /// That of the mean strand at its root, which the skin under fur has; linear.
+  /// Returns the linear colour of the mean strand at its root, which the skin under fur has.
   glm::vec3 under(const RootFields& root) const;
 
  private:
-  struct Shared;  // by all of a strand
+  struct Shared;  // what all knots of a strand share
   Shared shared_at(const RootFields& root) const;
   glm::vec3 colour(const Shared& shared, const RootFields& root, glm::vec3 own, float s) const;
   glm::vec3 model_colour(const RootFields& root) const;

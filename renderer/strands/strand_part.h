@@ -16,7 +16,7 @@
 
 namespace pelage {
 
-/// Sizes.
+/// Returns the triangle of a piece on the tile, sizes.
 inline std::array<glm::dvec2, 3> tile_triangle(const std::array<FurCorner, 3>& corners) {
   return {corners[0].tile_uv, corners[1].tile_uv, corners[2].tile_uv};
 }
@@ -39,7 +39,7 @@ class MemoryBudget {
   explicit MemoryBudget(std::size_t limit) : limit_(limit) {}
 
   void set_limit(std::size_t limit) { limit_ = limit; }
-  /// False, and nothing taken, where the limit would be passed. Negative bytes are given back.
+  /// Takes bytes; negative ones are given back. Returns false and takes nothing where the limit would be exceeded.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
   std::size_t left() const {
@@ -52,7 +52,7 @@ class MemoryBudget {
   std::atomic<std::ptrdiff_t> used_{0};
 };
 
-/// Does not move: Embree keeps its address, and that of its strands.
+/// A part of the strands with its index. It does not move, because Embree keeps its address and that of its strands.
 class StrandPart {
  public:
   StrandPart(std::uint32_t number, MemoryBudget& budget) : number_(number), budget_(budget) {}
@@ -60,7 +60,7 @@ class StrandPart {
   StrandPart(const StrandPart&) = delete;
   StrandPart& operator=(const StrandPart&) = delete;
 
-  /// Takes other strands and indexes them. False where memory does not do; it is then empty.
+  /// Takes other strands and indexes them. Returns false if memory is not enough; the part is then empty.
   bool set(RTCDevice device, StrandSet strands);
   void drop();
 
@@ -69,7 +69,7 @@ class StrandPart {
   RTCScene index() const { return index_.get(); }         // null without strands
   glm::vec3 root_colour() const { return root_colour_; }  // mean, linear
 
-  /// Fills in what a ray hit: `u` along the segment. Distance and `kind` are the caller's.
+  /// Returns what a ray hit on a segment, at `distance` along the ray and at `u` along the segment.
   Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
   /// How much light of each channel the strand stops there, over that of a black one: [1 - pale_transmittance, 1].
   glm::vec3 stopped(std::uint32_t segment, float u) const;

@@ -16,12 +16,12 @@ struct StrandPoint {
 };
 static_assert(sizeof(StrandPoint) == 16);
 
-/// What all of a strand shares.
+/// What all points of a strand share.
 struct StrandRoot {
   glm::vec3 normal{0, 1, 0};             // of the skin, unit
   float number = 0;                      // [0, 1)
   float reach = 1;                       // height s of the tip in the fur, (0, 1]; that of the root is 0
-  float stretch = 1;                     // of the curve in which fur leans there, that it follows
+  float stretch = 1;                     // factor on the curve in which fur leans there
   float wetness = 0;                     // painted beyond the coat's own, [0, 1]
   std::uint32_t piece = no_piece;        // of the model that it stands on
   std::array<std::uint16_t, 2> share{};  // of the piece's second and third corner there, over 65535
@@ -43,7 +43,7 @@ struct StrandSet {
   std::vector<StrandRoot> roots;          // of each strand
   std::vector<std::uint32_t> neighbour;   // of each strand an earlier one that lies near; of the first itself
   std::vector<StrandPoint> closing = {};  // where the points are when the shutter closes; empty: they stay
-  // Of each strand what leads from its colour to that of the mean strand in its place, a factor as a pack_colour.
+  // For each strand, the factor from its colour to that of the mean strand in its place, packed by pack_colour.
   // Empty: strands are seen one by one.
   std::vector<std::uint32_t> to_mean = {};
 

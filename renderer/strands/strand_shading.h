@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// Scattered to the camera for light of radiance 1, as renderer/optics/one_strand.h has it.
+/// Computes light that is scattered to the camera, for light of radiance 1, as renderer/optics/one_strand.h does.
 class StrandShading {
  public:
   explicit StrandShading(const FurFrame& frame);
@@ -24,9 +24,9 @@ class StrandShading {
   glm::vec3 absorption(glm::vec3 colour) const;
 
   glm::vec3 scatter(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const;
-  /// By one fibre, averaged over its width. The model is one of fibres.
+  /// Returns what one fibre scatters, averaged over its width. The model has to be one of fibres.
   glm::vec3 scatter_once(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) const;
-  /// By a bundle of which one fibre scatters `once`.
+  /// Returns what a bundle scatters of which one fibre scatters `once`.
   glm::vec3 scatter_bundle(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera, glm::vec3 once) const;
 
  private:

@@ -24,8 +24,8 @@ constexpr std::size_t looked_at = 2048;             // strands for a mean: the f
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 
-/// As many for a turn of that radius (sizes) that a chord stays within half of the strand's own radius of its arc, but
-/// near the tip.
+/// Returns how many segments a turn of that radius (sizes) needs, so that a chord stays within half of the strand's own
+/// radius of its arc, except near the tip.
 double segments_of_turn(const Coat& coat, double radius) {
   const double sag = std::clamp(0.25 * thickness(coat, 0.75) / std::max(radius, 1e-12), 1e-3, 1.0);
   return std::clamp(std::numbers::pi / std::acos(1 - sag), min_of_turn, max_of_turn);
@@ -134,7 +134,7 @@ constexpr double slack = 1e-6;  // cells; more than rounding moves a border by
 
 bool before(glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// An edge, always seen from the same one of its ends, so that both triangles beside it get the same number.
+/// An edge that is always computed from the same one of its ends, so that both triangles beside it get the same number.
 struct Edge {
   Edge(glm::dvec2 from, glm::dvec2 to)
       : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
@@ -167,7 +167,7 @@ Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high)
   return span;
 }
 
-/// Returns whether a strand is among the share of the tile that is looked at.
+/// Returns whether a strand is in the share of the tile that is examined.
 bool stays(std::uint32_t strand, double share) {
   return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
 }

@@ -31,13 +31,13 @@ class TileStrands {
   }
   /// strand_colour() at a knot.
   glm::vec3 colour(std::uint32_t strand, int k) const;
-  /// Where the colour of a strand is seen: below it lies in the fur.
+  /// Returns the knot whose colour is visible; below it the strand is hidden in the fur.
   int seen_knot() const { return 2 * segments_ / 3; }
-  /// Colour there, in the mean of strands about as long as this one, by what they cover.
+  /// Returns the mean colour at that knot of strands about as long as this one, weighted by what they cover.
   glm::vec3 mean_colour(std::uint32_t strand) const;
-  /// Thickness at a knot, half of it, sizes.
+  /// Returns the radius at a knot, sizes.
   float radius(std::uint32_t strand, int k) const;
-  /// Luminance that strands have in the mean at a height of the fur in [0, 1], by what they cover.
+  /// Returns the mean luminance of strands at a height of the fur in [0, 1], weighted by what they cover.
   float mean_luminance(float s) const;
 
   std::uint64_t hash() const;
@@ -72,7 +72,7 @@ class TileCells {
   static constexpr double furthest = 100;              // sizes; triangles that reach further have no strands
   static constexpr std::size_t max_copies = 1u << 22;  // of one triangle; what is beyond them is left out
 
-  /// Of the strands a share, by a number of their own.
+  /// Indexes a share of the strands, chosen by a random number of each.
   TileCells(std::span<const Strand> strands, double tile, double share = 1);
 
   /// Replaces `found` by the copies inside a triangle on the plane, sizes. Half open: of triangles that share an edge

@@ -32,9 +32,9 @@ class TraceScene {
   const StrandShading& shading() const { return *shading_; }
   std::size_t backplate_bytes() const;
   float self_shadow() const { return self_shadow_; }  // optical depth of a black strand
-  float brightest() const { return brightest_; }      // luminance that no sample's radiance passes
+  float brightest() const { return brightest_; }      // upper bound of a sample's luminance
 
-  /// Through a place of the picture, pixels from its top left corner.
+  /// Returns the ray through a position of the picture, in pixels from its top left corner.
   Ray ray_at(glm::vec2 place) const;
   float pixel_at(float distance) const;  // size of a pixel there, sizes
   BackplatePixel backplate_at(glm::vec2 place) const;

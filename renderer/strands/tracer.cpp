@@ -17,13 +17,13 @@ namespace pelage {
 namespace {
 
 constexpr double min_width = 0.2;    // of a strand in the picture, pixels; thinner ones are thinned out and widened
-constexpr double widest = 1.0 / 60;  // of the fur's length that strands are widened to because they are thin, or twice
-constexpr double widest_allowed = 0.05;      // sizes that they are widened to because they would be too many
+constexpr double widest = 1.0 / 60;  // of the fur's length: thin strands are widened at most to this, or to twice it
+constexpr double widest_allowed = 0.05;      // sizes: width to which too many strands are widened at most
 constexpr std::size_t backplate_images = 5;  // of a Backplate
-constexpr int judged_passes = 8;             // before them no part of the picture is left for its little noise
+constexpr int judged_passes = 8;             // passes before which no tile is finished for its low noise
 constexpr std::size_t film_part = 2;         // a film takes at most one over this of the memory
 
-/// Of the fur where there is any, sizes.
+/// Returns the mean length of the fur where there is any, sizes.
 double mean_length(std::span<const float> lengths) {
   double sum = 0;
   std::size_t furred = 0;
@@ -33,9 +33,10 @@ double mean_length(std::span<const float> lengths) {
   return furred > 0 ? sum / static_cast<double>(furred) : 0;
 }
 
-/// Thins strands out for a view and widens what is left. The share is a power of 1/2, so that a step of the camera
-/// seldom changes it. Wide strands stand out of short fur into the light: widened to a third of its height they make it
-/// a tenth too bright, and a small animal larger than it is. So from afar no more are left out.
+/// Thins strands out for a view and widens the others. The share is a power of 1/2, so that a step of the camera seldom
+/// changes it. The width is bounded, because wide strands stand out of short fur into the light: widened to a third of
+/// its height they make it a tenth too bright, and a small animal larger than it is. So from afar no more strands are
+/// left out.
 void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRecipe& recipe) {
   const double nearest = std::max(glm::length(glm::dvec3(frame.camera.position)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
@@ -46,7 +47,7 @@ void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRec
   recipe.widening = std::clamp(1 / recipe.share, 1.0, std::max(widest_allowed / width, 1.0));
 }
 
-/// Of a backplate and of the AOVs that are made in the end.
+/// Returns the bytes of a backplate and of the AOVs that are made in the end.
 std::size_t pictures_bytes(int width, int height, std::span<const Aov> aovs) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
          (backplate_images + aovs.size());
@@ -91,7 +92,7 @@ Status Tracer::admit(int width, int height, std::span<const Aov> aovs, bool filt
                  "fewer pixels, or fewer AOVs");
 }
 
-/// Strands have what the picture leaves of the memory.
+/// Grows strands in the memory that the picture leaves.
 Result<World::Change> Tracer::Impl::grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
                                          std::size_t picture_bytes, const GoOn& go_on) {
   world.set_memory(memory - picture_bytes);
@@ -160,7 +161,7 @@ bool Tracer::Picture::trace_tile(const World& world, int tile, const GoOn& go_on
   return true;
 }
 
-/// Parts with little noise are left alone, but for those that no ray hit anything in: those are cheap.
+/// Returns whether a tile still needs samples: after judged_passes, only tiles whose noise is not below the limit do.
 bool Tracer::Picture::still_noisy(int tile) const {
   const double limit = scene.frame().knobs.trace.noise;
   return limit == 0 || report.passes < judged_passes || film.noise(tile, scene.frame().exposure) >= limit;

@@ -25,7 +25,7 @@ struct Backplate {
 // The tier `reference`: the coat as strands, ray traced in passes. No GL: skin and eyes come as a picture that was
 // rasterized (Backplate), so that they look the same in all tiers.
 
-/// Asked by each tracing thread between small pieces of work. May hold the thread up; false ends the work.
+/// Asked by each tracing thread between small steps of work. It may block the thread; false ends the work.
 using GoOn = std::function<bool()>;
 
 class Tracer {
@@ -38,27 +38,27 @@ class Tracer {
   /// Returns whether a picture may be begun in that memory with its backplate and its AOVs, before any of it is made.
   /// too_large where not.
   Status admit(int width, int height, std::span<const Aov> aovs, bool filter) const;
-  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not kept. Paths scatter
-  /// by energy_conserving, as the contract has it. Fails with too_large where memory does not do, unavailable when it
-  /// was not to go on.
+  /// Grows what changed since the last scene, and begins a picture of no passes. The views are not stored. Paths
+  /// scatter by energy_conserving, as the contract has it. Fails with too_large when memory is not enough, and with
+  /// unavailable when `go_on` returned false.
   Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
                std::span<const Aov> aovs, const GoOn& go_on);
-  /// Adds a pass, and says in the report why it was the last one. Unavailable when it was not to go on: the picture is
-  /// then to be begun again.
+  /// Adds a pass, and says in the report why it was the last one. Fails with unavailable when `go_on` returned false;
+  /// the picture then has to be begun again.
   Status add_pass(const GoOn& go_on);
 
   /// A picture as far as it is traced, without strands.
   struct Picture;
   /// Takes the picture out of the tracer, which then begins or resumes another.
   std::shared_ptr<Picture> set_aside();
-  /// What that takes in memory.
+  /// Returns the bytes that the picture takes.
   std::size_t picture_bytes() const;
-  /// Goes on with a picture, with the bits that it would have had; model and fields are those that it was begun with.
+  /// Continues a picture, with the same bits as without the pause; model and fields are those that it was begun with.
   /// Fails as `begin` does.
   Status resume(const FurModel& model, const FurFields& fields, std::shared_ptr<Picture> picture, const GoOn& go_on);
 
   TraceReport report() const;
-  /// Of at least one pass; as Renderer::draw_aovs.
+  /// Returns an AOV of a picture with at least one pass, in the conventions of Renderer::draw_aovs.
   FloatImage aov(Aov aov) const;
 
  private:

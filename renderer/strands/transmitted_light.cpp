@@ -15,7 +15,7 @@ namespace {
 
 constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
 
-/// One that is wide on the picture shows how it scatters across.
+/// Returns whether a strand is so wide on the picture that the scattering across it is visible.
 bool is_near(const TraceScene& scene, const Hit& hit) {
   return scene.shading().model() == ShadingModel::energy_conserving &&
          2 * hit.radius >= near_pixels * scene.pixel_at(hit.distance);

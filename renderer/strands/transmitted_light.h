@@ -1,6 +1,6 @@
-// The fast way to light traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a
-// transmittance by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is as
-// shells have it (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
+// The fast lighting of traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a
+// transmittance by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is computed
+// as for shells (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
 #pragma once
 
 #include "renderer/strands/film.h"
@@ -30,7 +30,7 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen);
 void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
                      FilmSample& sample);
 
-/// Darkness on the ground where the ray hits it: black with an alpha.
+/// Darkens the ground where the ray hits it: black with an alpha.
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);
 
 }  // namespace pelage

@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-/// At most AVX2, so that the same CPUs give the same bits whatever they have beyond. Without a number of threads, which
-/// would bound oneTBB's for the whole process: scenes are built on the caller's own.
+/// Settings of the Embree device: at most AVX2, so that CPUs give the same bits whatever they have beyond. A number of
+/// threads is not set, because it would bound oneTBB's for the whole process: scenes are built on the caller's thread.
 constexpr const char* device_settings = "max_isa=avx2,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
 constexpr float most = 1e18f;        // sizes; Embree's own limit is 1.8e18
@@ -22,7 +22,7 @@ constexpr float black_depth = 5.5f;  // optical depth beyond which light counts 
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
 
-/// A query with what its filter needs. First its base, as Embree casts it.
+/// A query with what its filter needs. The context comes first, as Embree casts it.
 struct Query {
   RTCIntersectContext context{};
   const Ray* ray = nullptr;
@@ -61,7 +61,7 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;
 }
 
-/// What Embree takes: it ends the process for numbers beyond its range.
+/// Returns whether Embree takes the ray: it ends the process for numbers beyond its range.
 bool can_be_cast(const Ray& ray) {
   const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
   const bool in_range = furthest.x <= most && furthest.y <= most && furthest.z <= most;  // NaN is not
@@ -231,7 +231,7 @@ Result<World::Change> World::update(const FurModel& model, const FurFields& fiel
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
   world.all.reset();                      // it holds the parts that are to go
-  rtcGetDeviceError(world.device.get());  // of a scene before that memory did not do for
+  rtcGetDeviceError(world.device.get());  // clears the error of an earlier scene that did not fit into memory
   if (!world.set_model(model, recipe) || !world.set_curves(frame)) return no_memory();
   const Grower grower(model, fields, recipe);
   std::atomic<std::size_t> grown{0};

@@ -39,7 +39,7 @@ struct StrandId {
   bool operator==(const StrandId&) const = default;
 };
 
-/// Sizes off the skin from which rays start.
+/// Distance from the skin at which rays start, sizes.
 inline constexpr float leave_skin = 1e-5f;
 
 struct Ray {
@@ -66,7 +66,8 @@ struct Hit {
   StrandId strand = {};
 };
 
-/// Transmittance of a strand of a colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), t for black.
+/// Transmittance of a strand of colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), where t is that of a black
+/// strand.
 inline constexpr float pale_transmittance = 0.82f;
 
 class World {
@@ -80,8 +81,8 @@ class World {
     std::size_t grown = 0;  // strands that were grown anew
     std::size_t strands = 0;
   };
-  /// Brings strands, skin and eyes up to date. Fails with too_large when memory does not do, with unavailable when
-  /// `go_on` answered false; what a ray hits is then undefined until an update succeeds.
+  /// Brings strands, skin and eyes up to date. Fails with too_large when memory is not enough, and with unavailable
+  /// when `go_on` returned false; what a ray hits is then undefined until an update succeeds.
   Result<Change> update(const FurModel& model, const FurFields& fields, const FurFrame& frame, const GrowRecipe& recipe,
                         const WorkThreads& workers, const std::function<bool()>& go_on);
 
@@ -100,7 +101,7 @@ class World {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The end (unavailable) of what was cancelled.
+/// The status (unavailable) of work that was cancelled.
 inline Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
 
 }  // namespace pelage

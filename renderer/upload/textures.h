@@ -39,7 +39,8 @@ class CoatTextures {
 
 // What shaders must know of a coat to draw painted fields on it.
 
-/// Made anew when the coat's clumps change.
+/// What shaders read of a coat to draw paint: PaintBlock and the map of clumps. Both are made again when the coat's
+/// clumps change.
 class PaintTextures {
  public:
   explicit PaintTextures(const Gl& gl) : uniforms_(gl) {}

@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// One line: a text of the user's may begin none, or a farm takes it for a word of its own.
+/// Puts a text into one line: a user's text must not begin a line, or a farm takes it for a word of its own.
 std::string in_one_line(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < ' '; }, ' ');

@@ -1,4 +1,4 @@
-// Which frames: "1-100x5".
+// Ranges of frames, such as "1-100x5".
 #pragma once
 
 #include <string_view>

@@ -28,11 +28,11 @@ std::vector<Revision> revisions_of(const Scene& scene) {
   return revisions;
 }
 
-/// All that pictures of the scene follow from, but for the requests.
+/// Returns a text of all that pictures of the scene follow from, apart from the requests.
 std::string identity_of(const Scene& scene) {
   const SceneSummary summary = scene.summary();
-  std::string identity =
-      std::string(version()) + "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" + to_hex(summary.fields_hash) + "\n";
+  std::string identity = std::string(version()) + "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" +
+                         to_hex(summary.fields_hash) + "\n";
   identity += encode(SettingsAnswer{.settings = scene.snapshot()->view().settings});
   return identity;
 }
@@ -54,8 +54,8 @@ Status check_blur(const FrameRequest& request) {
   return {};
 }
 
-/// The tracing of the picture `k` of a frame's `count`: together they have the passes, the noise and the seconds that
-/// were asked for, each its own random numbers.
+/// Sets the tracing of picture `k` of a frame's `count` pictures: together they have the passes, the noise and the
+/// seconds that were asked for, each with random numbers of its own.
 void share_passes(int count, int k, Tracing& trace) {
   trace.passes = (trace.passes + count - 1) / count;
   trace.noise = std::min(1.0, trace.noise * std::sqrt(count));
@@ -231,7 +231,7 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   if (job.time_lapse && job.motion)
     return failure(Code::invalid, "A time lapse shows a model at rest.", "/motion", "without time_lapse");
   if (job.time_lapse && job.motion_blur)
-    return failure(Code::invalid, "From one revision to the next nothing moves.", "/motion_blur", "without time_lapse");
+    return failure(Code::invalid, "A time lapse has no motion to blur.", "/motion_blur", "without time_lapse");
   const int tile_count = job.tiles ? job.tiles->columns * job.tiles->rows : 0;
   if (part.tile < 0 || part.tile > tile_count)
     return failure(Code::invalid, "The job has no tile " + std::to_string(part.tile) + ".", "/tiles",

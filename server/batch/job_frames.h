@@ -35,7 +35,7 @@ struct JobMoment {
 struct JobFrame {
   int number = 0;
   JobMoment moment;                            // its own
-  std::vector<JobMoment> open;                 // whose mean it shows while the shutter is open; none where it is sharp
+  std::vector<JobMoment> open;                 // moments of the open shutter to average; none where it is sharp
   std::shared_ptr<const ModelMoments> motion;  // of all frames; null where the model stays
   std::string file;
   std::string fingerprint;     // of all that the picture follows from, 32 hex digits

@@ -75,7 +75,7 @@ void declare(CLI::App& app, Options& options) {
 /// Set once SIGTERM or SIGINT came; several may come.
 std::atomic<bool> stop_asked{false};
 
-/// For as long as the program lives.
+/// Watches for stop signals as long as the program lives.
 void watch_stop_signals() {
   std::thread([signals = StopSignals()] {
     for (;;) signals.wait(), stop_asked = true;
@@ -103,7 +103,7 @@ int fail(FarmLog& log, const Status& status, int code) {
 }
 int fail(FarmLog& log, const Status& status) { return fail(log, status, code_of(status)); }
 
-/// Spread over the frames.
+/// Returns at most `count` frames, spread over the job's frames.
 std::vector<const JobFrame*> probes_of(const std::vector<JobFrame>& frames, int count) {
   std::vector<const JobFrame*> probes;
   const std::size_t wanted = std::min(frames.size(), static_cast<std::size_t>(count));

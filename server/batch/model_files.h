@@ -11,8 +11,8 @@
 
 namespace pelage {
 
-/// Where the model stands at the moment, between two files on the way from one to the other. Refused (invalid) too
-/// where it is not the model at rest elsewhere.
+/// Returns the model at the moment; between two files it is interpolated. Also refused (invalid) where it is not the
+/// model at rest elsewhere.
 Result<RawModel> read_model(const MovingModel& moving, const ModelMoment& moment);
 
 /// Reads each file that the frames follow from once, an animation at one moment of it. Ends (unavailable) once

@@ -18,7 +18,7 @@ struct ModelMoment {
   ModelFormat format = ModelFormat::obj;
   std::string pose;    // ImportOptions::pose
   std::string digest;  // of the bytes of the file, and of the next one
-  // Between two files of a row: the next one, and how far it is on the way there, (0, 1).
+  // Between two numbered files: the next one, and its weight, (0, 1).
   std::string next = {};
   double share = 0;
 };
@@ -29,15 +29,15 @@ class ModelMoments {
   /// an ending of no model, a loop of no animation.
   static Result<ModelMoments> create(const JobMotion& motion, double fps, const std::string& folder);
 
-  /// At a frame or between two; before the first and after the last file of a row it holds still. Fails with not_found
-  /// ("/motion/model") where the nearest frame has no file.
+  /// Returns the model's moment at a frame or between two. Before the first and after the last numbered file the model
+  /// holds still. Fails with not_found ("/motion/model") where the nearest frame has no file.
   Result<ModelMoment> at(double frame) const;
-  /// Of the bytes and the pose; "" where there is no file.
+  /// Returns a name that follows from the bytes and the pose; "" where there is no file.
   Result<std::string> name_of(int frame) const;
 
   /// The moments that a frame's fur swings by; none without inertia, and none where there is no file.
   Result<std::vector<ModelMoment>> swing(int frame) const;
-  /// All of them; "" without inertia.
+  /// Returns a text that identifies all of these moments; "" without inertia.
   Result<std::string> identity_of_swing(int frame) const;
   double inertia() const { return motion_.inertia; }
 

@@ -11,8 +11,8 @@
 
 namespace pelage {
 
-/// Under a temporary name in the same folder, which is made where it is missing, then synced and renamed. A failure
-/// (internal, with what the system says) leaves nothing.
+/// Writes a file under a temporary name in the same folder, which is made where it is missing, then syncs and renames
+/// it. A failure (internal, with the system's reason) leaves nothing.
 Status write_whole(const std::string& path, std::string_view bytes);
 
 /// Returns whether a file can be made in the path's folder, or in the one where that will be made. Leaves nothing;

@@ -67,7 +67,7 @@ Result<BodySwing> PoseHistory::at(int frame, double time) {
     Result<Accelerations> found = acceleration(k);
     if (!found) return found.status();
     history.push_back(std::move(*found));
-    // Places and turns are large: only those are kept that come again.
+    // Positions and rotations are large: only poses that occur again stay in memory.
     const Result<std::string> passed = source_.name(k - 1);
     if (passed && k < frame && (!names->contains(*passed) || names->at(*passed) == 1)) poses_.erase(*passed);
   }

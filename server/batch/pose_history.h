@@ -16,8 +16,8 @@ class PoseHistory {
  public:
   /// Where the model stands at each frame.
   struct Source {
-    /// The same for frames at which it stands alike, as in a loop; "" before the first and after the last one that
-    /// there is, where it holds still.
+    /// Returns the same name for frames with the same pose, as in a loop; "" before the first and after the last frame
+    /// that there is, where the model holds still.
     std::function<Result<std::string>(int frame)> name;
     std::function<Result<RawModel>(int frame)> load;
   };
@@ -26,13 +26,13 @@ class PoseHistory {
   /// warm-up.
   PoseHistory(const MovingModel& model, double fps, double strength, Source source);
 
-  /// What the fur of a frame swings by; `time` is the scene's there. Accelerations are second differences of where
-  /// vertices are at frames, straight between two of them, in the coordinates of the skin at each frame, and turned to
-  /// those at this one. Loads what is not known yet of the frames of the warm-up (server/motion). Fails as the source
+  /// Returns the accelerations that swing the fur of a frame; `time` is the scene's there. They are second differences
+  /// of the vertices' positions at frames, linear in between, in the coordinates of the skin at each frame, and rotated
+  /// to those at this one. Loads the frames of the warm-up (server/motion) that are not known yet. Fails as the source
   /// and MovingModel do.
   Result<BodySwing> at(int frame, double time);
 
-  /// Frames before one that it follows from; one after it counts too.
+  /// Returns how many frames before a frame its swing depends on; it depends on one after it, too.
   static int frames_before(double fps);
 
  private:

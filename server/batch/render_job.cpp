@@ -185,9 +185,7 @@ Result<JobRenderer::Save> JobRenderer::draw(const Piece& piece, const std::funct
   if (!drawn && stopped()) return stopped_status();
   if (!drawn && drawn.status().code == Code::unavailable && too_slow()) return passed_limit(piece.frame.number, *limit);
   if (!drawn) return drawn.status();
-  return Save([drawn = *drawn, &file = piece.file] {
-    return write_whole(file, drawn().bytes);
-  });
+  return Save([drawn = *drawn, &file = piece.file] { return write_whole(file, drawn().bytes); });
 }
 
 Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLog& log,
@@ -195,7 +193,7 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
   JobOutcome outcome;
   const Stopwatch passed;
   const std::vector<Piece> pieces = pieces_of(frames);
-  std::future<Status> saved;  // the piece before, while the next one is drawn
+  std::future<Status> saved;  // saving of the file before, while the next one is drawn
   std::atomic<bool> failed{false};
   const auto wait = [&] { return saved.valid() ? saved.get() : Status{}; };
   const auto ends = [&] { return stopped() || failed; };

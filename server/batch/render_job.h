@@ -26,7 +26,7 @@ struct DrawOptions {
   int tile = 0;                    // of each frame; 0 for all
 };
 
-/// Of the failure of a frame that took too long.
+/// The pointer of the failure of a frame that took too long.
 inline constexpr const char* limit_pointer = "/frame/max_seconds";
 
 /// Files: of frames, or of their tiles.
@@ -45,13 +45,14 @@ class JobRenderer {
   /// allows, and (unavailable) once `stopped` says so: every file that was begun is whole or not there.
   Result<JobOutcome> draw(const std::vector<JobFrame>& frames, FarmLog& log, const std::function<bool()>& stopped);
 
-  /// The same of one frame, without a file: the seconds that it took. Of one with tiles by the one in the middle.
+  /// Draws one frame without a file, and returns the seconds that it took; those of a frame with tiles are estimated
+  /// from the tile in the middle.
   Result<double> measure(const JobFrame& frame, const std::function<bool()>& stopped);
 
  private:
   JobRenderer(const JobScene& scene, double fps, const DrawOptions& options, std::unique_ptr<FrameService> frames,
               std::unique_ptr<YieldGate> gate);
-  /// A piece of a frame that has a file of its own; all of it where there are no tiles.
+  /// A part of a frame that has a file of its own: a tile, or the whole frame where there are no tiles.
   struct Piece {
     const JobFrame& frame;
     const std::string& file;
@@ -68,11 +69,11 @@ class JobRenderer {
   static Piece piece_of(const JobFrame& frame, const JobTile& tile);
   std::vector<Piece> pieces_of(const std::vector<JobFrame>& frames) const;
   bool is_there(const Piece& piece) const;
-  /// What writes a piece's file.
+  /// Writes the file of a part.
   using Save = std::function<Status()>;
   /// Draws a piece; fails as drawing all does.
   Result<Save> draw(const Piece& piece, const std::function<bool()>& stopped);
-  /// What gives the file of a piece that is drawn.
+  /// Encodes the file of a part that is drawn.
   using Encode = std::function<FrameAnswer()>;
   Result<Encode> picture(const Piece& piece, const std::function<bool()>& stopped);
   /// The mean of the moments at which the shutter is open.

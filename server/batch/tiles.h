@@ -15,11 +15,12 @@ namespace pelage {
 /// and where the frame has a crop, or an end that depends on the machine.
 Result<std::vector<JobTile>> tiles_of(const TileGrid& grid, const JobFrame& frame);
 
-/// Once the files of all tiles are there: writes the frame's file, the same bytes as without tiles (of an EXR but for
-/// the time), and removes them. Whether it did. Any number of processes may try at a time. Fails as write_whole.
+/// Writes the frame's file once the files of all tiles are there, with the same bytes as without tiles (of an EXR but
+/// for the time), and removes them. Returns whether it did. Any number of processes may try at a time. Fails as
+/// write_whole.
 Result<bool> merge_tiles(const JobFrame& frame, const SceneSummary& scene, double fps);
 
-/// Of a frame that is whole.
+/// Removes the tiles of a frame that is whole.
 void remove_tiles(const JobFrame& frame);
 
 }  // namespace pelage

@@ -11,7 +11,7 @@ namespace pelage {
 /// axis through what it looks at. An automatic camera is placed first.
 Camera turned_camera(const Camera& camera, double aspect, const Mesh& mesh, double degrees);
 
-/// Lights that turn with it. Ground and eyes do not change.
+/// Returns the lights turned with it. Ground and eyes do not change.
 std::vector<Light> turned_lights(const std::vector<Light>& lights, glm::dvec3 pivot, double degrees);
 Environment turned_environment(Environment environment, double degrees);
 

@@ -26,7 +26,7 @@ class Buffered {
   }
 
   bool going() const { return going_; }
-  /// Hands over the rest; whether the sink took all.
+  /// Hands over the rest. Returns whether the sink took all.
   bool finish() {
     flush();
     return going_;

@@ -70,7 +70,7 @@ class Lock {
     return static_cast<std::size_t>(y) * lock_width + static_cast<std::size_t>(x);
   }
 
-  /// What a stretch of a row covers of each texel, over what is there.
+  /// Draws a stretch of a row over what is there, by how much it covers of each texel.
   void draw_row(int y, double middle, double half, double lightness) {
     const int first = clamped_index(middle - half, 0, lock_width);
     const int last = clamped_index(std::floor(middle + half), -1, lock_width - 1);

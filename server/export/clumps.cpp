@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// A cube, and which of six ways the skin faces.
+/// A cube, and which of six directions the skin faces.
 using CellKey = std::tuple<int, int, int, int>;
 
 int facing_of(glm::vec3 normal) {

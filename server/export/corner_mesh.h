@@ -20,7 +20,7 @@ struct CornerMesh {
   std::vector<glm::uvec3> triangles;  // of corners
 };
 
-/// With `whole` the triangles without fur too.
+/// Returns the mesh of the fur; if `whole`, with the triangles without fur too.
 CornerMesh make_corner_mesh(const SceneView& scene, bool whole = false);
 
 /// Places of all vertices of the mesh at a height s in [0, 1] of their fur, in the model's unit from its centre.

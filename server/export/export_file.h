@@ -30,7 +30,7 @@ struct ExportFile {
   bool write(const Sink& sink) const;
 };
 
-/// The story of an export: the scene itself, or what is made of a snapshot of it. Fails as both do.
+/// Exports the scene itself, or a file that is made of a snapshot of it. Fails as both do.
 Result<ExportFile> export_file(const SceneStore& store, const Scene& scene, const ExportRequest& request,
                                const Cancel& cancel = {});
 
@@ -39,10 +39,10 @@ Result<ExportFile> export_file(const SceneStore& store, const Scene& scene, cons
 /// unavailable once nobody waits, which is asked on several threads.
 Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest& request, const Cancel& cancel = {});
 
-/// What open_saved takes.
+/// The limits of what open_saved takes.
 struct SavedLimits {
   std::uint64_t bytes = limits::model_bytes;     // of the file
-  std::uint64_t unpacked = limits::saved_bytes;  // once it is no gzip any more
+  std::uint64_t unpacked = limits::saved_bytes;  // after decompression
 };
 
 /// The scene itself: what SceneStore::save writes, as gzip. The file lies in a temporary folder as long as this does.
@@ -54,7 +54,7 @@ Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, con
 Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name,
                                           const Cancel& cancel = {});
 
-/// The bytes of all parts, which are made on all cores to know. Throws Cancelled.
+/// Returns the size of all parts, which are made on all cores to know it. Throws Cancelled.
 std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel);
 
 }  // namespace pelage

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int rings = 96, sectors = 96;  // of a ball, from where it looks to its back
 
-/// 1 from `edge` on, 0 where it is `soft` lower.
+/// Returns 1 from `edge` on, and 0 at `soft` below it.
 float step(double edge, double soft, double value) {
   return static_cast<float>(std::clamp((value - edge) / soft + 1, 0.0, 1.0));
 }

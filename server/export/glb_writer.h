@@ -15,7 +15,8 @@ namespace pelage {
 
 class GlbWriter {
  public:
-  /// The sizes in a GLB have 32 bits. Of what makes the file larger than `max_bytes` nothing is kept.
+  /// Makes files of at most `max_bytes`, because sizes in a GLB have 32 bits. What would make the file larger is not
+  /// stored.
   explicit GlbWriter(std::uint64_t max_bytes = std::numeric_limits<std::uint32_t>::max()) : max_bytes_(max_bytes) {}
 
   /// Accessors of floats; each gives its number. Those of positions need their bounds (glTF 2.0, 3.7.2.1).
@@ -26,7 +27,7 @@ class GlbWriter {
   int add_positions(std::span<const glm::vec3> values);
   /// An accessor of triangles, in 16 bits where `vertices` are few enough.
   int add_triangles(std::span<const glm::uvec3> triangles, std::size_t vertices);
-  /// The number of an image.
+  /// Adds an image and returns its number.
   int add_png(std::string_view file);
 
   /// A member of the file's object, as JSON text: "nodes", "meshes", "materials" and so on.

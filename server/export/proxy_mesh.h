@@ -19,10 +19,10 @@ struct ProxyMesh {
   std::vector<glm::uvec3> triangles;
 };
 
-/// At most `triangles` of them, more where the simplifier finds no more edges to collapse, as where many parts share
-/// edges. A mesh that has no more is taken as it is. Vertices of the answer are vertices of the mesh, with their
-/// normals; parts that are small next to the triangles asked for can vanish. Deterministic; 1.3 us for a triangle of
-/// the mesh. Refused (invalid) below limits::proxy_size.
+/// Returns a mesh of at most `triangles` triangles, or of more where the simplifier finds no more edges to collapse, as
+/// where many parts share edges. A mesh that has no more is taken as it is. Vertices of the answer are vertices of the
+/// mesh, with their normals; parts that are small next to the triangles asked for can vanish. Deterministic; 1.3 us for
+/// a triangle of the mesh. Refused (invalid) below limits::proxy_size.
 Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles);
 
 /// A binary glTF 2.0 file: one mesh with POSITION, NORMAL and indices (16 bits where they suffice), on one node whose

@@ -10,11 +10,11 @@
 
 namespace pelage {
 
-/// Of the light, the share that reaches a height s in [0, 1] of the fur.
+/// Returns the share of the light that reaches a height s in [0, 1] of the fur.
 float light_at(const Slices& slices, double height);
 
-/// Adds the whole mesh in the colour of the roots, as dark as fur leaves it. The primitive as JSON, with the material
-/// of that number.
+/// Adds the whole mesh in the colour of the roots, darkened as the fur above shades it. Returns the primitive as JSON,
+/// with the material of that number.
 std::string add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& colours, const Slices& slices,
                      int material);
 

@@ -54,7 +54,7 @@ Status check_count(double expected, const ExportRequest& request) {
                  "at least " + std::to_string(static_cast<long long>(every)));
 }
 
-/// Of which strands the file is made: some are enough for cards, without whiskers.
+/// Returns a request for the strands that the file needs: cards need only some of them, without whiskers.
 ExportRequest needed(ExportRequest request, double expected) {
   if (request.format != ExportFormat::cards) return request;
   request.curves = false;

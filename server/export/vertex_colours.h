@@ -13,10 +13,10 @@ namespace pelage {
 
 class VertexColours {
  public:
-  /// Of the fur among the strands; whiskers do not count.
+  /// Takes the colours of the fur's strands; whiskers do not count.
   VertexColours(const Surface& surface, const ExportedStrands& strands);
 
-  /// Linear, at a height s in [0, 1] of the fur. Where no strand grows it is the mean of all.
+  /// Returns the linear colour at a height s in [0, 1] of the fur. Where no strand grows it is the mean of all.
   glm::vec3 at(std::uint32_t vertex, double s) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 Sheet sheet_of(std::size_t layer) { return static_cast<Sheet>(first_edit_layer + layer); }
 
-/// As it is stored_sum on the seen and the under sheet.
+/// Returns a sum as the seen and the under sheet store it.
 glm::vec4 stored_sum(Field field, glm::dvec4 sum) {
   if (field == Field::direction) return glm::vec4(stored_direction(glm::dvec2(sum)), 0, 0);
   const glm::dvec4 value = from_summable(field, sum);
@@ -22,7 +22,7 @@ glm::vec4 stored_sum(Field field, glm::dvec4 sum) {
   return result;
 }
 
-/// 0 in place of -0, and only the field's own channels.
+/// Returns an addition as it is stored: 0 in place of -0, and only the field's own channels.
 glm::vec4 stored_addition(Field field, glm::dvec4 added) {
   glm::vec4 result(0);
   for (int c = 0; c < shape_of(field).channels; ++c) result[c] = static_cast<float>(added[c]) + 0.0f;
@@ -34,7 +34,7 @@ glm::vec4 stored_addition(Field field, glm::dvec4 added) {
 EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers) {
   EditLayerStack stack;
   const glm::vec4 under = fields.on_sheet(under_sheet, field, vertex);
-  stack.covered = under.x == under.x;  // at its default it is NaN
+  stack.covered = under.x == under.x;  // NaN where no edit layer adds anything
   stack.base = to_summable(field, glm::dvec4(stack.covered ? under : fields.value(field, vertex)));
   for (std::size_t k = 0; stack.covered && k < layers; ++k)
     stack.added[k] = glm::dvec4(fields.on_sheet(sheet_of(k), field, vertex));
@@ -74,7 +74,7 @@ void StackWriter::put(std::uint32_t vertex, Sheet sheet, glm::vec4 value) {
 }
 
 void StackWriter::put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers) {
-  // What is seen follows from what is stored_sum, so that making it anew gives the same bits.
+  // The seen value is computed from the stored ones, so that computing it again gives the same bits.
   const glm::vec4 base = stored_sum(field_, stack.base);
   EditLayerStack kept{true, to_summable(field_, glm::dvec4(base)), {}};
   bool adds = false;
@@ -158,7 +158,7 @@ Arrangement arranged(const std::vector<EditLayer>& layers, const ChangeEditLayer
   return now;
 }
 
-/// The edit layer's share of what is seen goes into what lies below it.
+/// Adds the edit layer's weighted share to the edit layer below it or, for the lowest, to the groom.
 void merge_down(EditLayerStack& stack, std::size_t at, const std::vector<EditLayer>& layers, Field field) {
   const glm::dvec4 share = layers[at].weight * stack.added[at];
   if (at == 0)
@@ -235,7 +235,7 @@ FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<
   return delta;
 }
 
-/// One field's change of what is seen.
+/// Stores one field's change of the visible values in the groom or an edit layer.
 static void keep_part(const FieldDelta::Part& part, int layer, const std::vector<EditLayer>& layers,
                       const FieldSet& fields, StackWriter& writer) {
   const int channels = shape_of(part.field).channels;

@@ -14,8 +14,8 @@
 
 namespace pelage {
 
-/// All numbers add up (to_summable). seen = base + weight times added, edit layer by edit layer, each time held in the
-/// range.
+/// The values of a field at one vertex, in summable form (to_summable): the groom, and what each edit layer adds. seen
+/// = base + weight times added, edit layer by edit layer, clamped to the range each time.
 struct EditLayerStack {
   bool covered = false;  // whether any edit layer adds something, or did
   glm::dvec4 base{0};
@@ -24,19 +24,19 @@ struct EditLayerStack {
 
 EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers);
 
-/// Held in the field's range.
+/// Clamps a sum to the field's range.
 glm::dvec4 held(Field field, glm::dvec4 sum);
-/// What an edit layer adds, held so that it stays finite however often it is groomed.
+/// Clamps what an edit layer adds, so that it stays finite however often it is groomed.
 glm::dvec4 held_addition(Field field, glm::dvec4 added);
 glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers);
 
-/// Takes one field's stacks vertex by vertex in rising order, and keeps the bits that they turn over on every sheet.
+/// Takes one field's stacks, vertex by vertex in rising order, and records the bits that they flip on every sheet.
 class StackWriter {
  public:
   /// `sheets`: how many edit layers there are before or after, whichever are more.
   StackWriter(const FieldSet& fields, Field field, std::size_t sheets);
 
-  /// `edit layers` are those that the stack is seen through.
+  /// `layers` are the edit layers that the stack is seen through.
   void put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers);
   /// A value that no edit layer covers.
   void put_seen(std::uint32_t vertex, glm::vec4 value) { put(vertex, seen_sheet, value); }
@@ -55,7 +55,7 @@ class StackWriter {
 /// Puts the parts of writers for several fields in order.
 void finish_parts(FieldDelta& delta);
 
-// How edit layers make what is seen, and what happens to them when what is seen or they themselves are changed.
+// How edit layers produce the visible values, and how changes of either are carried out.
 
 /// Refused (invalid): names that are unknown or taken, more than limits::edit_layers, merging what is muted.
 Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers);
@@ -67,13 +67,13 @@ Status check_groomed(const std::string& layer, const std::vector<EditLayer>& lay
 /// The edit layers, from the lowest, once a command that was checked is carried out.
 std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeEditLayer& command);
 
-/// What the command does to the sheets: the contents move, and what is seen is made anew.
+/// Returns what the command does to the sheets: the contents move, and the visible values are computed anew.
 FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
                               const FieldSet& fields);
 
-/// A change of what is seen as one that the named edit layer keeps ("" for the groom below them all): it comes to hold
-/// what makes the rest add up to what the tool wanted to be seen, as far as the field's range and the edit layers above
-/// let it. Without edit layers it is the change itself.
+/// Converts a change of the visible values into one that the named edit layer stores ("" for the groom below them all).
+/// The edit layer comes to hold what is missing for the values that the tool wanted, as far as the field's range and
+/// the edit layers above allow it. Without edit layers the change stays as it is.
 FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
                                 const FieldSet& fields);
 

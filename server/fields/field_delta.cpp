@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// Merges two rising lists; at a vertex of both the bits that turn over twice stay.
+/// Merges two rising lists; where both have a vertex, bits that flip twice stay.
 FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
   const auto channels = static_cast<std::size_t>(shape_of(first.field).channels);
   FieldDelta::Part both{first.field, {}, {}, first.sheet};

@@ -1,4 +1,4 @@
-// A sparse change of fields. It holds which bits turn over, so that it is its own inverse.
+// A sparse change of fields. It holds which bits flip, so that it is its own inverse.
 #pragma once
 
 #include <bit>
@@ -63,7 +63,7 @@ inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::
 /// Returns whether the first part comes before the second in a delta.
 bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second);
 
-/// Both, one after the other, in either order; what turns over twice is dropped.
+/// Returns both changes as one, in either order; bits that flip twice are dropped.
 FieldDelta compose(const FieldDelta& first, const FieldDelta& second);
 
 /// Sorts, and joins ranges that touch.

@@ -39,13 +39,13 @@ void add_hash(FieldsHash& sum, const FieldDelta::Part& part, std::uint32_t verte
   }
 }
 
-/// The channels once the delta's bits have turned over.
+/// Flips the delta's bits in the channels.
 void flip(float* channels, const std::uint32_t* flips, int count) {
   for (int c = 0; c < count; ++c)
     channels[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(channels[c]) ^ flips[c]);
 }
 
-/// Arrays that are there from the beginning.
+/// Returns whether the array exists from the beginning on.
 bool never_cleared(Sheet sheet, Field field) {
   return sheet == seen_sheet && (field == Field::direction || field == Field::length);
 }
@@ -179,7 +179,7 @@ void FieldSet::apply(const FieldDelta& delta) {
       for (std::size_t c = 0; c < channels; ++c)
         to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
     }
-    // What has been taken back everywhere costs no frame and no memory any more.
+    // A field that is back at its default everywhere takes no drawing time and no memory any more.
     if (to_default && !never_cleared(part.sheet, part.field) && all_at_default(values, default_value)) values = {};
   }
 }

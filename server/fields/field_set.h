@@ -15,13 +15,13 @@
 
 namespace pelage {
 
-/// A field's value in numbers that add up. A colour is multiplied by how much it covers, so that one that covers
-/// nothing does not count; other fields are as they are.
+/// Returns a field's value in a form that can be summed. A colour is multiplied by how much it covers, so that one that
+/// covers nothing does not count; other fields are as they are.
 inline glm::dvec4 to_summable(Field field, glm::dvec4 value) {
   return shape_of(field).channels == 4 ? glm::dvec4(glm::dvec3(value) * value.w, value.w) : value;
 }
 
-/// The way back. A colour that covers nothing is black.
+/// Converts a summable value back to a field's value. A colour that covers nothing is black.
 inline glm::dvec4 from_summable(Field field, glm::dvec4 sum) {
   if (shape_of(field).channels != 4) return sum;
   return sum.w > 0 ? glm::dvec4(glm::dvec3(sum) / sum.w, sum.w) : glm::dvec4(0);
@@ -46,7 +46,7 @@ Groom stored_groom(glm::dvec2 direction, double length, double stretch);
 
 class FieldSet {
  public:
-  /// All fields at its default: fur upright and of length 0.
+  /// Sets all fields to their defaults: fur upright and of length 0.
   explicit FieldSet(std::size_t vertices);
 
   std::size_t size() const { return vertices_; }
@@ -56,8 +56,8 @@ class FieldSet {
   float number(Field field, std::uint32_t vertex) const;
   Groom at(std::uint32_t vertex) const;
 
-  /// What a sheet holds at one vertex. at its default under_sheet holds NaN: what is seen lies there too; edit layers
-  /// hold 0.
+  /// Returns what a sheet holds at one vertex. Where no edit layer adds anything, under_sheet holds NaN, because the
+  /// seen value is the groom itself; edit layers hold 0.
   glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
   /// Returns whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;
@@ -75,7 +75,7 @@ class FieldSet {
   /// What it will be once the delta is applied.
   FieldsHash hash_after(const FieldDelta& delta) const;
 
-  /// Returns whether the delta's vertices are there; a broken contract in apply.
+  /// Returns whether all vertices of the delta exist, as apply requires.
   bool accepts(const FieldDelta& delta) const;
   void apply(const FieldDelta& delta);
   void set(Field field, std::uint32_t vertex, glm::vec4 value);
@@ -96,8 +96,8 @@ class FieldSet {
 /// The change that leads from one set of fields to another on the same vertices, and back.
 FieldDelta difference(const FieldSet& from, const FieldSet& to);
 
-/// By field, those that changed only: the vertices that changed a bit, and by how much. The change of a field with
-/// several channels is the length of the difference. `fields` are those before the change or after it.
+/// Measures a change: for each field that changed, the vertices that changed a bit, and by how much. The change of a
+/// field with several channels is the length of the difference. `fields` are those before the change or after it.
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields);
 
 }  // namespace pelage

@@ -19,8 +19,8 @@ class FieldWriter {
  public:
   FieldWriter(const FieldSet& fields, Field field) : fields_(fields), part_{field, {}, {}} {}
 
-  /// Rounded, and held in the field's range. True when a limit held a value back that was on its way further out;
-  /// never for directions, whose inclination may be asked for beyond 1.
+  /// Puts a value, rounded and clamped to the field's range. Returns true when the limit stopped a value that was
+  /// moving further out; never for directions, whose inclination may be asked for beyond 1.
   bool put(std::uint32_t vertex, glm::dvec4 value);
   bool put(std::uint32_t vertex, double value) { return put(vertex, glm::dvec4(value, 0, 0, 0)); }
   bool put(std::uint32_t vertex, glm::dvec2 value) { return put(vertex, glm::dvec4(value, 0, 0)); }
@@ -65,7 +65,7 @@ class WorkingField {
   /// What the vertex holds by now; the reference lasts until the next call.
   glm::dvec4& at(std::uint32_t vertex);
 
-  /// Adds the change since the beginning, rounded once. How many values a limit held back.
+  /// Adds the change since the beginning, rounded once. Returns how many values were clamped to a limit.
   std::size_t finish(FieldDelta& delta) const;
 
  private:

@@ -60,7 +60,7 @@ class CoatBaker {
 
   /// Returns the bytes of the coats that are being baked or are held.
   std::size_t bytes() const;
-  /// Coats that were baked to the end since the start.
+  /// Returns how many coats were baked to the end since the start.
   std::uint64_t baked() const { return baked_; }
 
  private:

@@ -20,8 +20,8 @@ using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times, const Pause& pause = {});
 
-/// Finishes traced light in the same way, for all formats but EXR. Returns conflict if an overlay needs a model that
-/// the renderer no longer has.
+/// Finishes traced light as draw_for_format finishes drawn light, for all formats but linear ones. Returns conflict if
+/// an overlay needs a model that the renderer no longer has.
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 

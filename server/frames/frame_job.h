@@ -11,8 +11,8 @@
 #include "protocol/commands/quality.h"
 #include "server/frames/coat_baker.h"
 #include "server/frames/frame_file.h"
-#include "server/frames/linear_picture.h"
 #include "server/frames/frame_order.h"
+#include "server/frames/linear_picture.h"
 
 namespace pelage {
 

@@ -103,8 +103,8 @@ Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, c
   if (!shown) return shown.status();
   Result<FramePlan> planned = plan(*shown, request);
   if (!planned) return planned.status();
-  Result<DrawnFrame> drawn = impl_->ask(FrameJob{
-      .order = {scene, request, std::move(*shown), std::move(*planned), abandoned}, .linear = true});
+  Result<DrawnFrame> drawn = impl_->ask(
+      FrameJob{.order = {scene, request, std::move(*shown), std::move(*planned), abandoned}, .linear = true});
   if (!drawn) return drawn.status();
   LinearPicture picture{.revision = drawn->revision,
                         .report = {},

@@ -45,7 +45,7 @@ class MeanPicture {
 
   /// Adds the next picture, in the order of the moments. All pictures have the same size.
   void add(LinearPicture picture);
-  /// After `count` pictures.
+  /// Returns the mean, once `count` pictures were added.
   LinearPicture take() &&;
 
  private:

@@ -17,8 +17,8 @@ class PastScenes {
  public:
   static constexpr std::size_t max_kept = 2;
 
-  /// The scene at a revision: its own snapshot for the present one. Another that is not cached is made from the journal;
-  /// commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such revision.
+  /// The scene at a revision: its own snapshot for the present one. Another that is not cached is made from the
+  /// journal; commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such revision.
   Result<SnapshotPtr> find(const Scene& scene, Revision revision);
 
   /// Drops the copies of a scene, by its own copy_id.

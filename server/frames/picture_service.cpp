@@ -19,9 +19,8 @@ Result<PictureService::Encode> PictureService::begin_frame(const std::shared_ptr
   // Light, pass by pass, which is then finished to a picture; or a picture, of which only what has changed is drawn and
   // finished.
   if (!traced && !request.progressive) traces_.turn_from(*scene, request);
-  Result<DrawnFrame> drawn =
-      traced ? trace(scene, request, abandoned)
-             : frames_.draw({scene, request, std::move(*view), std::move(*plan), abandoned});
+  Result<DrawnFrame> drawn = traced ? trace(scene, request, abandoned)
+                                    : frames_.draw({scene, request, std::move(*view), std::move(*plan), abandoned});
   if (!drawn) return drawn.status();
 
   // The file, on the thread of whoever wants it.

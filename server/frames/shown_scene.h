@@ -11,8 +11,8 @@
 #include "server/fields/field_set.h"
 #include "server/frames/frame_order.h"
 #include "server/frames/frame_parts.h"
-#include "server/frames/shown_fur.h"
 #include "server/frames/past_scenes.h"
+#include "server/frames/shown_fur.h"
 #include "server/scene/scene.h"
 
 namespace pelage {

@@ -19,7 +19,7 @@ glm::dvec3 tip_tangent(glm::dvec2 direction, const VertexFrame& frame) {
   return std::cos(angle) * frame.normal + std::sin(angle) * lean;
 }
 
-/// The turning part: as comb does, towards the inclination at which the tip points along the pull.
+/// Returns a direction turned as comb does, towards the inclination at which the tip points along the pull.
 glm::dvec2 turned_to_pull(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 pull, double weight) {
   const double across = glm::length(frame.tangent_part(pull)), up = glm::dot(pull, frame.normal);
   if (across < no_heading) return up > 0 ? direction * (1 - weight) : direction;
@@ -56,7 +56,7 @@ class Stick {
   }
 
  private:
-  /// The part along the strand adds up to stretch, and stretch over the threshold to length.
+  /// Adds the part of the pull along the strand to the stretch, and stretch over the threshold to the length.
   void pull_out(std::uint32_t vertex, const Groom& fur, double added) {
     const double before = growth(fur.stretch, command_.threshold);
     const double after = growth(fur.stretch + added, command_.threshold);
@@ -73,7 +73,7 @@ class Stick {
   std::size_t clamped_ = 0;
 };
 
-/// Under the stroke, or all around the point.
+/// Returns the vertices under the stroke or, without a stroke, all around the point.
 std::vector<VertexWeight> reach_of(const Attract& command, const Surface& surface, const FieldSet& fields,
                                    glm::dvec3 point, double radius, const ToolExtras& extras) {
   if (command.stroke) return region_of(command.stroke, command.brush, surface, fields, extras);

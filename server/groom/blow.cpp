@@ -20,7 +20,7 @@ class Blowing {
         inner_(outer_ * (1 - command.softness)),
         fall_(internal_length(command.fall, command.units, mesh)) {}
 
-  /// Unit; 0 at the source itself.
+  /// Returns the unit direction of the wind at a position; 0 at the source itself.
   glm::dvec3 heading(glm::dvec3 position) const { return safe_unit(position - source_); }
 
   /// 1 / (1 + (distance / fall)^2): half its strength at the distance `fall`.
@@ -42,7 +42,7 @@ class Blowing {
  private:
   glm::dvec3 source_, axis_;
   double outer_, inner_;  // radians from the axis
-  double fall_;           // sizes; 0: the wind does not fall
+  double fall_;           // sizes; 0: no falloff
 };
 
 }  // namespace

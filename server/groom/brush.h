@@ -15,10 +15,10 @@ namespace pelage {
 
 /// Weight of a falloff curve at `distance` radii from the middle, in [0, 1]; 0 beyond 1.
 double falloff_weight(Falloff curve, double distance);
-/// The brush's own: its points, straight between them, or the curve that it names.
+/// Weight of a brush's own falloff: its points, straight between them, or the curve that it names.
 double falloff_weight(const Brush& brush, double distance);
 
-/// The fur as it stands, where it is what the brush reaches.
+/// Returns the standing fur if the brush reaches for fur; else nothing.
 std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surface, const FieldSet& fields,
                                        const Coat& coat);
 
@@ -26,7 +26,7 @@ std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surfac
 const Brush* brush_of(const Command& command);
 Brush* brush_of(Command& command);
 
-/// A length of a command in sizes.
+/// Converts a length of a command to sizes.
 double internal_length(double value, Units units, const Mesh& mesh);
 
 /// One print of the brush, in internal coordinates.
@@ -57,7 +57,7 @@ class BrushStroke {
   std::vector<Dab> covering_dabs() const;
   /// How many dabs the stroke's arc length asks for; may be infinite.
   double dab_count() const;
-  /// At the first sample, sizes; the step from dab to dab follows it.
+  /// Radius at the first sample, sizes; the step from dab to dab follows from it.
   double radius() const { return radius_; }
 
   /// How wide it is at a place; in pixels it grows with the distance to the camera.
@@ -76,7 +76,7 @@ class BrushStroke {
   struct Reached {
     std::uint32_t vertex;
     double distance;  // radii
-    double lift = 0;  // over the skin of the strand's nearest point, in its lengths
+    double lift = 0;  // height over the skin of the strand's nearest point, in its lengths
   };
   /// Somewhere between two nodes.
   Dab between(const Node& a, const Node& b, double t) const;
@@ -89,7 +89,7 @@ class BrushStroke {
   const Surface& surface_;
   const StandingFur* fur_;
   std::vector<Node> path_;
-  std::optional<PlacedCamera> camera_;  // of the stroke's view: front faces are judged against its eye
+  std::optional<PlacedCamera> camera_;  // of the stroke's view: front faces are judged from its position
   int view_height_ = 1;                 // pixels
   double radius_ = 0;
 };
@@ -101,13 +101,14 @@ glm::dvec3 nearest_on_path(const Stroke& stroke, const Surface& surface, glm::dv
 
 enum class Masked { yes, no };
 
-/// Under the stroke the largest weight of any dab; without one everywhere the brush's strength. Times the mask, unless
-/// it is the mask itself that is painted. Rising vertices with weights above 0. Throws Cancelled.
+/// Returns the vertices with weights above 0, rising: under a stroke the largest weight of any dab, without one the
+/// brush's strength everywhere. The weights are multiplied by the mask, unless the mask itself is painted. Throws
+/// Cancelled.
 std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const Brush& brush, const Surface& surface,
                                     const FieldSet& fields, const ToolExtras& extras, Masked masked = Masked::yes);
 
-/// How much of a field lies in the part of the strand that the brush changes: of the root's colour, which stands for
-/// the lower half, or the tip's, which stands for the upper. Others have one value for the whole strand: 1.
+/// Returns how much of a field lies in the part of the strand that the brush changes. The root colour stands for the
+/// lower half, the tip colour for the upper half; other fields have one value for the whole strand: 1.
 double strand_share(const Brush& brush, Field field);
 
 }  // namespace pelage

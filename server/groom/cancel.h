@@ -1,4 +1,4 @@
-// A way out of an evaluation whose answer nobody waits for.
+// Cancels an evaluation whose answer nobody waits for.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ inline Status nobody_waits() {
   return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
 }
 
-/// Whether somebody still waits. Asked on the evaluation's own thread, between pieces of work of a few microseconds up
-/// to a tenth of a second.
+/// Tells whether somebody still waits. It is asked on the evaluation's own thread, every few microseconds to a tenth of
+/// a second.
 class Cancel {
  public:
   Cancel() = default;  // somebody always waits

@@ -13,7 +13,7 @@ constexpr double min_lean = 0.5;  // upright fur has to lean to come together
 
 }  // namespace
 
-// Fur turns to the nearest place of the stroke, and the field rises; inverted it opens again.
+// Turns fur towards the nearest point of the stroke and raises the field; inverted, it does the opposite.
 Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const double sign = command.brush.invert ? -1 : 1, goal = command.brush.invert ? 0 : command.amount;

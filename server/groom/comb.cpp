@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// Towards the way in space and the command's inclination, or each strand's own.
+/// Returns a direction turned towards a direction in space, with the command's inclination or each strand's own.
 glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards,
                   double weight) {
   const double own = glm::length(direction);
@@ -18,7 +18,7 @@ glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& 
   return command.keep_inclination && length > no_heading ? after * (own / length) : after;
 }
 
-/// Combs the whole surface one way.
+/// Combs the whole surface in one direction.
 void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                 FieldDelta& delta) {
   if (!command.direction) return;
@@ -32,7 +32,8 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
   });
 }
 
-/// Each dab turns fur the way that the brush moved. The exponent makes many small dabs do what one large one does.
+/// Turns fur at each dab in the direction in which the brush moved. The exponent makes many small dabs do what one
+/// large one does.
 void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                  FieldDelta& delta) {
   const std::optional<StandingFur> fur = fur_reached(command.brush, surface, fields, extras.coat);

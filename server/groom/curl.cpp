@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-// Inverted it takes the curl out and turns the other way.
+// Raises the curl field and turns the heading; inverted, it removes the curl and turns the other way.
 Evaluation run(const Curl& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const double goal = command.brush.invert ? 0 : command.amount;
   const double turn = glm::radians(command.turn_degrees) * (command.brush.invert ? -1 : 1);

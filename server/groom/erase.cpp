@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// The mask chooses where tools work; it is not what they undo unless it is asked for.
+/// Returns whether the field is erased. The mask chooses where tools work, and is erased only if it is asked for.
 bool erases(const Erase& command, Field field) {
   if (command.fields.empty()) return field != Field::mask;
   return std::count(command.fields.begin(), command.fields.end(), field) > 0;
@@ -41,7 +41,7 @@ Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const 
   return done;
 }
 
-// (1 - w) V + w R: at full strength exactly what was.
+// Blends each value V with the baseline R: (1 - w) V + w R, which is exactly R at full strength.
 Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   assert(extras.baseline != nullptr && extras.baseline->size() == fields.size());
   const FieldSet& baseline = *extras.baseline;

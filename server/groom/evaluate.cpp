@@ -51,7 +51,7 @@ std::uint32_t triangle_at(const StrokeSample& sample, const Surface& surface) {
   return surface.nearest(surface.mesh().to_internal(std::get<PositionSample>(sample.place).position)).triangle;
 }
 
-/// The longest of the edges' means where the stroke passes, sizes.
+/// Returns the largest mean edge length of the triangles where the stroke passes, sizes.
 double longest_edges(const Stroke& stroke, const Surface& surface) {
   const std::size_t step = stroke.samples.size() / max_looked_at + 1;
   double longest = 0;
@@ -60,7 +60,7 @@ double longest_edges(const Stroke& stroke, const Surface& surface) {
   return longest;
 }
 
-/// Eyes whose ball does not touch the skin.
+/// Warns of eyes whose ball does not touch the skin.
 std::vector<std::string> warnings_of_eyes(const SetEyes& command, const Surface& surface) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < command.eyes.size(); ++i) {

@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// What a tool did: the change, at how many vertices a value was held at its limit, and what is hardly meant.
+/// What a tool did: the change, the number of vertices at which a value was clamped to its limit, and warnings.
 struct Evaluation {
   FieldDelta delta;
   std::size_t clamped = 0;
@@ -24,7 +24,7 @@ struct Evaluation {
 struct ToolExtras {
   Coat coat;                            // how strands lean: trim, and brushes that reach fur
   const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
-  const Surface* source = nullptr;      // retarget: where `rest` lies; required
+  const Surface* source = nullptr;      // retarget: the surface of `baseline`; required
   const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
   Cancel cancel = {};                   // asked between dabs, passes and images
 };
@@ -37,12 +37,12 @@ struct SeenFur {
   const Cancel& cancel;  // asked between pixels
 };
 
-/// Replaces pixel samples of the command's stroke by what they show: places on the fur, where the brush reaches fur and
-/// some is given, else the triangles that they hit (misses are dropped; so the log replays without a camera). Says what
-/// the brush reaches, where the command leaves that open. Checks what can only be checked against the surface: triangle
-/// and vertex numbers (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays, for the
-/// facing test. Refused (invalid, "/stroke/samples") where pixels look at more than limits::evaluation_visits vertices;
-/// ends early (unavailable) once nobody waits.
+/// Replaces pixel samples of the command's stroke by what they show: positions on the fur, if the brush reaches fur and
+/// some is given, else the triangles that they hit (misses are dropped; so the log replays without a camera). Fills in
+/// what the brush reaches, where the command does not say it. Checks what can only be checked against the surface:
+/// triangle and vertex numbers (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays,
+/// for the facing test. Refused (invalid, "/stroke/samples") where pixels look at more than limits::evaluation_visits
+/// vertices; ends early (unavailable) once nobody waits.
 Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur = nullptr);
 
 /// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count. Throws
@@ -59,10 +59,10 @@ Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
 std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface);
 
-/// The command on another model: places go where the boxes of both models laid over each other take them, and then as
-/// far from the surface as they were, places on triangles to the nearest ones; directions follow the boxes, lengths in
-/// the model's unit its size. Strokes lose their views as images of a symmetry do. A place that both models have stays
-/// to the bit. Refused (invalid, with a pointer): what names vertices or revisions of the model.
+/// Returns the command for another model. Positions move as the alignment of both boxes takes them, and keep their
+/// distance from the surface; positions on triangles become the nearest ones. Directions follow the boxes, and lengths
+/// in the model's unit its size. Strokes lose their views, as images of a symmetry do. A position that both models have
+/// stays the same to the bit. Refused (invalid, with a pointer): what names vertices or revisions of the model.
 Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to);
 
 /// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
@@ -74,13 +74,14 @@ PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh)
 /// Direction of the ray through a pixel of a width x height frame.
 glm::dvec3 pixel_ray(const PlacedCamera& camera, glm::dvec2 pixel, int width, int height);
 
-// What a command does as asked but is hardly meant.
+// Warnings about commands that do what was asked, but hardly what was meant.
 
 /// In plain words, for the answer: a brush that is finer than the mesh where its stroke passes, so that it touches few
 /// vertices or none; an eye that stands off the skin or lies deep in it. The command is resolved.
 std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface);
 
-/// What there is to say where a command changed nothing: of tools with a brush, but for parts of a stroke that goes on.
+/// Returns warnings for a command that changed nothing: for tools with a brush, but not for parts of a stroke that
+/// continues.
 std::vector<std::string> warnings_of_no_change(const Command& resolved);
 
 }  // namespace pelage

@@ -13,15 +13,15 @@ namespace pelage {
 
 namespace {
 
-// Visits that one of these is worth, about.
+// About how many visits one of these operations counts as.
 constexpr double dab_visits = 32;                        // finding the vertices of a dab, however few
 constexpr double along_surface = 30;                     // a vertex of a dab along the surface
 constexpr double nearest_visits = 50;                    // the nearest place of the surface
 constexpr double ring_visits = 8;                        // a vertex with its neighbours
-constexpr double strand_visits = UnitStrand::places;     // how far a strand is away
-constexpr double edges_visits = 16;                      // a vertex on a way along edges
+constexpr double strand_visits = UnitStrand::places;     // the distance of a strand
+constexpr double edges_visits = 16;                      // a vertex of a search along edges
 constexpr double heat_visits = 400;                      // a vertex of one distance by heat
-constexpr double curve_step = 0.01, curve_steps = 4096;  // as flow walks along curves: sizes, and of one piece at most
+constexpr double curve_step = 0.01, curve_steps = 4096;  // flow's steps along curves: sizes, and at most in a segment
 
 /// How many vertices lie under a dab: the mean of at most 16 samples, spread over the stroke.
 double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {

@@ -36,7 +36,7 @@ class AnimalLengths {
   glm::dvec3 low_, extent_;
 };
 
-/// How far the fur of each vertex may lean without going into a side of an edge that it stands on.
+/// Limits how far the fur of a vertex on an edge leans, so that it does not enter a side of the edge.
 class EdgeLimits {
  public:
   explicit EdgeLimits(const Mesh& mesh) : mesh_(mesh), sides_(mesh.shading_normals.empty() ? 0 : mesh.normals.size()) {
@@ -73,7 +73,7 @@ class EdgeLimits {
 }  // namespace
 
 FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel) {
-  constexpr double clear = 0.6;  // length of the flow from which fur leans as asked
+  constexpr double clear = 0.6;  // length of the flow from which on fur leans as asked
   FieldSet fields(mesh.positions.size());
   const AnimalLengths animal(mesh);
   const EdgeLimits edges(mesh);

@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// Fur that lies as fur_flow (flow.h) says and stands up where it begins, ends and parts, with the mesh's length scale;
-/// -0 is stored as 0. Throws Cancelled.
+/// Returns fur that leans along fur_flow (fur_flow.h) and stands up where the flow begins, ends and parts, with the
+/// mesh's length scale; -0 is stored as 0. Throws Cancelled.
 FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel = {});
 
 }  // namespace pelage

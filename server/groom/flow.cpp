@@ -16,7 +16,7 @@ namespace {
 constexpr double step = 0.01;            // sizes between places along a curve
 constexpr std::size_t max_steps = 4096;  // on one curve
 
-/// Corners around the places that a curve passes, with the way that it goes there.
+/// Returns the corners around the points of a curve as sources, with the curve's direction there.
 std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   std::vector<SpreadSource> sources;
@@ -42,7 +42,7 @@ std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const
   return sources;
 }
 
-/// The way that all curves together give the region's vertices.
+/// Returns the mean direction of all curves at the region's vertices.
 std::vector<GaussianMean<glm::dvec3>> ways_of(const Flow& command, const Surface& surface,
                                               const std::vector<VertexWeight>& region, const Cancel& cancel) {
   const double sigma = internal_length(command.sigma, command.units, surface.mesh());

@@ -29,7 +29,7 @@ struct Edge {
   double weight;
 };
 
-/// Cotangent weights, held above 0 so that no function has an extremum that nobody asked for.
+/// Returns cotangent weights, clamped above 0 so that no solution has an unwanted extremum.
 std::vector<Edge> weighted_edges(const Mesh& mesh) {
   constexpr double weakest = 0.02, strongest = 50;
   std::vector<Edge> edges;
@@ -74,7 +74,7 @@ Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number
   return solver.compute(matrix).solve(right);
 }
 
-/// What hangs together by edges, each part's vertices rising.
+/// Returns the parts that are connected by edges, each with its vertices rising.
 std::vector<std::vector<std::uint32_t>> parts_of(const Adjacency& edges, std::size_t vertices) {
   std::vector<std::vector<std::uint32_t>> parts;
   std::vector<bool> seen(vertices, false);
@@ -93,7 +93,7 @@ std::vector<std::vector<std::uint32_t>> parts_of(const Adjacency& edges, std::si
   return parts;
 }
 
-/// How the surface of each part closes.
+/// Tells how far the surface of each part is closed.
 class Closure {
  public:
   Closure(const Mesh& mesh, const std::vector<std::vector<std::uint32_t>>& parts)
@@ -114,12 +114,12 @@ class Closure {
     });
   }
 
-  /// Returns whether it encloses something, but for holes that are small beside it.
+  /// Returns whether the part encloses a volume, apart from holes that are small beside it.
   bool is_body(std::size_t part) const {
     constexpr double mostly = 0.25;
     return glm::length(sums_[part]) < mostly * areas_[part];
   }
-  /// Of a part without open edges: whether it is more than a ball.
+  /// Returns whether a part without open edges has handles, which a ball has not.
   bool has_handles(std::size_t part) const { return open_[part] == 0 && characteristic_[part] < 2; }
 
  private:
@@ -137,7 +137,7 @@ class Closure {
   std::vector<std::size_t> open_;
 };
 
-/// Solves for the potential of the poles: the gradient of what flows from those above 0 to the others.
+/// Solves for the potential of the poles: its gradient is the flow from the poles above 0 to the others.
 Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<Pole>& poles, std::size_t vertices,
                              const Cancel& cancel) {
   constexpr double anchored = 1e-7;  // of a vertex's coupling: parts without poles, and the free constant
@@ -155,7 +155,7 @@ Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<P
   return solved<double>(matrix, flux, cancel);
 }
 
-/// Against the gradient, at vertices: the area-weighted mean of the triangles there.
+/// Returns the negative gradient at vertices, as the area-weighted mean of the triangles there.
 std::vector<glm::dvec3> downhill(const Mesh& mesh, const Eigen::VectorXd& potential) {
   std::vector<glm::dvec3> flow(mesh.positions.size(), glm::dvec3(0));
   for (const glm::uvec3& t : mesh.triangles) {
@@ -184,7 +184,7 @@ Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   return length > 0 ? there / length : Complex(1, 0);
 }
 
-/// What each vertex wishes for, at most 1 long, and over how many sizes that spreads.
+/// The flow that each vertex wants, at most 1 long, and over how many sizes that spreads.
 struct Wishes {
   std::vector<Complex> flow;
   std::vector<double> spread;
@@ -207,7 +207,7 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel&
   const std::vector<glm::dvec3> flow = poles.empty()
                                            ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
                                            : downhill(mesh, potential_of(edges, poles, mesh.positions.size(), cancel));
-  constexpr double fine = 0.08, coarse = 0.5;  // what no pole leads has many sources that cancel
+  constexpr double fine = 0.08, coarse = 0.5;  // sizes; flow without poles has many sources that cancel
   Wishes wishes{{}, {}, parts};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     Complex wish = in_frame(mesh, v, by_poles[v] ? flow[v] : tailwards());
@@ -217,7 +217,8 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel&
   return wishes;
 }
 
-/// Over the median length of each part, 1 long at most: wishes that cancel leave little of each, and still a clear way.
+/// Divides each part's flow by its median length, to at most 1. Opposite wishes leave it short, but its direction still
+/// clear.
 std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vector<std::vector<std::uint32_t>>& parts) {
   std::vector<glm::dvec2> flow(static_cast<std::size_t>(smooth.size()), glm::dvec2(0));
   for (const std::vector<std::uint32_t>& part : parts) {

@@ -37,14 +37,14 @@ std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
   return sources;
 }
 
-/// What all keys together say at one vertex.
+/// The weighted means of all keys at one vertex.
 struct Said {
   GaussianMean<glm::dvec3> lean;
   GaussianMean<double> length;  // sizes
 };
 
-/// What the keys say at the region's vertices. Keys without a direction say nothing about it, and those without a
-/// length nothing about that.
+/// Returns the means of the keys at the region's vertices. Keys without a direction do not count for the direction, and
+/// keys without a length not for the length.
 std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surface,
                                 const std::vector<VertexWeight>& region, const Cancel& cancel) {
   constexpr double silent = std::numeric_limits<double>::infinity();

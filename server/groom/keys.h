@@ -13,11 +13,11 @@
 
 namespace pelage {
 
-/// As many sources are spread over the surface at a time, so that memory does not grow with their number.
+/// Number of sources that are spread over the surface at a time, so that memory does not grow with the number of all.
 inline constexpr std::size_t spreads_at_a_time = 16;
 
-/// Distances and directions from sources, by the distance that a command names. Directions go the way of Dijkstra's
-/// search where they do not go straight. Calls may run in parallel.
+/// Computes distances and directions from sources, by the kind of distance that a command names. Directions follow the
+/// paths of Dijkstra's search unless the distance is straight. Calls may run in parallel.
 class Spreader {
  public:
   Spreader(const Surface& surface, DistanceKind kind);
@@ -35,7 +35,7 @@ class Spreader {
 template <class Value>
 class GaussianMean {
  public:
-  /// The values of the first `count` sources: distance(k), infinite for those that say nothing, and value(k).
+  /// Adds the first `count` sources: value(k) at distance(k), which is infinite for sources without a value.
   template <class Distance, class ValueOf>
   void add(std::size_t count, double sigma, const Distance& distance, const ValueOf& value) {
     double nearest = nearest_;
@@ -51,7 +51,7 @@ class GaussianMean {
 
   /// Returns whether any source reached it.
   bool reached() const { return weight_ > 0; }
-  /// Of what reached it; there must be something.
+  /// Returns the mean over the sources that reached it; there must be one.
   Value mean() const { return sum_ / weight_; }
 
  private:

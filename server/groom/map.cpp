@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-// (1 - w) V + w M: at full strength exactly what the picture says.
+// Blends each value V with the picture's M: (1 - w) V + w M, which is exactly M at full strength.
 Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   assert(extras.picture != nullptr);
   const Mesh& mesh = surface.mesh();

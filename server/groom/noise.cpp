@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Random numbers that belong to places, and not to the numbers of vertices.
+/// Random numbers that depend on positions, and not on the numbers of vertices.
 class PlacedNoise {
  public:
   PlacedNoise(const Noise& command, const Mesh& mesh)
@@ -49,7 +49,7 @@ class PlacedNoise {
   double feature_;  // sizes
 };
 
-/// A random vector in the unit cube, its part in the surface added to the direction.
+/// Adds the tangential part of a random vector in the unit cube to the direction.
 glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, const Mesh& mesh, std::uint32_t v,
                                double amount) {
   const PlacedNoise::Numbers numbers = noise.at(mesh.positions[v]);

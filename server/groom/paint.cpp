@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-/// Paint of `cover` laid over paint: both colours by how much of each is seen.
+/// Lays paint over paint: the mean of both colours by how much of each is visible.
 glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight) {
   const double left = below.w * (1 - weight), laid = cover * weight, both = left + laid;
   const glm::dvec3 mixed = both > 0 ? (left * glm::dvec3(below) + laid * colour) / both : glm::dvec3(0);
@@ -15,7 +15,7 @@ glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight
 
 }  // namespace
 
-// Inverted it takes the field back to rest.
+// Paints a value or a colour; inverted, it restores the field's default.
 Evaluation run(const Paint& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const FieldShape& shape = shape_of(command.field);
   const double value = command.brush.invert ? double{shape.default_value} : command.value;

@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-// Fur leans away from the nearest place of the line, strongest beside it; on the line itself there is no away.
+// Leans fur away from the nearest point of the line, most beside it; fur on the line itself stays.
 Evaluation run(const Part& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const double sign = command.brush.invert ? -1 : 1;

@@ -12,7 +12,7 @@ namespace {
 constexpr double unreached = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_peak = 0xffffffff;
 
-/// All vertices whose score is the best but for rounding: both of a pair of a symmetric model.
+/// Returns all vertices whose score is the best, up to rounding: on a symmetric model both of a pair.
 template <class Score>
 std::vector<std::uint32_t> best_of(std::span<const std::uint32_t> vertices, const Score& score) {
   constexpr double rounding = 1e-4;
@@ -66,10 +66,10 @@ const std::vector<std::uint32_t>& PoleFinder::Walk::from(std::span<const std::ui
   return reached_;
 }
 
-/// A place that is farther than all around it.
+/// A vertex that is farther from the chin than all vertices around it.
 struct PoleFinder::Peak {
   std::uint32_t vertex = 0;
-  double prominence = 0;  // how far one has to go back before the way leads on to something farther
+  double prominence = 0;  // how far the distance falls before a path leads to a farther peak
 };
 
 PoleFinder::PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel)
@@ -79,7 +79,7 @@ PoleFinder::PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& c
       near_(mesh, edges, cancel),
       peak_(mesh.positions.size(), no_peak) {}
 
-/// Under the chin: the lowest place near the nose. Of what is in the middle from side to side rather.
+/// Returns the lowest vertices near the nose, with a preference for the middle from side to side.
 std::vector<std::uint32_t> PoleFinder::chin_of(std::span<const std::uint32_t> part, double size) {
   constexpr double up = 0.35, aside = 0.2, reach = 0.16;  // the last of the part's size
   const Vertices nose = best_of(part, [&](std::uint32_t v) {
@@ -92,8 +92,8 @@ std::vector<std::uint32_t> PoleFinder::chin_of(std::span<const std::uint32_t> pa
   });
 }
 
-/// By the persistence of super-level sets: from the farthest vertex on, what hangs together belongs to the farthest of
-/// its peaks.
+/// Finds peaks by the persistence of super-level sets: from the farthest vertex on, a connected set belongs to the
+/// farthest of its peaks.
 std::vector<PoleFinder::Peak> PoleFinder::peaks_of(std::span<const std::uint32_t> part) {
   Vertices order(part.begin(), part.end());
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return from_chin_[a] > from_chin_[b]; });
@@ -118,8 +118,8 @@ std::vector<PoleFinder::Peak> PoleFinder::peaks_of(std::span<const std::uint32_t
   return found;
 }
 
-/// The place near a peak that shows least: low and at the back. Between two peaks lies twice the prominence of the
-/// lower one, so that no vertex is near two.
+/// Returns the vertices near a peak that are seen least: low and at the back. Between two peaks lies twice the
+/// prominence of the lower one, so that no vertex is near both.
 std::vector<std::uint32_t> PoleFinder::hidden_end(const Peak& peak, double size) {
   constexpr double share = 0.25, reach = 0.1, behind = 0.3, aside = 0.05;
   const double radius = std::min(share * peak.prominence, reach * size);

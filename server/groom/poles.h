@@ -17,17 +17,18 @@ struct Pole {
   double flux = 0;
 };
 
-/// Finds the poles of parts, one after the other, in storage of its own that they share: all parts together take the
-/// time of one walk over the mesh, for what is near one end of a part is near no other end.
+/// Finds the poles of parts, one after the other. The parts share its storage, and together take the time of one walk
+/// over the mesh, because no vertex is near two ends.
 class PoleFinder {
  public:
   /// All three are kept by reference.
   PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel);
 
-  /// Of one connected part, that looks along +Z: fur begins under its chin, near what lies farthest forward and up, at
-  /// its lowest there; it ends wherever the way along edges from there is longer than all around by a tenth of a size,
-  /// on the side that shows least. Their fluxes sum to 0; equal places on both sides of the middle share one. Empty for
-  /// a part without an end. `part` are its vertices, rising. Throws Cancelled.
+  /// Returns the poles of one connected part that looks along +Z; `part` holds its vertices, rising. Fur begins under
+  /// the chin: at the lowest vertices near what lies farthest forward and up. It ends, on the side that is seen least,
+  /// near each vertex whose distance from there along edges exceeds that of its surroundings by a tenth of the part's
+  /// size. The fluxes sum to 0; equal positions on both sides of the middle share one. Empty for a part without an end.
+  /// Throws Cancelled.
   std::vector<Pole> find(std::span<const std::uint32_t> part);
 
  private:
@@ -57,7 +58,7 @@ class PoleFinder {
   const Mesh& mesh_;
   const Adjacency& edges_;
   Walk from_chin_, near_;
-  Vertices peak_;  // of each vertex that is in, while peaks are found: itself, or one on the way
+  Vertices peak_;  // union-find parents of the vertices visited so far, while peaks are found
 };
 
 }  // namespace pelage

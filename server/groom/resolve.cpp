@@ -132,7 +132,7 @@ Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surf
                  "at most 100000 dabs of spacing x radius in a stroke");
 }
 
-/// Positions and lengths that a tool has beside its stroke.
+/// Checks the positions and lengths that a tool has beside its stroke.
 struct CheckTool {
   const Mesh& mesh;
 

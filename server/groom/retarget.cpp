@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// What the box's extents, in sizes, grow by from one model to the other.
+/// Returns the factors from one model's box to the other's, axis by axis, both in sizes.
 glm::dvec3 box_scale(const Mesh& from, const Mesh& to) {
   constexpr double flat = 1e-9;  // sizes
   const glm::dvec3 before = (from.report.bounds.max - from.report.bounds.min) / from.size;
@@ -83,7 +83,7 @@ class ModelMap : public PlaceMap {
   Laid laid_;
 };
 
-/// What means something on one model only.
+/// Refuses what has a meaning on one model only.
 Status check_carried(const Command& command) {
   if (const auto* mask = std::get_if<ChangeMask>(&command); mask && std::holds_alternative<MaskVertices>(mask->shape))
     return failure(Code::invalid, "vertices of one model are not those of another", "/vertices",
@@ -149,7 +149,7 @@ bool takes(const Retarget& command, Field field) {
 
 }  // namespace
 
-// (1 - w) V + w S, with S what the source has at its nearest place: at full strength exactly that.
+// Blends each value V with the source's nearest value S: (1 - w) V + w S, which is exactly S at full strength.
 Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   assert(extras.source != nullptr && extras.baseline != nullptr);
   const Surface& source = *extras.source;

@@ -1,4 +1,4 @@
-// How one model is laid over another one.
+// Aligns one model with another one.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// Takes places of one model to those of another: scale, axis by axis, and shift.
+/// Maps positions of one model to another one: a scale for each axis, and a shift.
 struct Laid {
   glm::dvec3 scale{1}, shift{0};
 
@@ -19,9 +19,9 @@ struct Laid {
   bool uniform() const { return scale.x == scale.y && scale.y == scale.z; }
 };
 
-/// Between the internal coordinates of both. A box that is flat along an axis keeps the other's extent there.
+/// Aligns the internal coordinates of both models. Along an axis on which a box is flat, the scale is 1.
 Laid lay_over(const Mesh& from, const Mesh& to, Alignment how);
-/// Between the models' own coordinates, by their boxes.
+/// Aligns the models' own coordinates by their boxes.
 Laid lay_models_over(const Mesh& from, const Mesh& to);
 
 }  // namespace pelage

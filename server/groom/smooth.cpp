@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-/// The vertices that smoothing a region reads: its own and their neighbours. A small region has numbers of its own for
-/// them, so that a dab does not cost what the mesh does; a large one takes the mesh's.
+/// The vertices that smoothing a region reads: its own and their neighbours. A small region numbers them itself, so
+/// that the cost of a dab does not grow with the mesh; a large one uses the mesh's numbers.
 class Neighbourhood {
  public:
   Neighbourhood(const std::vector<VertexWeight>& region, const Surface& surface)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double half_diagonal = 0.5 + 1e-6;  // of any model
 
-/// The share of the way from a to b at which a place is nearest.
+/// Returns where between a (0) and b (1) the segment is nearest to a position.
 double nearest_share(glm::dvec3 place, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 along = b - a;
   const double square = glm::dot(along, along);

@@ -26,10 +26,11 @@ struct UnitStrand {
 };
 UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
 
-/// Sizes; 0 where all is bald.
+/// Returns the longest fur, sizes; 0 where all is bald.
 double longest_fur(const FieldSet& fields);
 
-/// All in internal coordinates. What it is made of outlives it. For one thread: it remembers strands.
+/// The standing fur in internal coordinates. Its arguments have to outlive it. It is for one thread, because it caches
+/// strands.
 class StandingFur {
  public:
   StandingFur(const Surface& surface, const FieldSet& fields, const Coat& coat);
@@ -46,8 +47,9 @@ class StandingFur {
 
   /// Strands that come within `radius` of a place, in rising order of their vertices; bald vertices count as roots.
   std::vector<Reached> within(glm::dvec3 place, double radius) const;
-  /// Where a ray comes nearest to the first strand that it hits. Strands stand as close as their vertices, so that the
-  /// gap between neighbours is hit, too; where nothing is, the strand nearest to the ray, within `beside` of it.
+  /// Returns the point of a ray nearest to the first strand that it hits. A strand stands at each vertex, and the gap
+  /// to its neighbours counts as hit, too. If nothing is hit, the strand nearest to the ray counts, within `beside` of
+  /// it.
   std::optional<glm::dvec3> hit_by(const Ray& ray, double beside) const;
 
   double length(std::uint32_t vertex) const { return lengths_.empty() ? 0 : double{lengths_[vertex]}; }

@@ -230,7 +230,8 @@ class MotionMap : public PlaceMap {
   const Surface& surface_;
 };
 
-/// Keys and curves of all images together say what a body is like; one after the other they would overwrite it.
+/// Adds the keys or curves of an image to those of the whole command: one after the other the images would overwrite
+/// each other. Returns false if there is nothing to join.
 bool joins_images(Command& whole, const Command& image) {
   if (auto* keys = std::get_if<Interpolate>(&whole); keys && !keys->stroke) {
     const auto& more = std::get<Interpolate>(image).keys;

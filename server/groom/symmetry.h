@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// Where the places of a command go. Places and lengths are in the model's coordinates and unit.
+/// Maps the positions of a command. Positions and lengths are in the model's coordinates and unit.
 class PlaceMap {
  public:
   virtual ~PlaceMap() = default;

@@ -20,7 +20,7 @@ class Reading {
       : part_(part), fields_(fields), channels_(shape_of(part.field).channels) {}
 
   std::uint32_t vertex() const { return next_ < part_.vertices.size() ? part_.vertices[next_] : no_vertex; }
-  /// By how much the value changes there, in numbers that add up; then goes on.
+  /// Returns the change of the value at the vertex, in summable form, and moves on to the next vertex.
   glm::dvec4 take() {
     const glm::vec4 before = fields_.value(part_.field, vertex());
     glm::vec4 after = before;

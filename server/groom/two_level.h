@@ -11,9 +11,9 @@
 
 namespace pelage {
 
-/// A preconditioner for Eigen of Hermitian matrices of a mesh, whose entries off the diagonal say how a value at one
-/// vertex looks at another. Beside the diagonal it inverts the matrix for groups of vertices that move together, each
-/// as one vertex of them tells the others (additive Schwarz with aggregates). Deterministic.
+/// A preconditioner for Eigen, for Hermitian matrices of a mesh whose off-diagonal entries say how a value at one
+/// vertex appears at another. Beside the diagonal it inverts the matrix for groups of vertices that move together, each
+/// by the value of its first vertex (additive Schwarz with aggregates). Deterministic.
 template <class Number>
 class TwoLevel {
  public:
@@ -82,7 +82,7 @@ class TwoLevel {
   const Cancel* cancel_ = nullptr;
   Vector inverse_;          // of the diagonal
   std::vector<int> group_;  // of each vertex
-  Vector looks_;            // what 1 at the first vertex of its group is at each
+  Vector looks_;            // of each vertex: the value that 1 at the first vertex of its group gives
   int groups_ = 0;
   Eigen::SimplicialLDLT<Matrix> coarse_;
 };

@@ -32,7 +32,7 @@ inline glm::dvec2 turned(glm::dvec2 direction, const VertexFrame& frame, glm::dv
   return direction + weight * (lean * part / along - direction);
 }
 
-/// The unit vector along any finite vector but 0, also where its square has no double.
+/// Returns the unit vector along a finite vector, even where its square is out of range of double; 0 for 0.
 inline glm::dvec3 safe_unit(glm::dvec3 v) {
   const double largest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
   return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);

@@ -7,7 +7,8 @@
 
 namespace pelage {
 
-// The way outwards from the nearest place of the stroke, turned about the normal; at the middle itself there is none.
+// Turns fur to the outward direction from the nearest point of the stroke, rotated about the normal; fur at the middle
+// itself stays.
 Evaluation run(const Whorl& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   const Mesh& mesh = surface.mesh();
   const double turn = glm::radians(command.brush.invert ? -command.turn_degrees : command.turn_degrees);

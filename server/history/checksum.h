@@ -18,8 +18,8 @@ constexpr const char* scene_columns =
 constexpr const char* entry_columns =
     "revision, kind, argument, commands, settings, hash_low, hash_high, delta, author";
 
-/// Gives statements the functions checksum(value, ...), 64 bits of the values with their types, and
-/// chained(before, value, ...), which is next_chain of that.
+/// Adds two functions to SQL: checksum(value, ...), 64 bits of the values with their types, and chained(before, value,
+/// ...), which is next_chain of that checksum.
 void add_checksum(sqlite3* database);
 
 std::uint64_t checksum_of(std::string_view bytes);

@@ -61,7 +61,7 @@ class Bytes {
   bool good_ = true;
 };
 
-/// Rising vertices as gaps.
+/// Writes rising vertices as the gaps between them.
 void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices) {
   std::uint64_t next = 0;
   for (const std::uint32_t v : vertices) {

@@ -38,7 +38,7 @@ bool decode_creases_and_flips(std::string_view text, PrepareOptions& options);
 
 // Pictures as they are stored.
 
-/// Their number as 64 bits, then a zlib stream.
+/// Returns the number of bytes as 64 bits, then a zlib stream of them.
 std::string compress_bytes(std::string_view bytes);
 /// Refused (internal) unless they are what compress_bytes made.
 Result<std::string> decompress_bytes(std::string_view stored);

@@ -60,7 +60,7 @@ Status check_schema_of(Database& file, const char* tables) {
   return *found == *wanted ? Status{} : failure(Code::invalid, "its tables are not those of a scene");
 }
 
-/// Pages that are used twice make much of a small file.
+/// Refuses a damaged file. Pages that are used twice, for example, would make much of a small file.
 Status check_pages(Database& file) {
   Statement check = file.prepare("PRAGMA quick_check(1)");
   const Result<bool> row = check.step();

@@ -1,4 +1,4 @@
-// What a file holds that anybody may have written as a journal. For the confined worker: it reads SQLite's format.
+// Reads a journal file that anybody may have written. For the confined worker: it reads SQLite's format.
 #pragma once
 
 #include <string>

@@ -122,7 +122,7 @@ History::History(Revision first, SceneSettings settings, UndoMemory memory)
   records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
-// Also right for a step whose parts were joined after other entries: those turned over twice in between.
+// Also right for a step whose parts were joined after other entries: in between, the bits of those flipped twice.
 Result<FieldDelta> History::change(const Step& step) const {
   if (step.bytes.empty()) return memory_.read(first_ + step.before, first_ + step.after);
   return decode_delta(std::as_bytes(std::span(step.bytes)));
@@ -153,7 +153,7 @@ void History::drop(Step& step) noexcept {
   step.bytes = {};
 }
 
-/// The oldest steps give way first, and what is farthest to redo after all that can be undone.
+/// Evicts the changes of the oldest steps first, and those of the steps farthest to redo after all that can be undone.
 void History::keep_to_budget() noexcept {
   dropped_ = std::min(dropped_, done_.size());
   for (; held_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
@@ -291,7 +291,7 @@ void History::record_one(EntryKind kind, Record record, std::string bytes) noexc
   keep_to_budget();
 }
 
-/// A new step that leads from the last record to the next one; what could be redone is gone.
+/// Adds a step that leads from the last record to the next one; the steps that could be redone are dropped.
 void History::add_step(std::string bytes) noexcept {
   std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
   undone_.clear();
@@ -299,7 +299,7 @@ void History::add_step(std::string bytes) noexcept {
   done_.push_back({std::move(bytes), records_.size() - 1, records_.size()});
 }
 
-/// The last step leads on to the next record. Where its bytes are gone, the journal has both parts.
+/// Extends the last step to the next record. Where the step's bytes are gone, the journal has both parts.
 void History::join_step(std::string bytes) noexcept {
   Step& step = done_.back();
   step.after = records_.size();

@@ -73,7 +73,7 @@ std::vector<ListedStep> steps_of(const std::vector<ListedEntry>& entries);
 /// The commands of the steps.
 std::vector<std::vector<Command>> commands_of(const std::vector<ListedEntry>& entries);
 
-/// A change as those who follow the scene are told of it; its `ops` are still to be read from its commands.
+/// A change as clients that follow the scene are told of it; its `ops` are still to be read from its commands.
 struct LoggedChange {
   ChangeEvent event;
   std::string commands;  // as in Entry
@@ -108,11 +108,11 @@ class History {
 
   /// Returns whether the entry can follow: the next revision, and steps and revisions that there are.
   bool accepts(const Entry& entry) const;
-  /// What recording entries adds.
+  /// What prepare() makes and record() takes.
   class Prepared;
   /// Entries that follow one another, the first of them accepted; an undo or redo comes alone.
   Prepared prepare(std::span<const Entry> entries) const;
-  /// Room for as many more entries, without which recording them could fail. Changes nothing that can be seen.
+  /// Reserves memory for as many more entries, so that recording them cannot fail. Nothing visible changes.
   void reserve(std::size_t entries);
   /// Takes what was just prepared, for which there is room, and cannot fail. Both a running scene and a restart come
   /// through here.
@@ -168,7 +168,7 @@ class History {
 
 class History::Prepared {
  public:
-  /// Those that hold once the entries are recorded.
+  /// Returns the settings that hold once the entries are recorded.
   const std::shared_ptr<const SceneSettings>& settings() const { return changes_.back().record.settings; }
 
  private:

@@ -24,7 +24,7 @@ constexpr const char* writer_pragmas = R"(
 // A reader sees each commit once it is on disk, and no earlier.
 constexpr const char* reader_pragmas = "PRAGMA query_only = ON; PRAGMA busy_timeout = 5000";
 
-// What no log names any more; at the start also what was uploaded and never used.
+// Drops the pictures that no log names any more; at the start also those that were uploaded and never used.
 constexpr const char* drop_unused_pictures =
     "DELETE FROM pictures WHERE name NOT IN (SELECT picture FROM picture_uses)";
 
@@ -123,7 +123,7 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
   return filled.ok() ? std::move(journal) : Result<std::unique_ptr<Journal>>(filled);
 }
 
-/// A transaction that is made only while the journal's files are where the next start looks for them.
+/// Makes a transaction, but only while the journal's files are where the next start looks for them.
 Status Journal::take(const std::function<Status()>& work) {
   Status done = writer_->transaction([&] {
     Status worked = work();
@@ -165,7 +165,7 @@ void Journal::find_lost() {
   guard_->acknowledge(JournalGuard::text_of(tails_));
 }
 
-// Waits for nobody: who holds the lock makes transactions, which look for themselves.
+// Does not wait for the lock: whoever holds it makes transactions, which check for themselves.
 Status Journal::health() const {
   if (!guard_) return {};
   if (Status there = guard_->files_are_there(); !there.ok()) return there;
@@ -286,7 +286,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   });
 }
 
-/// Inside a change of `to`, up to a revision of this log.
+/// Copies the log up to a revision, inside a change of `to`.
 Status Journal::copy_into(const StoredScene& stored, const std::string& scene, Revision last, Journal& to,
                           LogTail& tail, const std::function<void()>& between) const {
   if (Status added = to.insert_scene(stored, encode_delta(stored.first_groom), tail); !added.ok()) return added;
@@ -324,7 +324,8 @@ Result<Revision> Journal::copy_scene(const std::string& scene, Revision at_most,
 Revision Journal::last_revision(const std::string& scene) const {
   const std::lock_guard lock(reading_);
   Statement row = reader_->prepare(
-      "SELECT coalesce((SELECT max(revision) FROM entries WHERE scene = ?1), first_revision) FROM scenes WHERE id = ?1");
+      "SELECT coalesce((SELECT max(revision) FROM entries WHERE scene = ?1), first_revision) FROM scenes WHERE id = "
+      "?1");
   const Result<bool> found = row.text(scene).step();
   return found && *found ? row.number_at(0) : 0;
 }

@@ -76,8 +76,8 @@ class Journal {
   static Result<std::unique_ptr<Journal>> open_guarded(const std::string& path);
   ~Journal();
 
-  /// Fails (unavailable) while it cannot take changes: its files are gone, its disk has no room or no commit comes to
-  /// it. A journal without a guard looks at nothing.
+  /// Fails (unavailable) while it cannot take changes: its files are gone, its disk has no room, or no commit reaches
+  /// the disk. A journal without a guard checks nothing.
   Status health() const;
   /// What it had lost when it was opened.
   const std::vector<LostEntries>& lost() const { return lost_; }
@@ -98,11 +98,11 @@ class Journal {
   Status branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last,
                 const std::optional<KeyedRequest>& request = {});
 
-  /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name: all
-  /// of it up to the revision that it answers, `at_most` at most, or nothing, in one transaction. Some entries are read
-  /// at a time, so that it takes little memory, and what is damaged is refused (internal); conflict where the scene
-  /// goes or gets another model meanwhile. Others use this journal meanwhile, and wait for `to`. `between` is called
-  /// between entries, and ends the copy by throwing.
+  /// Writes the scene with its model, log and pictures into another journal, there under the id `copy` and a name, in
+  /// one transaction: everything up to the revision that it returns, at most `at_most`, or nothing. It reads a few
+  /// entries at a time, so that it takes little memory, and refuses what is damaged (internal); conflict where the
+  /// scene goes or gets another model meanwhile. Others use this journal meanwhile, and wait for `to`. `between` is
+  /// called between entries, and ends the copy by throwing.
   Result<Revision> copy_scene(const std::string& scene, Revision at_most, Journal& to, const std::string& copy,
                               const std::string& name, const std::function<void()>& between = {}) const;
 
@@ -117,7 +117,7 @@ class Journal {
   Result<std::vector<std::string>> pictures_of(const std::string& scene) const;
   /// Ids of all scenes, in the order they were made in.
   Result<std::vector<std::string>> scene_ids() const;
-  /// Also of a scene that is damaged otherwise.
+  /// Returns the name of a scene, also of one that is damaged otherwise.
   Result<std::string> name_of(const std::string& scene) const;
   Result<StoredScene> scene(const std::string& id) const;
   /// Calls `use` with each entry with a revision above `after`, oldest first, until it fails. Fails (internal) at the
@@ -132,13 +132,13 @@ class Journal {
   /// Returns the change made by the request that came to this path with this Idempotency-Key; nothing if the request
   /// changed nothing, or if the scene is gone.
   Result<std::optional<RequestedChange>> change_of_request(const std::string& path, const std::string& key) const;
-  /// All of them.
+  /// Returns all entries with a revision above `after`.
   Result<std::vector<Entry>> entries(const std::string& scene, Revision after) const;
   /// Calls `use` with the change of each entry with a revision in (after, last], in order. Fails (internal) when one is
   /// missing or damaged.
   Status for_each_change(const std::string& scene, Revision after, Revision last,
                          const std::function<void(const FieldDelta&)>& use) const;
-  /// All of them together.
+  /// Returns the changes in (after, last] as one change.
   Result<FieldDelta> change(const std::string& scene, Revision after, Revision last) const;
 
  private:

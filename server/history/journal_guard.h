@@ -58,14 +58,14 @@ class JournalGuard {
   /// The ends of logs that clients were told of, as the last server on this folder left them; none where the file is
   /// missing or broken.
   const std::optional<LogTails>& acknowledged() const { return acknowledged_; }
-  /// Without a sync: a machine that loses power may keep an older state, which only says less.
+  /// Writes the text without a sync: after a power loss the file may have an older state, which only says less.
   void acknowledge(const std::string& text_of_tails) noexcept;
   static std::string text_of(const LogTails& tails);
 
   /// Gives the disk the reserve of the journal at a path; false where there was none.
   static bool free_reserve(const std::string& path);
   bool free_reserve() { return free_reserve(path_); }
-  /// Where the disk has room for it.
+  /// Takes the reserve where the disk has room for it.
   void take_reserve();
 
  private:

@@ -28,7 +28,7 @@ Status check_samples(const std::vector<StrokeSample>& so_far, const std::vector<
                    "at most " + std::to_string(limits::samples_per_stroke) + " in all parts");
   }
   if (!so_far.empty() && !more.empty() && more.front().time < so_far.back().time) {
-    return failure(Code::invalid, "time runs on from part to part", "/stroke/samples/0/time",
+    return failure(Code::invalid, "time falls from one part of the stroke to the next", "/stroke/samples/0/time",
                    "at least " + std::to_string(so_far.back().time));
   }
   return {};

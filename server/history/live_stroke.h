@@ -27,9 +27,9 @@ class LiveStroke {
   /// Returns whether the command continues a stroke that has changed something.
   bool joins(const Command& command) const;
 
-  /// The plan was carried out. `changed` tells whether it made or joined a step.
+  /// Records that the plan was carried out. `changed` says whether it made or joined a step.
   void accept(const Plan& plan, const Command& command, bool changed);
-  /// The scene was changed by something else.
+  /// Ends the stroke, because something else changed the scene.
   void end();
   /// Returns whether a part may follow.
   bool goes_on() const { return !id_.empty() && !finished_; }

@@ -56,7 +56,7 @@ void put_cell(std::string& bytes, const Statement& row, int column) {
   bytes.append(reinterpret_cast<const char*>(blob.data()), blob.size());
 }
 
-/// About what its rows take, 0 where that is not known.
+/// Estimates the bytes of the database's rows; 0 where that is not known.
 std::size_t bytes_of_pages(Database& database) {
   Statement size = database.prepare("SELECT page_count * page_size * 9 / 8 FROM pragma_page_count, pragma_page_size");
   const Result<bool> row = size.step();
@@ -177,7 +177,7 @@ Status RowLoader::take(std::string_view bytes) {
   return {};
 }
 
-/// The size of the row at the front, which is in its table then; 0 where it is not whole yet.
+/// Moves the row at the front into its table and returns its size; 0 where the row is not complete yet.
 Result<std::size_t> RowLoader::take_row(std::string_view bytes) {
   if (bytes.empty()) return std::size_t{0};
   const auto number = static_cast<unsigned char>(bytes.front());

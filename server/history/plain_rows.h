@@ -1,4 +1,5 @@
-// A journal's rows as plain bytes: how what a stranger's file holds comes from the confined worker to the server.
+// A journal's rows as plain bytes: the form in which the confined worker hands the content of an untrusted file to the
+// server.
 #pragma once
 
 #include <cstddef>

@@ -42,7 +42,7 @@ Status to_version_6(Database& database) {
   return current;
 }
 
-/// Before it nobody was named.
+/// Adds authors; changes from before version 7 have none.
 Status to_version_7(Database& database) {
   return database.execute(
       "ALTER TABLE entries ADD COLUMN author TEXT NOT NULL DEFAULT '';"
@@ -50,12 +50,13 @@ Status to_version_7(Database& database) {
       "CREATE INDEX entries_by_request ON entries(scene, request_key) WHERE request_key <> ''");
 }
 
-/// Before it all creases were the default's, and no part was turned.
+/// Adds creases and flipped parts; before version 8 all creases were at the default, and no part was flipped.
 Status to_version_8(Database& database) {
   return database.execute("ALTER TABLE scenes ADD COLUMN creases_and_flips TEXT NOT NULL DEFAULT ''");
 }
 
-/// Before it fur had no stiffness and no wind: nothing stored changes. New journals of that version say 8.
+/// Before version 9 fur had no stiffness and no wind, so that nothing stored changes. New journals of that version say
+/// 8.
 Status to_version_9(Database&) { return {}; }
 
 // Before version 10 rows had no checksums, pictures were not compressed, and a request was known by its key alone. Keys

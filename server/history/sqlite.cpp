@@ -109,7 +109,7 @@ bool Statement::null_at(int column) const { return kind_at(column) == CellKind::
 
 namespace {
 
-/// Nothing that is written in a file's schema is run: files may come from others.
+/// Keeps SQLite from running anything that is written in a file's schema, because files may come from others.
 void distrust_schema(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -117,7 +117,7 @@ void distrust_schema(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
 }
 
-/// Far above what a journal's own statements take.
+/// Sets limits far above what a journal's own statements take.
 void limit_statements(sqlite3* database) {
   constexpr std::pair<int, int> max[] = {{SQLITE_LIMIT_SQL_LENGTH, 100'000}, {SQLITE_LIMIT_COLUMN, 64},
                                          {SQLITE_LIMIT_EXPR_DEPTH, 100},     {SQLITE_LIMIT_COMPOUND_SELECT, 10},

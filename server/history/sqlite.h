@@ -59,19 +59,19 @@ class Database {
  public:
   /// Opens or makes the file.
   static Result<Database> open(const std::string& path);
-  /// An empty one in memory.
+  /// Makes an empty database in memory.
   static Result<Database> in_memory();
-  /// The bytes of a file that anybody may have written, in memory; changes stay there. What a statement may take is
-  /// bounded, and views, triggers and other databases are out of reach. Fails (invalid) where they are no database.
+  /// Opens the bytes of a file that anybody may have written, in memory; changes stay there. What a statement may take
+  /// is bounded, and views, triggers and other databases are out of reach. Fails (invalid) where they are no database.
   static Result<Database> of_bytes(std::string bytes);
 
   Statement prepare(const char* sql) { return {database_.get(), sql}; }
-  /// The first column of the first row.
+  /// Returns the first column of the first row.
   Result<std::uint64_t> number(const char* question);
-  /// Several statements without parameters.
+  /// Runs several statements without parameters.
   Status execute(const char* sql);
-  /// All of `work` or nothing of it, after a restart too: where the disk fails to sync a commit, the commit is taken
-  /// back before any other one is made.
+  /// Carries out all of `work` or nothing of it, after a restart too: where the disk fails to sync a commit, the commit
+  /// is taken back before any other one is made.
   Status transaction(const std::function<Status()>& work);
   /// Fails while a commit could not be taken back.
   Status take_back_failed_commit();

@@ -13,7 +13,7 @@ namespace pelage {
 /// Thread-safe.
 class ClientGate {
  public:
-  /// `all` requests at a time, of one client `each` of them: less than `all`, so that nobody locks the others out.
+  /// Lets in `all` requests at a time, and `each` of one client: fewer than `all`, so that nobody locks the others out.
   ClientGate(int all, int each) : all_(all), each_(each) {}
 
   /// Holds a place until it is destroyed; false when there was none left.
@@ -46,7 +46,7 @@ class ClientGate {
   std::map<std::string, int> held_by_;
 };
 
-/// Who sends a request: its address, and its Pelage-Author where several share one, as behind a proxy.
+/// Returns who sends a request: its address, and its Pelage-Author where several clients share one, as behind a proxy.
 std::string client_of(const httplib::Request& request);
 
 }  // namespace pelage

@@ -76,7 +76,7 @@ class EventStream {
   bool knows_scene_ = false, ended_ = false;
 };
 
-/// None without the header. Malformed when it is no revision.
+/// Returns the revision of Last-Event-ID; none without the header. Malformed when it is no revision.
 Result<std::optional<Revision>> last_event_of(const Request& request) {
   const std::string text = request.get_header_value("Last-Event-ID");
   if (text.empty()) return std::optional<Revision>();

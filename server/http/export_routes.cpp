@@ -21,7 +21,7 @@ Result<ExportRequest> export_request_of(const Request& request) {
   return decode_export_query(query);
 }
 
-/// Waits some seconds for the file before: its client has it a moment before its place is free.
+/// Waits some seconds for the export before: its client has the file a moment before its place is free.
 Gate::Pass enter_soon(Gate& gate) {
   constexpr int tries = 100;
   constexpr std::chrono::milliseconds pause(50);
@@ -64,7 +64,8 @@ void answer_export(Service& service, const Scene& scene, const Request& request,
 
 void add_export_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes/([^/]+)/export/([^/]+)", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { answer_export(service, *scene, request, response); });
+    with_scene(service, request, response,
+               [&](const auto& scene) { answer_export(service, *scene, request, response); });
   });
 }
 

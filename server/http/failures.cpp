@@ -25,10 +25,10 @@ Refusal own_refusal(const Request& request, int http_status) {
   }
   if (http_status == 404) return {404, failure(Code::not_found, "There is nothing at this address.")};
   if (http_status == 413) return {413, failure(Code::too_large, "The body is too large.")};
-  return {http_status, failure(Code::malformed, "The request is not what HTTP says.")};
+  return {http_status, failure(Code::malformed, "The request is not valid HTTP.")};
 }
 
-/// A failure of the server names the request.
+/// Adds the name of the request to a failure of the server.
 Status named(Status status, const Request& request) {
   const Exchange* exchange = exchange_of(request);
   if (status.code == Code::internal && exchange)

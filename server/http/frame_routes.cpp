@@ -55,9 +55,9 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
     const auto passes = parsed<int>(request.get_param_value("after_pass"));
     if (!passes || *passes < 0)
       return failure(Code::invalid, "This is no count of passes.", "/after_pass", "0 or more");
-    if (!news.after) return failure(Code::invalid, "Passes are of a revision.", "/after_pass", "with after");
+    if (!news.after) return failure(Code::invalid, "after_pass needs a revision.", "/after_pass", "with after");
     if (!wanted.progressive)
-      return failure(Code::invalid, "Only progressive has passes to wait for.", "/after_pass", "with progressive");
+      return failure(Code::invalid, "Only progressive pictures have passes.", "/after_pass", "with progressive");
     news.seen = SeenPicture{*news.after, *passes};
   }
   if (request.has_param("wait")) {
@@ -112,7 +112,7 @@ std::string server_timing(const FrameAnswer& frame) {
       t.queue, t.upload, t.draw, t.read, t.encode, t.cpu);
 }
 
-/// A better picture of the revision that the client has, or what it asks for anew.
+/// Returns a better picture of the revision that the client has, or a picture of what it asks for.
 Result<FrameAnswer> picture_of(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                                const News& news, const ClientSocket& client) {
   if (news.seen) {
@@ -177,7 +177,7 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
     exchange->problem = "missed " + response.get_header_value("Pelage-Missed");
 }
 
-/// Returns whether only the cost is asked for.
+/// Answers a dry run with the cost alone.
 void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
                  const Request& request, Response& response) {
   if (!wanted) return reply_problem(response, wanted.status());

@@ -26,8 +26,8 @@ namespace {
 
 using httplib::Request;
 
-// A body a little over the limit is read and refused in peace, so that clients which send first and listen later see
-// the refusal; a longer one is cut off.
+// A body a little over the limit is read to its end before it is refused, so that clients which send first and listen
+// later see the refusal; a longer one is cut off.
 constexpr std::uint64_t max_drained_body_bytes = 4 * limits::command_body_bytes;
 
 Refusal refuse(int http_status, Code code, std::string message, std::string limit = {}) {
@@ -66,7 +66,7 @@ std::optional<Refusal> refused_framing(const Request& request) {
     return refuse(411, Code::malformed, "Bodies come with a Content-Length, not in chunks.", "Content-Length");
   }
   if (request.has_header("Content-Encoding")) {
-    return refuse(415, Code::unsupported, "Bodies are not taken compressed.", "no Content-Encoding");
+    return refuse(415, Code::unsupported, "Compressed bodies are not accepted.", "no Content-Encoding");
   }
   const std::size_t lengths = request.get_header_value_count("Content-Length");
   if (lengths > 1) return refuse(400, Code::malformed, "There is more than one Content-Length.", "one");
@@ -156,7 +156,7 @@ std::optional<Refusal> Guard::refused_sender(const Request& request) const {
   }
   const std::string origin = request.get_header_value("Origin");
   if (!origin.empty() && origin != "http://" + host && origin != "https://" + host) {
-    return refuse(403, Code::malformed, "Pages of other sites have no business here.");
+    return refuse(403, Code::malformed, "Requests from pages of other sites are refused.");
   }
   if (!token_.empty() && !needs_no_token(request.path) && !has_token(request)) {
     return refuse(401, Code::malformed, "A token is needed.", "Authorization: Bearer TOKEN");

@@ -62,7 +62,7 @@ class Gate {
   std::atomic<int> places_;
 };
 
-// What a request has to be before anything else looks at it.
+// Checks of a request before anything else reads it.
 
 struct Refusal {
   int http_status;

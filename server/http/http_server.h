@@ -1,4 +1,4 @@
-// The HTTP service: routes, limits and the cures for the weak spots of cpp-httplib.
+// The HTTP service: routes, limits, and workarounds for weak spots of cpp-httplib.
 #pragma once
 
 #include <memory>
@@ -40,7 +40,7 @@ class HttpServer {
   /// Serves on this thread until stop() is called and what runs is finished. Fails (internal) when the listening
   /// socket gives up before that.
   Status run();
-  /// Thread-safe: no longer ready, ends waits and traces, takes no new connections.
+  /// Stops the server: it is no longer ready, ends waits and traces, and takes no new connections. Thread-safe.
   void stop();
 
  private:

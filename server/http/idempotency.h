@@ -17,7 +17,7 @@ namespace pelage {
 
 inline constexpr const char* idempotency_header = "Idempotency-Key";
 
-/// None without an Idempotency-Key.
+/// Returns the request with its Idempotency-Key; none without one.
 std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request);
 
 /// The refusal (invalid) of a key that came with another request.
@@ -39,7 +39,7 @@ class IdempotencyCache {
     std::string location, etag;
   };
 
-  /// The answer is made from memory, or the request is entered as running (true).
+  /// Answers from memory, or enters the request as running and returns true.
   bool begin(const std::string& key, const Entry& entry, httplib::Response& response);
   void finish(const std::string& key, const httplib::Response& response);
 

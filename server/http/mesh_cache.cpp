@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// A mesh with more triangles than the model is the same for any number.
+/// Returns the number of triangles, at most the model's own: more give the same mesh.
 std::size_t kept_triangles(const SceneModel& model, int triangles) {
   return std::min(model.surface.mesh().triangles.size(), static_cast<std::size_t>(triangles));
 }

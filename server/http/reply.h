@@ -15,14 +15,15 @@ namespace pelage {
 int http_status_of(Code code);
 
 void reply_json(httplib::Response& response, int http_status, const std::string& body);
-/// Also sets ETag.
+/// Answers with JSON, and sets ETag.
 void reply_json(httplib::Response& response, int http_status, const std::string& body, Revision revision);
 
-/// A long answer as it is: cpp-httplib compresses texts, and its brotli takes minutes for a log of 8 MB.
+/// Answers with a long body without compression: cpp-httplib compresses texts, and its brotli takes minutes for a log
+/// of 8 MB.
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body);
 
-/// A problem document; with Retry-After where trying again helps. Its words stand in `reason` too, which cpp-httplib
-/// does not send: the log has them.
+/// Answers with a problem document, and with Retry-After where trying again helps. Its text is in `reason` too, which
+/// cpp-httplib does not send, for the log.
 void reply_problem(httplib::Response& response, const Status& status, int http_status);
 void reply_problem(httplib::Response& response, const Status& status);
 
@@ -31,14 +32,14 @@ void reply_problem(httplib::Response& response, const Status& status);
 /// or what is left of it would run as the next request.
 void close_after(httplib::Response& response);
 
-/// "12", with the quotes; "12.8" of a traced picture of 8 passes.
+/// Returns "12", with the quotes; "12.8" for a traced picture of 8 passes.
 std::string etag_of(Revision revision, int passes = 0);
 void set_etag(httplib::Response& response, Revision revision, int passes = 0);
 
 /// The revision of If-Match; none without the header and for *. Malformed when it is no single strong entity tag of
 /// ours.
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request);
-/// A parameter that is 0 or 1, 0 where there is none; refused (invalid) for anything else.
+/// Returns a parameter that is 0 or 1, and 0 where there is none. Refused (invalid) for anything else.
 Result<bool> flag_of(const httplib::Request& request, const std::string& name);
 inline Result<bool> is_dry_run(const httplib::Request& request) { return flag_of(request, "dry_run"); }
 

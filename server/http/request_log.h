@@ -10,8 +10,8 @@ namespace pelage {
 
 inline constexpr const char* request_id_header = "Pelage-Request";
 
-/// What a request is called in its answer and in the log: 16 random hex digits. After the trace id and "-" where its
-/// header traceparent is one (W3C Trace Context), so that the lines of a trace are found by it.
+/// Returns the id of a request in its answer and in the log: 16 random hex digits. The trace id and "-" come first
+/// where the header traceparent has one (W3C Trace Context), so that the lines of a trace are found by it.
 std::string new_request_id(const std::string& traceparent);
 
 /// A failure (5xx) is an error there, a refusal (4xx) a warning.

@@ -64,10 +64,11 @@ void reply_created(httplib::Response& response, const Result<std::shared_ptr<Sce
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
                 const std::function<void(const std::shared_ptr<Scene>&)>& use);
 
-/// Ends what is done for a client that has hung up, or was cut off because the server stops. For as long as it lives.
+/// Returns a Cancel that ends the work for a client that has hung up, or that was cut off because the server stops.
+/// Valid as long as `client` lives.
 Cancel cancel_of(const ClientSocket& client);
 
-/// What the renderer keeps the scene's model by.
+/// Returns the id by which the renderer caches the scene's model.
 std::uint64_t model_id_of(const Scene& scene);
 
 /// Runs a request once: one with an Idempotency-Key that changed something, before a restart too, is answered by

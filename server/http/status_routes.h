@@ -33,7 +33,7 @@ class Metrics {
  public:
   /// `route` is a template such as "/v1/scenes/{id}", never a path with an id.
   void count_request(const std::string& route, int http_status);
-  /// From the start of the call to the encoded picture.
+  /// Counts a frame; the seconds run from the start of the call to the encoded picture.
   void count_frame(double seconds);
   std::string text(const Gauges& gauges) const;
 

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// The keys about a time, and how far it is from the first to the second.
+/// The keys before and after a time, and the share of the time between them that has passed.
 struct Between {
   unsigned first = 0, second = 0;
   double share = 0;
@@ -28,7 +28,7 @@ Between between(const Key* keys, unsigned count, double time) {
   return {second - 1, second, to > from ? (time - from) / (to - from) : 0};
 }
 
-/// `rest` where there are no keys.
+/// Returns the vector at a time; `rest` if there are no keys.
 aiVector3D vector_at(const aiVectorKey* keys, unsigned count, double time, const aiVector3D& rest) {
   if (count == 0) return rest;
   const Between at = between(keys, count, time);

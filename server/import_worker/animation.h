@@ -1,4 +1,4 @@
-// Putting a scene into the stance of an animation.
+// Poses a scene by one of its animations.
 #pragma once
 
 #include <assimp/scene.h>

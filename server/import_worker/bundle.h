@@ -15,7 +15,7 @@ struct BundledFile {
   std::string bytes;
 };
 
-/// What an upload brings: one model, and what lies beside it.
+/// The content of an upload: one model, and the files beside it.
 class Bundle {
  public:
   /// A model alone.
@@ -30,7 +30,7 @@ class Bundle {
   std::string& model() { return files_.front().bytes; }
   bool has_others() const { return files_.size() > 1; }
 
-  /// Pictures count as not there, and nobody misses them.
+  /// Makes readers leave out pictures, without counting them as missing.
   void leave_pictures_out() { with_pictures_ = false; }
   bool with_pictures() const { return with_pictures_; }
 

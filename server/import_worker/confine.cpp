@@ -88,7 +88,7 @@ bool allow_memory(const Filter& filter) {
   return allow(filter, SCMP_SYS(mmap), {not_executable}) && allow(filter, SCMP_SYS(mprotect), {not_executable});
 }
 
-/// read from the input, write to the answer and to the complaints.
+/// Allows reading the input, and writing the answer and the error output.
 bool allow_streams(const Filter& filter) {
   const auto on = [](int stream) { return scmp_arg_cmp{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(stream), 0}; };
   return allow(filter, SCMP_SYS(read), {on(STDIN_FILENO)}) && allow(filter, SCMP_SYS(write), {on(STDOUT_FILENO)}) &&
@@ -117,11 +117,11 @@ bool filter_calls() {
 }  // namespace
 
 Status confine(double seconds, std::size_t memory_bytes) {
-  if (!limit_resources(seconds, memory_bytes)) return failure(Code::internal, "A resource limit was not taken.");
+  if (!limit_resources(seconds, memory_bytes)) return failure(Code::internal, "A resource limit could not be set.");
   if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
     return failure(Code::internal, "New privileges could not be given up.");
   }
-  if (!filter_calls()) return failure(Code::internal, "The filter of system calls was not taken.");
+  if (!filter_calls()) return failure(Code::internal, "The filter of system calls could not be installed.");
   return {};
 }
 

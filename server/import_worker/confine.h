@@ -10,7 +10,8 @@
 
 namespace pelage {
 
-/// Knows the model by a name, and what is bundled with it; every other open, and every write, fails and is remembered.
+/// Gives assimp the model under a name, and the files that are bundled with it. Every other open, and every write,
+/// fails and is recorded.
 class ClosedIo : public Assimp::IOSystem {
  public:
   ClosedIo(std::string name, const std::string& model, const Bundle& others)

@@ -46,7 +46,8 @@ std::string reason_of_extension(const std::string& name) {
   return "it requires the extension " + printable(name) + ", which is not read; export it without.";
 }
 
-/// What is read (gltf_plain.h), named among the missing pictures, or changes neither shape nor base colour.
+/// Returns whether the extension is read (gltf_plain.h), is named among the missing pictures, or changes neither shape
+/// nor base colour.
 bool is_known_extension(const std::string& name) {
   constexpr std::array known{"KHR_mesh_quantization",   "KHR_texture_transform",
                              "EXT_mesh_gpu_instancing", "KHR_texture_basisu",
@@ -65,7 +66,7 @@ Status check_extensions(const json& root) {
   return {};
 }
 
-/// Those that the file can do without, but not look the same.
+/// Counts the extensions that the file does not require, but without which it looks different.
 void count_extensions(const json& root, RawModel& model) {
   for (const json& entry : list(root, "extensionsUsed")) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : "?";

@@ -1,5 +1,5 @@
-// What assimp takes on trust in glTF: container lengths, outside files, extensions, cycles; and what it leaves out
-// without a word.
+// Checks of what assimp takes on trust in glTF: container lengths, outside files, extensions, cycles; and of what it
+// leaves out silently.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,8 @@
 
 namespace pelage {
 
-/// A GLB container: magic, version 2, its length, chunks within it, JSON first; then as check_gltf.
+/// Checks a GLB container: magic, version 2, its length, chunks within it, JSON first; then its document as check_gltf
+/// does.
 Status check_glb(std::string_view bytes, const Bundle& bundle, RawModel& model);
 
 /// Refuses (invalid): text that is not JSON, another version than 2, buffers in files that are not bundled or in broken

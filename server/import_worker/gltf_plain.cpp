@@ -61,7 +61,7 @@ Status each(json& object, const char* name, const Visit& visit) {
   return {};
 }
 
-/// Diffuse takes the place of what the file says for programs that do not know it.
+/// Replaces the base colour, which is for programs that do not know the extension, by the extension's diffuse colour.
 Status use_diffuse(json& material) {
   const json diffuse = member(member(material, "extensions"), "KHR_materials_pbrSpecularGlossiness");
   if (diffuse.empty()) return {};
@@ -84,7 +84,7 @@ std::size_t count_bad_faces(const std::vector<double>& indices, std::int64_t mod
   return bad;
 }
 
-/// Adds to a document what it says by other means.
+/// Rewrites in plain glTF what a document says by other means.
 class Plain {
  public:
   Plain(json& root, const Bundle& bundle, std::string_view binary) : root_(root), numbers_(root, bundle, binary) {}
@@ -130,7 +130,7 @@ class Plain {
     return broken("its accessor " + std::to_string(accessor) + " is sparse, or reaches beyond its buffer.");
   }
 
-  /// Puts an accessor of floats where `name` names one of other numbers.
+  /// Replaces the accessor that `name` names by one of floats, if it has other numbers.
   Status to_floats(json& object, const std::string& name) {
     const std::int64_t accessor = index(object, name.c_str());
     const json* entry = item(list(root_, "accessors"), accessor);
@@ -143,7 +143,7 @@ class Plain {
     return {};
   }
 
-  /// The number of a new accessor.
+  /// Adds an accessor and returns its number.
   std::size_t added(const std::vector<double>& numbers, const std::string& type) {
     const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
     const std::size_t begin = floats_.size();
@@ -186,7 +186,7 @@ class Plain {
     texture["extensions"].erase("KHR_texture_transform");
   }
 
-  /// Nodes below a node for the instances of its mesh.
+  /// Adds nodes below each node for the instances of its mesh.
   Status say_instances() {
     const std::size_t nodes = list(root_, "nodes").size();
     for (std::size_t i = 0; i < nodes; ++i) {
@@ -227,7 +227,7 @@ class Plain {
   json& root_;
   GltfNumbers numbers_;
   std::string floats_;                             // of a new buffer
-  std::map<std::int64_t, std::size_t> as_floats_;  // accessors by those that they stand for
+  std::map<std::int64_t, std::size_t> as_floats_;  // new accessors, by the ones that they replace
   std::map<std::int64_t, std::int64_t> moved_;     // channels of materials whose coordinates are transformed
   std::size_t bad_faces_ = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// A document, checked by gltf_check, that says plainly what it says by
+/// A document, checked by gltf_check, in which plain glTF replaces
 ///  - weights of a node (a mesh of its own for each such node),
 ///  - numbers that are no 32-bit floats (KHR_mesh_quantization, and what the core allows),
 ///  - KHR_texture_transform of the base colour (other texture coordinates),

@@ -10,7 +10,7 @@
 namespace pelage {
 
 struct Job {
-  /// From the bytes of a file to the bytes of the answer. `pose` is of models. Refused (invalid) with the reason.
+  /// Turns the bytes of a file into the bytes of the answer; `pose` is for models. Refused (invalid) with the reason.
   Result<std::string> (*run)(std::string&& bytes, const std::string& pose) = nullptr;
   bool reads_pictures = false;  // or may do so
 };

@@ -55,7 +55,7 @@ int convert(const Job& job, const std::string& pose) {
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }
 
-/// Memory that is not there and whatever else the libraries throw become exit codes.
+/// Runs the job. Lack of memory, and whatever else the libraries throw, become exit codes.
 int run(int argc, char** argv) {
   const std::optional<Job> job = argc == 4 || argc == 5 ? job_of(argv[1]) : std::nullopt;
   if (!job) return complain("usage: pelage-import JOB SECONDS BYTES [POSE]", worker_exit::usage);

@@ -48,7 +48,7 @@ Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::s
 /// What a file does not say of a vertex.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Texture coordinates that a file gives; what is no finite number is kept apart from what is not there.
+/// Returns the texture coordinates that a file gives; non-finite ones stay distinct from missing ones.
 inline glm::dvec2 given_uv(double u, double v) {
   return is_finite({u, v, 0}) ? glm::dvec2(u, v) : glm::dvec2(std::numeric_limits<double>::infinity());
 }

@@ -219,7 +219,7 @@ Status check(ModelFormat format, Bundle& bundle, RawModel& model) {
   }
 }
 
-/// Gives the number of faces that assimp will drop.
+/// Rewrites glTF in plain form. Returns the number of faces that assimp will drop.
 Result<std::size_t> say_plainly(ModelFormat format, Bundle& bundle) {
   if (format == ModelFormat::tds) return std::size_t{0};
   std::string& bytes = bundle.model();

@@ -31,7 +31,7 @@ class MaterialReader {
   Result<Entry> read(unsigned material);
 
  private:
-  /// Inside the file or bundled with it.
+  /// Returns the bytes of a picture inside the file or bundled with it.
   std::optional<std::string_view> bytes_of(const char* path) const;
   /// Index of the picture; -1 where it cannot be had.
   int read_image(const std::string& path);

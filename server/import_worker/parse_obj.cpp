@@ -25,7 +25,7 @@ class BytesBuffer : public std::streambuf {
   explicit BytesBuffer(std::string& bytes) { setg(bytes.data(), bytes.data(), bytes.data() + bytes.size()); }
 };
 
-/// A backslash at the end of a line joins the next one; so does a blank of the same length.
+/// Replaces a backslash at the end of a line, and the line end, by blanks of the same length, which join the next line.
 void join_continued_lines(std::string& text) {
   for (std::size_t i = text.find('\\'); i != std::string::npos; i = text.find('\\', i + 1)) {
     std::size_t end = i + 1;
@@ -83,7 +83,8 @@ class Materials {
  public:
   Materials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
 
-  /// Of all material files that the text names: what follows `mtllib` is one name, and several where none is called so.
+  /// Reads all material files that the text names. What follows `mtllib` is one name, or several if there is no file of
+  /// that name.
   void read_files(std::string_view text) {
     while (!text.empty()) {
       std::string_view line = take_line(text);
@@ -98,7 +99,7 @@ class Materials {
     if (added) model_.materials.push_back(made(name));
     current_ = static_cast<std::uint16_t>(std::min<std::size_t>(place->second, 0xffff));
   }
-  /// White until one is named.
+  /// Returns the current material, which is white until one is named.
   std::uint16_t current() {
     if (model_.materials.empty()) use("");
     return current_;

@@ -311,7 +311,7 @@ class BodyReader {
     return numbers_.ok();
   }
 
-  /// Last, because faces may come before vertices.
+  /// Fills the corners at the end, because faces may come before vertices.
   void fill_corners() {
     for (const PlyVertex& vertex : vertices_) model_.positions.push_back(vertex.position);
     const auto has = [&](auto known) { return std::any_of(vertices_.begin(), vertices_.end(), known); };

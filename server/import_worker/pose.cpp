@@ -13,7 +13,7 @@ namespace {
 
 glm::dvec3 to_vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// With the morph targets, which hold places and not differences.
+/// Returns the positions with the morph targets, which hold positions and not differences.
 std::vector<glm::dvec3> shaped(const aiMesh& mesh) {
   std::vector<glm::dvec3> positions;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) positions.push_back(to_vector(mesh.mVertices[v]));
@@ -53,7 +53,7 @@ Blend blend_of(const aiMesh& mesh, const NodePlaces& places) {
 
 bool mirrors(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0; }
 
-/// Nothing is turned yet.
+/// Returns the mesh with no face turned yet.
 PosedMesh unposed(const aiMesh& mesh) {
   PosedMesh posed{shaped(mesh), std::vector<bool>(mesh.mNumFaces, false),
                   std::vector<std::uint32_t>(mesh.mNumVertices)};

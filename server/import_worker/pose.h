@@ -1,4 +1,4 @@
-// Where the vertices of a mesh stand: morph targets at their weights, then where its joints or its node put them.
+// Positions of a mesh's vertices: morph targets at their weights, then the transform of the joints or of the node.
 #pragma once
 
 #include <assimp/scene.h>

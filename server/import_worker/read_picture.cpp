@@ -22,7 +22,7 @@ Status check_sides(int width, int height) {
                 std::to_string(limits::picture_pixels) + " on a side.");
 }
 
-/// The server says itself what cannot be read: only the reason is passed on.
+/// Reduces a status to its reason, because the server itself says what cannot be read.
 Status reason_of(Status status) {
   if (status.message.starts_with(unreadable_picture)) status.message.erase(0, unreadable_picture.size());
   return status;

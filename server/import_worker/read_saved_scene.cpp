@@ -24,7 +24,7 @@ class Unpacker {
   Unpacker(const Unpacker&) = delete;
   Unpacker& operator=(const Unpacker&) = delete;
 
-  /// False where the file is damaged or cut off, with all that came before.
+  /// Unpacks the file. Returns false where it is damaged or cut off, with all that came before in `bytes`.
   bool unpack(std::string& bytes, std::size_t max) {
     int code = Z_OK;
     while (good_ && code == Z_OK && bytes.size() <= max) {

@@ -20,7 +20,7 @@ struct Signature {
   const char* next;
 };
 
-/// What is no model that is read here.
+/// Signatures of what is not read here as a model.
 constexpr std::array others{
     Signature{"\x1f\x8b"sv, "gzip", "unpack it, and load what was in it"},
     Signature{"7z\xbc\xaf\x27\x1c"sv, "a 7z archive", "unpack it, and load what was in it"},

@@ -1,4 +1,4 @@
-// What bytes are, by how they begin, whatever their file is called.
+// Recognizes files by their first bytes, whatever their names.
 #pragma once
 
 #include <string_view>

@@ -19,8 +19,8 @@ enum class BodySide { none, left, right };
 /// digits and before a capital letter.
 BodySide side_of_joint(const std::string& name);
 
-/// The axis across `up` that an animal looks along whose left joints lie on one side and whose right ones on the other;
-/// none where the joints of its meshes do not say, or not along an axis.
+/// Returns the axis orthogonal to `up` along which an animal looks: its left joints lie on one side of it, its right
+/// joints on the other. None where the joints of its meshes do not say, or say a direction between the axes.
 std::optional<Axis> front_by_joints(const aiScene& scene, const NodePlaces& places, Axis up);
 
 }  // namespace pelage

@@ -25,7 +25,8 @@ glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
   return v + across + glm::cross(axis, across) / (1 + cosine);
 }
 
-/// Places vertices one after the other, nearest to the seed first, where their placed neighbours see them.
+/// Places vertices one after the other, nearest to the seed first, at the positions that their placed neighbours
+/// predict.
 class ExponentialMap {
  public:
   ExponentialMap(const Mesh& mesh, const Adjacency& neighbours, FlatPatch& patch)
@@ -68,7 +69,8 @@ class ExponentialMap {
     }
   }
 
-  /// The mean of what the placed neighbours predict, nearer ones counting more. Without any, the seed at the origin.
+  /// Places a vertex at the mean of what the placed neighbours predict, nearer ones counting more; the seed, which has
+  /// none, at the origin.
   void predict(std::uint32_t v) {
     glm::dvec2 place(0), heading(0);
     double weights = 0;
@@ -151,7 +153,7 @@ class RigidFit {
       }
     }
     const auto n = static_cast<int>(patch.vertices.size());
-    // Without this hold the places are free to drift, and parts that touch nowhere make the system singular.
+    // Without this anchor the positions are free to drift, and parts that touch nowhere make the system singular.
     for (int i = 0; i < n; ++i) entries.emplace_back(i, i, hold);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -176,7 +178,7 @@ class RigidFit {
  private:
   static constexpr double hold = 1e-7;
 
-  /// The sides of triangle t, turned as the map turns it, are what the places should differ by.
+  /// Adds the wanted differences of the positions: the sides of triangle t, turned as the map turns it.
   void add_wishes(std::size_t t, Eigen::MatrixX2d& right) const {
     const FlatTriangle& flat = flat_[t];
     const glm::uvec3& v = patch_.triangles[t];

@@ -1,4 +1,4 @@
-// A piece of surface laid flat with as little stretch as can be had.
+// Lays a part of a surface flat with as little stretch as possible.
 #pragma once
 
 #include <array>

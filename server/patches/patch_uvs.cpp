@@ -28,7 +28,7 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t t) {
   return t;
 }
 
-/// Islands: triangles that hang together by sides with equal coordinates. Gives the triangles of each.
+/// Returns the triangles of each island; an island is connected by sides with equal texture coordinates.
 std::vector<std::vector<std::uint32_t>> islands_of(const Mesh& mesh) {
   std::vector<std::uint32_t> parents(mesh.triangles.size());
   std::iota(parents.begin(), parents.end(), 0u);

@@ -86,7 +86,7 @@ bool split_stretched(const Mesh& mesh, const VertexGraph& graph, const Layout& l
   return cells.count > before;
 }
 
-/// Points of patch p with their shares, at a place of the tile of its own.
+/// Returns the points of patch p with their shares, moved to a random position on the tile.
 std::vector<PatchPoint> points_of(const Mesh& mesh, const Layout& layout, std::uint32_t p) {
   std::vector<PatchPoint> points = make_points(mesh, layout.flat[p], p);
   Random random(p, 3);
@@ -161,7 +161,8 @@ Stretch stretch_of(const Mesh& mesh, const PatchMap& map, const Piece& piece) {
 
 namespace {
 
-/// The way in space in which u grows on the triangle, as long as twice its area; 0 where that is undefined.
+/// Returns the direction in space in which u grows on the triangle, as long as twice its area; 0 where that is
+/// undefined.
 glm::dvec3 u_axis(const Mesh& mesh, const FlatPatch& flat, const glm::uvec3& t) {
   const auto at = [&](int k) { return glm::dvec3(mesh.positions[flat.vertices[t[k]]]); };
   const glm::dvec3 e1 = at(1) - at(0), e2 = at(2) - at(0);
@@ -270,7 +271,7 @@ class ReachFinder {
   std::priority_queue<Visit, std::vector<Visit>, std::greater<>> front_;
 };
 
-/// What a patch counts before shares are normalised, at this distance from its cell.
+/// Returns the weight of a patch at this distance from its cell, before shares are normalised.
 double fall_off(double distance, double width) {
   const double x = std::clamp(1 - distance / width, 0.0, 1.0);
   return x * x * (3 - 2 * x);

@@ -19,7 +19,7 @@ struct PatchPoint {
   std::uint32_t vertex = 0;
   std::uint32_t patch = 0;
   glm::vec2 uv{0};    // place on the sample tile, sizes
-  glm::vec3 axis{0};  // the way in space in which u grows there: unit, orthogonal to the vertex's normal
+  glm::vec3 axis{0};  // direction in which u grows there: unit, orthogonal to the vertex's normal
   float weight = 0;   // [0, 1]: share of the fur's optical depth
 };
 
@@ -82,7 +82,7 @@ struct VertexShares {
   }
 };
 
-/// How far patches reach over the borders of their cells.
+/// How far patches extend over the borders of their cells.
 struct Overlap {
   double width = 0.03;        // at most, sizes; noise makes it irregular
   double area_factor = 1.25;  // of all pieces over the surface, at most, where one ring of triangles allows it

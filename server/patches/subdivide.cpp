@@ -206,7 +206,7 @@ LookCorner mean(const LookCorner& a, const LookCorner& b) {
 }
 glm::vec2 mean(glm::vec2 a, glm::vec2 b) { return (a + b) * 0.5f; }
 
-/// Of unit normals, unit.
+/// Returns the mean of unit normals, unit.
 glm::vec3 mean(glm::vec3 a, glm::vec3 b) {
   constexpr double vanishing = 1e-4;
   const glm::dvec3 sum = glm::dvec3(a) + glm::dvec3(b);

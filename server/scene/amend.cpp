@@ -18,7 +18,8 @@ Status not_in_effect() {
                  "or reverted past");
 }
 
-/// A refusal of a step that was fine before the amendment. Where it stands in that step does not help whoever amends.
+/// Refuses a step that was fine before the amendment. The pointer into that step is dropped, because it does not help
+/// whoever amends.
 Status not_replayed(const ListedStep& step, Status reason) {
   reason.message = "the step of revision " + std::to_string(step.first) + " cannot be replayed: " + reason.message;
   reason.pointer = "/commands";
@@ -92,14 +93,12 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
     steps.push_back(std::move(*step));
   }
   const Surface& surface = present_->model->surface;
-  if (Status too_costly = check_cost(steps, replay.settings->symmetry, surface, replay.fields);
-      !too_costly.ok()) {
+  if (Status too_costly = check_cost(steps, replay.settings->symmetry, surface, replay.fields); !too_costly.ok()) {
     if (steps.size() == 1) too_costly.pointer.insert(0, "/commands/0");  // as the other refusals here
     return too_costly;
   }
   const Revision next = replay.entries.back().revision + 1;
-  Result<Outcome> evaluated =
-      evaluate_batch(steps, {}, surface, replay.fields, *replay.settings, next, options.cancel);
+  Result<Outcome> evaluated = evaluate_batch(steps, {}, surface, replay.fields, *replay.settings, next, options.cancel);
   if (!evaluated) return evaluated.status();
   Outcome& outcome = *evaluated;
   std::move(outcome.results.begin(), outcome.results.end(), std::back_inserter(replay.results));

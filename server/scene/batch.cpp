@@ -24,7 +24,7 @@ bool set(const Command& command, SceneSettings& settings, Revision next) {
   return true;
 }
 
-/// Puts the settings of a wind or a stick that stays in place of its name.
+/// Replaces the name of a stored blower or attractor by its settings.
 Command with_named(Command command, const SceneSettings& settings) {
   if (auto* blow = std::get_if<Blow>(&command); blow && !blow->blower.empty()) {
     for (const NamedBlower& named : settings.blowers) {
@@ -82,7 +82,7 @@ FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& s
   return all;
 }
 
-/// All images of a command; applied to the fields.
+/// Evaluates all images of a command, and applies them to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings,
                            const Cancel& cancel) {
   Evaluation all;

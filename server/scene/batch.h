@@ -1,4 +1,4 @@
-// What several commands do together, found out without changing anything.
+// Evaluates several commands without changing anything.
 #pragma once
 
 #include <memory>
@@ -52,7 +52,7 @@ std::vector<Command> chosen(const std::vector<Command>& commands, const std::vec
 /// Describes a change of the fields for an answer. `fields` are those before it or after it.
 CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields);
 
-// Whether commands are too much work, before any of them begins.
+// Checks the cost of commands before any of them begins.
 
 /// Refused (invalid) when the commands are too much work together; those before one may change its symmetry.
 Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface, const FieldSet& fields);

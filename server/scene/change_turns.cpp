@@ -10,7 +10,7 @@ Result<ChangeTurns::Turn> ChangeTurns::take(const Cancel& cancel) {
   constexpr std::chrono::milliseconds look_again(100);  // whether anybody waits
   std::unique_lock lock(mutex_);
   if (waiting_.size() >= max_waiting) {
-    return failure(Code::busy, "the scene has many changes to make", "",
+    return failure(Code::busy, "too many changes of the scene wait", "",
                    "at most " + std::to_string(max_waiting) + " that wait");
   }
   const std::uint64_t own = came_++;

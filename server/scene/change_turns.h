@@ -15,7 +15,7 @@ namespace pelage {
 /// Changes take turns, one at a time, in the order that they came in. Thread-safe.
 class ChangeTurns {
  public:
-  /// Each holds a thread of whoever serves its client, and others want to be served too.
+  /// Most changes that wait. Each holds a thread of whoever serves its client, and other clients need threads too.
   static constexpr std::size_t max_waiting = 32;
 
   class Turn {

@@ -57,7 +57,8 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
                    });
 }
 
-/// The journal keeps the pictures that logs name, so that undo and redo find them.
+/// Returns the picture that the settings name. The journal keeps the pictures that logs name, so that undo and redo
+/// find them.
 Result<std::shared_ptr<const RawImage>> Scene::skin_texture_of(const SceneSettings& settings,
                                                                const SceneSnapshot* present) const {
   const std::string& name = settings.skin_texture;
@@ -85,7 +86,7 @@ SnapshotPtr Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet f
   return begun;
 }
 
-/// What was there before is in both arguments then, to be freed without the lock.
+/// Swaps a new beginning into the scene. Both arguments then hold what was there before, to be freed without the lock.
 Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write) {
   return take_over(write, [&] {
     present_.swap(snapshot);

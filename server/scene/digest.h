@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// 128 bits as 32 hex digits, the same on every server. Not against people who look for two texts with one digest.
+/// Returns 128 bits as 32 hex digits, the same on every server. It does not protect against deliberate collisions.
 std::string digest(std::string_view bytes);
 
 }  // namespace pelage

@@ -13,12 +13,12 @@ namespace pelage {
 /// vertical.
 glm::dmat3 upright_frame(glm::dvec3 forward);
 
-/// Turned around its third column, counter-clockwise as seen from its tip. Radians.
+/// Turns a frame around its third column by an angle in radians, counter-clockwise as seen from its tip.
 glm::dmat3 tilted(const glm::dmat3& frame, double angle);
 
 // Eyes as the renderer wants them.
 
-/// In internal coordinates, with its frame upright as far as the gaze allows.
+/// Returns an eye in internal coordinates, with its frame upright as far as the gaze allows.
 FurEye make_eye(const Eye& eye, const Mesh& mesh);
 
 }  // namespace pelage

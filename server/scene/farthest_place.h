@@ -1,4 +1,4 @@
-// The tip of an ear: what of a surface lies farthest along a direction, within a box.
+// Finds what of a surface lies farthest along a direction within a box, such as the tip of an ear.
 #pragma once
 
 #include <optional>

@@ -131,7 +131,8 @@ class LogCheck {
     return check_all(commands_of(settings));
   }
 
-  /// Undo, redo and revert have none. A part of a stroke comes right behind the one before it.
+  /// Checks an entry's commands. Undo, redo and revert have none. A part of a stroke directly follows the part before
+  /// it.
   Status check_commands(const Entry& entry) {
     const bool moves =
         entry.kind == EntryKind::undo || entry.kind == EntryKind::redo || entry.kind == EntryKind::revert;

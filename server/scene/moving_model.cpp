@@ -114,7 +114,7 @@ Result<MovingModel> MovingModel::create(const StoredModel& stored, std::shared_p
 
 Status MovingModel::check(const RawModel& raw) const {
   const auto refused = [](const std::string& what, const std::string& limit) {
-    return failure(Code::invalid, "It is not the scene's model elsewhere: " + what + ".", "", limit);
+    return failure(Code::invalid, "It is not the scene's model in another pose: " + what + ".", "", limit);
   };
   if (raw.positions.size() != raw_.positions.size())
     return refused("it has " + std::to_string(raw.positions.size()) + " vertices",
@@ -152,8 +152,7 @@ Result<LaidMesh> MovingModel::laid(const RawModel& raw) const {
   Result<LaidMesh> split = split_triangles({moved(own, std::move(positions), turns), std::move(patches)}, how_);
   if (!split) return split.status();
   if (split->mesh.positions.size() != rest().positions.size() || split->mesh.triangles != rest().triangles)
-    return failure(Code::invalid, "Its split triangles come out otherwise here than at rest.", "",
-                   "the same triangles");
+    return failure(Code::invalid, "Its triangles are split differently than at rest.", "", "the same triangles");
   return split;
 }
 

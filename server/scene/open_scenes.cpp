@@ -75,7 +75,7 @@ OpenScenes::Dropped OpenScenes::keep_to_budget() {
   return dropped;
 }
 
-/// Without the lock.
+/// Frees evicted scenes. Called without the lock.
 void OpenScenes::close(Dropped dropped) const {
   if (dropped.empty()) return;
   for (const auto& scene : dropped) {

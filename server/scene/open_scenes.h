@@ -34,10 +34,10 @@ class OpenScenes {
 
   /// `open` makes a scene from the journal; it runs without a lock.
   OpenScenes(std::size_t budget, Open open) : budget_(budget), open_(std::move(open)) {}
-  /// Before anyone else uses this.
+  /// To be called before anyone else uses this object.
   void on_close(OnClose on_close) { on_close_ = std::move(on_close); }
   void count_copies(CopyBytes copy_bytes) { copy_bytes_ = std::move(copy_bytes); }
-  /// Baked coats take room beside scenes; asked as copies are.
+  /// Sets what baked coats take, which counts against the same budget; asked as CopyBytes is.
   void count_coats(std::function<std::size_t()> coat_bytes) { coat_bytes_ = std::move(coat_bytes); }
 
   /// Refused (busy) at the limit of scenes, as `add` does.

@@ -1,4 +1,4 @@
-// Which place of the surface is meant, and the fur there.
+// Finds a position of the surface, and the fur there.
 #pragma once
 
 #include "base/status.h"
@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// The place, with the fields between the corners of its triangle. No hit where a ray passes by, or no part of the
-/// surface lies in the box. Refuses places that lie too far from the model, as commands do.
+/// Returns the position, with the fields interpolated between the corners of its triangle. No hit where a ray misses,
+/// or where no part of the surface lies in the box. Refuses positions that lie too far from the model, as commands do.
 Result<PickAnswer> pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted);
 
 }  // namespace pelage

@@ -23,7 +23,7 @@ namespace pelage {
 
 namespace {
 
-/// A retarget with what it takes, and with the revision of that.
+/// Returns a retarget with its source, and with the source's revision.
 Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sources) {
   const auto source = std::find_if(sources.begin(), sources.end(), [&](const GroomSource& one) {
     return one.scene == command.scene && one.asked == command.revision;
@@ -76,7 +76,7 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
   auto texture = skin_texture_of(history.settings(), nullptr);
   if (taken.ok() && !texture) taken = texture.status();
   SnapshotPtr restored = beginning(present_->model, std::move(fields), history, texture ? *texture : nullptr);
-  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // what is whole of a damaged scene too
+  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // the intact part of a damaged one too
   return taken.ok() ? begun : taken;
 }
 
@@ -95,8 +95,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
   const SceneSnapshot& now = *present_;
-  if (Status too_costly =
-          check_cost(planned->whole, now.settings->symmetry, now.model->surface, *now.fields);
+  if (Status too_costly = check_cost(planned->whole, now.settings->symmetry, now.model->surface, *now.fields);
       !too_costly.ok())
     return too_costly;
 
@@ -141,7 +140,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   return answer(std::move(outcome.results));
 }
 
-// Undo, redo and revert enter the same story with a stored change.
+// Undo, redo and revert follow the same steps with a stored change.
 Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions& options) {
   const Result<ChangeTurns::Turn> turn = begin_change(options);
   if (!turn) return turn.status();
@@ -237,7 +236,7 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
   return check_skin_texture(base->picture, journal_);
 }
 
-/// An erase finds the fields that it goes back to.
+/// Finds the baseline of an erase.
 Result<Step> Scene::with_rest(Command command, const Past& past) const {
   Step step{std::move(command), nullptr};
   const auto* erase = std::get_if<Erase>(&step.command);

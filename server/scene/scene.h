@@ -108,8 +108,8 @@ class Scene {
 
   SceneSummary summary() const;
   SceneMemory memory() const noexcept;
-  /// Of a revision, the present one when none is given. Refused (invalid, "/revision") when this model has no such
-  /// revision.
+  /// Returns the settings at a revision, the present one when none is given. Refused (invalid, "/revision") when this
+  /// model has no such revision.
   Result<SettingsAnswer> settings(std::optional<Revision> revision = {}) const;
   /// All entries of the journal since the model came, oldest first.
   std::vector<LogEntry> log() const;
@@ -123,17 +123,18 @@ class Scene {
   /// (invalid, "/revision").
   Result<GroomSource> groom(std::optional<Revision> revision) const;
   Result<PickAnswer> pick(const PickRequest& wanted) const;
-  /// A field through the model's texture coordinates. Refused as make_map_file.
+  /// Draws a field as a map through the model's texture coordinates. Refused as make_map_file.
   Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
 
-  /// Lets whoever draws the present see the scene so until the next call, and at rest for none; settings that are set
-  /// meanwhile are not seen. No part of the groom: not in the journal, and revisions stay. The pose has the model's
-  /// triangles. For who alone changes the scene.
+  /// Sets the pose in which the present scene is drawn until the next call; none stands for rest. Settings that are set
+  /// meanwhile are not visible. The pose is no part of the groom: it is not in the journal, and revisions stay. It has
+  /// the model's triangles. Only for a caller that alone changes the scene.
   void pose(std::optional<ScenePose> pose);
 
-  /// A new model starts an empty log at the next revision. `stored` is what the journal keeps of it.
+  /// Gives the scene a new model, which starts an empty log at the next revision. `stored` is what the journal keeps of
+  /// the model.
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      const ExecuteOptions& options = {});
 
@@ -152,7 +153,7 @@ class Scene {
   /// The present, and at most 256 changes that came next after a revision; none where this model has no such revision.
   SceneNews news(std::optional<Revision> after) const;
   Revision revision() const;
-  /// A scene that has been removed is at no revision.
+  /// Returns whether the scene is at this revision; a scene that has been removed is at none.
   bool is_at(Revision revision) const { return !removed() && newest_ == revision; }
   bool removed() const { return removed_; }
   const std::string& id() const;

@@ -20,8 +20,8 @@ struct SceneMemory {
 
 std::size_t bytes_of(const SceneModel& model);
 
-/// The allocator holds freed arrays back for others. An evicted scene is worth little until it returns them, and a
-/// model takes several times its own memory while it is prepared.
+/// Makes the allocator return freed memory, which it holds back for others, to the system: after a scene is evicted,
+/// and after a model is prepared, which takes several times the model's own memory.
 void give_memory_back();
 
 /// Keeps the allocator to two arenas, so that what threads free can be given back; before any thread is started. With

@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-/// In a log the message says which step it is about.
+/// Adds to the message of a refusal which step of a log it is about.
 Status in_step(Status status, std::size_t step) {
   status.message = "step " + std::to_string(step) + " cannot be carried to another model: " + status.message;
   return status;
@@ -38,9 +38,7 @@ Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneMo
   return steps;
 }
 
-std::shared_ptr<const SceneModel> Scene::model() const {
-  return snapshot()->model;
-}
+std::shared_ptr<const SceneModel> Scene::model() const { return snapshot()->model; }
 
 Result<GroomSource> Scene::groom(std::optional<Revision> revision) const {
   const SnapshotPtr now = snapshot();

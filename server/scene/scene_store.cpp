@@ -31,7 +31,8 @@ std::string random_id() {
   return id;
 }
 
-/// What is not asked for follows from the file. An axis that is given keeps the other off its line.
+/// Returns the options of the preparation. What is not asked for follows from the file, and never puts both axes on one
+/// line.
 PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
   const auto line = [](Axis axis) { return static_cast<int>(axis) / 2; };
   PrepareOptions options{.source_is_32_bit = raw.is_32_bit, .crease_degrees = asked.crease_degrees};

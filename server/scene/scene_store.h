@@ -1,4 +1,4 @@
-// All scenes of the server, and their way through a restart.
+// All scenes of the server, and how they survive a restart.
 #pragma once
 
 #include <limits>
@@ -32,7 +32,7 @@ class SceneStore {
 
   /// The scene's model, ready to stand elsewhere, as Scene::pose wants it.
   Result<MovingModel> moving_model(const Scene& scene) const;
-  /// For a model of its own, unique in the process.
+  /// Returns an id for a new model, unique in the process.
   std::uint64_t new_model_id() const;
 
   /// Refused (busy) at the limit of scenes.
@@ -44,7 +44,7 @@ class SceneStore {
   /// Opens the scene where it was evicted, by the journal as at the start.
   Result<std::shared_ptr<Scene>> find(const std::string& id) const;
   Status remove(const std::string& id);
-  /// What a request with this path and key made, before a restart too. Its fingerprint may be another.
+  /// Returns what a request with this path and key made, before a restart too. Its fingerprint may be another one.
   Result<std::optional<RequestedChange>> change_of_request(const KeyedRequest& request) const;
   /// As Journal::health.
   Status health() const;
@@ -91,7 +91,7 @@ class SceneStore {
                                     const ExecuteOptions& execute = {});
   /// Keeps the picture and names it in a set_skin_texture. Refused as that command is.
   Result<CommandAnswer> lay_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
-  /// Keeps a picture of data for commands to name. One that no log names is gone after a restart.
+  /// Stores a picture of data that commands can name. A picture that no log names is gone after a restart.
   Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes, const Cancel& cancel = {});
   /// The same, and reads a map from it with ApplyMap. Refused as that command is.
   Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,

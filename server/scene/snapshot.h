@@ -33,14 +33,13 @@ struct SceneModel {
 
 /// How a model that moves has moved, which makes its fur swing.
 struct BodySwing {
-  /// Of the skin at a vertex at a time of the scene, sizes per second squared, turned as the skin has turned since:
-  /// what BodyMotion (server/motion) wants. Called from several threads.
+  /// Returns the acceleration of the skin at a vertex at a time of the scene, sizes per second squared, rotated as the
+  /// skin has been since then: the form that BodyMotion (server/motion) takes. Called from several threads.
   std::function<glm::dvec3(std::uint32_t vertex, double time)> acceleration;
   double step = 1.0 / 24;  // seconds, [1/1000, 1], from one known acceleration to the next
 };
 
-/// How a scene stands at a moment: its model elsewhere, and its settings with what stands on the model there. The groom
-/// stays what it is.
+/// The pose of a scene at a moment: its model, moved, and its settings, moved along. The groom stays as it is.
 struct ScenePose {
   std::shared_ptr<const SceneModel> model;  // with the triangles of the scene's
   SceneSettings settings;
@@ -54,7 +53,7 @@ struct SceneView {
   const SceneSettings& settings;
   Revision revision;
   const RawImage* skin_texture = nullptr;  // that the settings name; null for the model's own colours
-  std::uint64_t copy_id = model.id;        // what the renderer has the model with these fields by
+  std::uint64_t copy_id = model.id;        // by which the renderer caches the model with these fields
   const BodySwing* swing = nullptr;        // null for a model that stands still
 };
 
@@ -63,7 +62,8 @@ inline std::vector<VertexRange> whole_range(std::size_t vertices) {
   return {{0, static_cast<std::uint32_t>(vertices)}};
 }
 
-/// Which vertices the last changes of a scene touched, so that whoever has drawn an older snapshot takes over no others.
+/// Which vertices the last changes of a scene touched, so that whoever has drawn an older snapshot takes over no
+/// others.
 class RecentChanges {
  public:
   static constexpr std::size_t max_known = 256;
@@ -72,7 +72,8 @@ class RecentChanges {
   std::uint64_t number() const { return number_; }
   /// The same with one more change.
   RecentChanges with(std::vector<VertexRange> touched) const;
-  /// What changes after a number have touched, in order and without overlaps; nothing where that is not known any more.
+  /// Returns the vertices that changes after a number have touched, in order and without overlaps; nothing where that
+  /// is no longer known.
   std::optional<std::vector<VertexRange>> since(std::uint64_t number) const;
 
  private:
@@ -85,12 +86,12 @@ struct SceneSnapshot {
   std::shared_ptr<const FieldSet> fields;
   std::shared_ptr<const SceneSettings> settings;
   Revision revision = 0;
-  std::uint64_t copy_id = 0;                        // SceneView::copy_id of a scene that is not posed
+  std::uint64_t copy_id = 0;  // SceneView::copy_id of a scene that is not posed
   std::shared_ptr<const RawImage> skin_texture = {};
   std::shared_ptr<const ScenePose> pose = {};
   RecentChanges changes = {};
 
-  /// As it is posed, for as long as the snapshot lives.
+  /// Returns the scene as it is posed. Valid as long as the snapshot lives.
   SceneView view() const;
   /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
   std::size_t bytes() const;

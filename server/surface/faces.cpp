@@ -68,7 +68,7 @@ class Polygon {
     if (!has_no_area(position(a), position(b), position(c))) triangles_.push_back({ring_[a], ring_[b], ring_[c]});
   }
 
-  /// Strictly: every corner turns left, and all together once around.
+  /// Returns whether the polygon is strictly convex: every corner turns left, and all together once around.
   bool is_convex() const {
     int sign_changes = 0;  // of the sides' x; a star goes around twice
     double last = 0;
@@ -153,7 +153,7 @@ constexpr std::uint32_t no_triangle = 0xffffffff;
 struct Neighbour {
   std::uint32_t triangle = no_triangle;
   bool agrees = true;  // whether both are wound the same way
-  bool open = false;   // no other triangle is there
+  bool open = false;   // the side has no other triangle
 };
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
@@ -233,7 +233,7 @@ class Orienter {
     return place(positions);
   }
 
-  /// What the members know of their winding, as they are turned now.
+  /// Measures of a part's winding, as its triangles are turned now.
   struct Winding {
     double volume = 0;             // signed, seen from the middle of the box
     double kept = 0, flipped = 0;  // twice the area of those wound as in the file, and of the others

@@ -142,7 +142,7 @@ class March {
  public:
   March(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
-  /// Nothing is nearer to the corners around the centre than the straight way.
+  /// Sets the distances of the corners around the centre, to which the straight path is the shortest.
   void start(const SurfacePoint& centre) {
     const glm::dvec3 place = surface_.position(centre);
     for (const std::uint32_t corner : corners_around(surface_, centre)) {
@@ -193,7 +193,7 @@ class March {
     front_.push({distance, vertex});
   }
 
-  /// The way to `next` from the vertex that became final: along the edge, or across a triangle at it.
+  /// Returns the distance to `next` from the vertex that became final: along the edge, or across a triangle at it.
   double distance_by(std::uint32_t vertex, double distance, std::uint32_t next) const {
     const double near = glm::distance(position(vertex), position(next));
     double best = distance + near;
@@ -248,7 +248,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// Heat falls like exp(-distance / reach): shorter, and it would leave the range of double on the far side.
+/// The shortest reach of the heat, which falls like exp(-distance / reach): a shorter one would leave the range of
+/// double on the far side.
 constexpr double min_reach = 1.0 / 200;
 /// Of the smaller of two matrices' diagonals; makes the Laplacian of every connected part invertible.
 constexpr double regularisation = 1e-9;
@@ -279,7 +280,7 @@ std::vector<Element> elements_of(const Mesh& mesh) {
   return elements;
 }
 
-/// Of all sides of all triangles, so that the order of corners does not matter.
+/// Returns the mean length of all sides of all triangles, so that the order of corners does not matter.
 double mean_edge(const Mesh& mesh) {
   double sum = 0;
   for (const glm::uvec3& t : mesh.triangles) {
@@ -342,7 +343,7 @@ HeatDistance::Impl::Impl(const Surface& surface) : elements(elements_of(surface.
   laplacian.compute(stiff);
 }
 
-/// Of the unit vectors against the heat's gradient.
+/// Returns the divergence of the unit vectors against the heat's gradient.
 Vector HeatDistance::Impl::divergence(const Vector& heat) const {
   Vector divergence = Vector::Zero(heat.size());
   for (const Element& element : elements) {

@@ -104,13 +104,13 @@ struct SpreadSource {
 };
 
 struct Spread {
-  std::vector<double> distance;    // for each vertex, sizes; infinite where no way leads
-  std::vector<glm::dvec3> vector;  // the nearest source's, brought there by smallest rotations along the way
+  std::vector<double> distance;    // for each vertex, sizes; infinite where no path leads
+  std::vector<glm::dvec3> vector;  // the nearest source's, carried there by smallest rotations along the path
 };
 
 /// Dijkstra along edges (fur modelling 5.1). Overestimates the distance along the surface, and subdividing the mesh
 /// does not cure that. Lengths of edges are found once for all searches, which may run in parallel. Of several shortest
-/// ways to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
+/// paths to a vertex, the one whose last step begins nearest to its source counts, and of those the one from the lowest
 /// vertex.
 class EdgeSearch {
  public:
@@ -126,7 +126,7 @@ class EdgeSearch {
 /// One search.
 Spread spread_along_edges(const Surface& surface, std::span<const SpreadSource> sources);
 
-/// Through space, to the nearest source; the vector is brought there in one rotation.
+/// Computes distances through space to the nearest source; its vector is carried in one rotation.
 Spread spread_through_space(const Surface& surface, std::span<const SpreadSource> sources);
 
 // Distances along the surface around a point, for brushes.
@@ -141,8 +141,9 @@ struct VertexDistance {
 /// marches one ring of vertices beyond the radius, and back from there. Cost follows the number found, not the mesh.
 std::vector<VertexDistance> distances_within(const Surface& surface, const SurfacePoint& centre, double radius);
 
-/// The distance of a place in a triangle whose other corners are `along` apart: `near` and `far` from them, which are
-/// `near_distance` and `far_distance` from the source. Infinite where the straight way does not pass between them.
+/// Returns the distance from the source to a corner of a triangle whose other corners are `along` apart. It is `near`
+/// and `far` away from them, and they are `near_distance` and `far_distance` away from the source. Infinite where the
+/// straight path does not pass between them.
 double unfolded_distance(double along, double near, double far, double near_distance, double far_distance);
 
 // Distances along the surface by the heat method.

@@ -70,7 +70,7 @@ struct PointTree::Capsule {
     const double share = square > 0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0;
     return distance(from + share * along, point) <= radius;
   }
-  /// Returns whether the line meets the box made wider by the radius.
+  /// Returns whether the line hits the box enlarged by the radius.
   bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const {
     double enters = 0, leaves = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -160,8 +160,9 @@ struct Releaser {
 using Device = std::unique_ptr<RTCDeviceTy, Releaser<RTCDevice, rtcReleaseDevice>>;
 using Scene = std::unique_ptr<RTCSceneTy, Releaser<RTCScene, rtcReleaseScene>>;
 
-/// One instruction set on every CPU, because hits differ between them. A number of threads would bound oneTBB's for the
-/// whole process: scenes are built on the caller's own instead.
+/// Settings of the Embree device: one instruction set on every CPU, because hits differ between them. A number of
+/// threads is not set, because it would bound oneTBB's for the whole process; scenes are built on the caller's thread
+/// instead.
 constexpr const char* device_settings = "isa=sse4.2,set_affinity=0,hugepages=0";
 
 /// Copies: Embree reads 16 bytes from each vertex, and pads the buffers that it makes itself.
@@ -236,8 +237,8 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-/// Where the part of the ray near the model begins: moved along the ray in double, because Embree's rays are 32-bit and
-/// end the process where a square overflows. None where the ray passes by.
+/// Returns where the part of the ray near the model begins; none where the ray passes by. The origin is moved along the
+/// ray in double, because Embree's rays are 32-bit and end the process where a square overflows.
 std::optional<glm::dvec3> start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
   // The model's box lies in the ball of radius 1/2 around the origin of the internal coordinates.
   const double closest = -glm::dot(origin, direction);
@@ -264,7 +265,7 @@ struct Surface::Impl {
         neighbours(vertex_neighbours(mesh.triangles, mesh.positions.size())) {}
 
   Mesh mesh;
-  std::atomic<std::ptrdiff_t> embree_bytes{0};  // counted by the device, which goes before it
+  std::atomic<std::ptrdiff_t> embree_bytes{0};  // counted by the device, which is destroyed before it
   Device device;
   Scene scene;
   PointTree points;

@@ -64,7 +64,8 @@ struct SurfacePoint {
   glm::dvec3 barycentric{0};
 };
 
-/// A mesh with what speeds up questions about it. All coordinates are internal. Const calls may run in parallel.
+/// A mesh with the structures that speed up queries on it. All coordinates are internal. Const calls may run in
+/// parallel.
 class Surface {
  public:
   explicit Surface(Mesh mesh);
@@ -87,7 +88,7 @@ class Surface {
 
   /// Vertices that share an edge with `vertex`, in rising order.
   std::span<const std::uint32_t> neighbours(std::uint32_t vertex) const;
-  /// All of them.
+  /// Returns the neighbours of all vertices.
   const Adjacency& adjacency() const;
 
   glm::dvec3 position(const SurfacePoint& point) const;

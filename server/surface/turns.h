@@ -14,8 +14,8 @@ namespace pelage {
 /// factor in the plane of the skin, as in Sorkine and Alexa 2007, in closed form). Rotations for all finite positions.
 std::vector<glm::dmat3> surface_turns(const Mesh& rest, std::span<const glm::vec3> positions);
 
-/// The mesh with its vertices elsewhere. Normals, shading normals and tangents turn with the surface, so that creases
-/// stay where they are and a direction field goes along; triangles, looks, centre and size are those at rest.
+/// Returns the mesh with its vertices moved. Normals, shading normals and tangents turn with the surface, so that
+/// creases stay where they are and a direction field goes along; triangles, looks, centre and size are those at rest.
 Mesh moved(Mesh rest, std::vector<glm::vec3> positions, std::span<const glm::dmat3> turns);
 
 }  // namespace pelage

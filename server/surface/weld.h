@@ -49,10 +49,10 @@ Placement place(const std::vector<glm::dvec3>& positions);
 
 // The good faces of a file with welded vertices.
 
-/// Why a face is none.
+/// Why a face is not valid.
 enum class BadFace { none, corners, vertices, numbers };  // fewer than three; not all in the file; not all finite
 
-/// Faces that can be faces: three corners or more, all of them finite vertices of the file.
+/// The valid faces: three corners or more, all of them finite vertices of the file.
 struct Polygons {
   struct Face {
     std::uint32_t source;  // in RawModel::face_sizes

@@ -110,9 +110,8 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
   const ModelArrays arrays = make_arrays(view);
   const MovedDirection moved = moved_of(view, request);
-  Status status =
-      tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()), frame,
-                    std::move(base).value(), traced_aovs, always);
+  Status status = tracer_.begin(make_model(view, arrays), make_fields(view, skin, std::span(&all, 1), moved.get()),
+                                frame, std::move(base).value(), traced_aovs, always);
   while (status.ok() && tracer_.report().end == TraceEnd::none) status = tracer_.add_pass(always);
   if (!status.ok()) return status;
   std::vector<FloatImage> images;

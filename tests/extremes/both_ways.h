@@ -46,8 +46,8 @@ class BothWays {
 /// has.
 FrameRequest rasterized(FrameRequest request);
 
-/// What is wrong with the layers of a picture, "" for nothing: all are finite, light is not negative, shares lie in
-/// [0, 1].
+/// Returns what is wrong with the AOVs of a picture, or "" if nothing is: all have to be finite, light not negative,
+/// and shares in [0, 1].
 std::string complaint_about(const std::vector<FloatImage>& aovs);
 
 }  // namespace pelage::testing

@@ -1,6 +1,6 @@
 // Fur in the wind: still and moved frames leave each other alone.
-#include "server/frames/shown_scene.h"
 #include "server/frames/shown_fur.h"
+#include "server/frames/shown_scene.h"
 #include "tests/frames/with_renderer.h"
 #include "tests/support/furred_model.h"
 

@@ -1,4 +1,4 @@
-// What each subcommand does. All of them print and give the exit code.
+// The action of each subcommand. Each prints its result and returns the exit code.
 #pragma once
 
 #include "clients/cli/session.h"

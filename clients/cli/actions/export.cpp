@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// Unless it is named, the format is that of the output's ending; a GLB is for viewers.
+/// The format follows from the output's ending unless it is named; for .glb it is `shells`, for viewers.
 Result<Query> checked_export_query(const Options& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   Query query = options.export_parameters;
@@ -32,7 +32,7 @@ Result<Query> checked_export_query(const Options& options) {
   return refused;
 }
 
-/// The decoder took every value, so that none needs escaping but the + of a number, which means nothing there.
+/// Every value has passed the decoder, so that none needs escaping; only the + of a number is dropped.
 std::string address_of_export(const std::string& scene_path, const Query& query, bool dry_run) {
   std::string parameters = dry_run ? "&dry_run=1" : "", format;
   for (auto [name, value] : query) {
@@ -60,7 +60,7 @@ void print_about(const Options& options, const std::string& about) {
              static_cast<double>(answer->bytes) / 1e6);
 }
 
-/// Into the file as it comes; `written` is whether the file took all.
+/// Downloads the answer into the file as it arrives; `written` says whether the file took all of it.
 Result<HttpAnswer> received(Session& session, const std::string& address, NewFile& file, bool& written) {
   std::atomic<std::size_t> bytes = 0;
   const ProgressLine line("exporting", [&bytes]() -> ProgressState {

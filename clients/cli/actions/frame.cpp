@@ -15,7 +15,7 @@ namespace {
 const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"},
                             {".webp", "webp"}, {".exr", "exr"}, {".npy", "npy"}};
 
-/// Checked here too, so that a wrong line says so without a server.
+/// Checks the request here too, so that a wrong command line is refused without a server.
 Result<FrameRequest> frame_request_of(const Options& options) {
   const Result<Parameters> parameters = with_format(options.frame, options.output, frame_endings);
   if (!parameters) return parameters.status();
@@ -28,7 +28,7 @@ Result<FrameRequest> frame_request_of(const Options& options) {
   } else if (strands) {
     request->knobs.trace = *tracing;
   } else if (!options.trace.empty()) {
-    return failure(Code::invalid, "Only strands are traced.", "/" + options.trace.front().first,
+    return failure(Code::invalid, "Only traced strands take these options.", "/" + options.trace.front().first,
                    "--quality reference, or --progressive");
   }
   return decode_frame_request(encode(*request));
@@ -61,7 +61,8 @@ ExitCode print_cost(Session& session, const std::string& path, const std::string
   return done;
 }
 
-/// The frame that is farthest on, which is the one that is drawn. A connection of its own asks.
+/// Returns the progress of the frame that is nearest to its end, which is the one being drawn. A connection of its own
+/// asks for it.
 ProgressState frame_progress(Connection& connection, const std::string& path) {
   const auto answer = connection.get(path + "/frames");
   const auto list =
@@ -73,7 +74,7 @@ ProgressState frame_progress(Connection& connection, const std::string& path) {
   return state;
 }
 
-/// A frame that is too long says how to get it all the same.
+/// Draws a frame. The refusal of a frame that takes too long says how to get it nevertheless.
 Result<HttpAnswer> drawn(Session& session, const std::string& path, const std::string& request) {
   auto other = Connection::to(session.options().server, session.options().token);
   const ProgressLine line("drawing", [&] { return other ? frame_progress(*other, path) : ProgressState{}; });

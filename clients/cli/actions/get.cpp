@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-/// What stands in the contract as it is, or below a scene that is named.
+/// Returns the address as the contract has it, or below the scene that is named.
 Result<std::string> whole_address(Session& session) {
   const Options& options = session.options();
   if (options.address.empty()) return options.scene;

@@ -25,7 +25,7 @@ Query checked_query(const Options& options) {
   return query;
 }
 
-/// Decoders took every value, so that none needs escaping but the + of a number, which means nothing there.
+/// Every value has passed a decoder, so that none needs escaping; only the + of a number is dropped.
 std::string with_parameters(std::string address, const Parameters& parameters) {
   char separator = '?';
   for (const auto& [parameter, value] : parameters) {

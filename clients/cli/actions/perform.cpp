@@ -39,7 +39,7 @@ Perform action_of(Action action) {
   }
 }
 
-/// Looked at before the server is asked for what goes there.
+/// Checks that outputs can be written, before the server is asked for their content.
 Status check_outputs(const Options& options) {
   const bool writes =
       options.action == Action::frame || options.action == Action::export_fur || options.action == Action::get_map;

@@ -37,7 +37,7 @@ glm::dvec3 triple_of(const std::vector<double>& numbers, std::size_t first) {
   return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-/// Where the line's places lie, and how recipes write them.
+/// Converts positions of the command line to the model's coordinates, and writes them as recipes do.
 class Places {
  public:
   Places(const Bounds& box, bool world) : box_(box), world_(world) {}
@@ -111,7 +111,7 @@ Result<Question> question_of(const Options& options, const Places& places) {
   return pixel_question(options);
 }
 
-/// In each form that commands and recipes take.
+/// Prints the position in each form that commands and recipes take.
 void print_forms(const Options& options, const PickAnswer& answer, const Places& places, const Question& question) {
   const std::string name = options.place_name.empty() ? "place" : options.place_name;
   fmt::print("in a recipe {}\n", places.at(answer.position));

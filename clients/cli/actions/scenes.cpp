@@ -23,7 +23,7 @@ std::string new_scene_request_of(const Options& options) {
       json_text(options.fur_patches));
 }
 
-/// A scene whose model cannot be loaded goes again.
+/// Loads the model of a new scene, and removes the scene if that fails.
 ExitCode fill_new_scene(Session& session, const std::string& id) {
   const std::string path = "/v1/scenes/" + id;
   const Result<HttpAnswer> answer = load_into(session, path);

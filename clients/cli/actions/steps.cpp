@@ -21,7 +21,7 @@ Result<ModelReport> model_at(Session& session, const std::string& path) {
   return summary ? Result<ModelReport>(summary->report) : summary.status();
 }
 
-/// The recipe as the options, the model and the server complete it. Refers to all that it is made of.
+/// Returns the recipe, completed by the options, the model and the server. It refers to all that it is made of.
 Result<Recipe> completed(Session& session, const std::string& path, const std::string& text, RunPlan& plan) {
   const Options& options = session.options();
   const auto model = model_at(session, path);

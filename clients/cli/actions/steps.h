@@ -19,7 +19,7 @@ struct RunStep {
   std::vector<std::optional<TouchLimits>> asserts;  // one for each command, or none at all
 };
 
-/// What the files of the options say. `place` and `files` are of use where reading it failed, too.
+/// What the files of the options say. `place` and `files` can be used even if reading them failed.
 struct RunPlan {
   std::vector<RunStep> steps;
   std::string place;               // what a refusal is about

@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// `send` is given what to tell how many bytes went out.
+/// Calls `send` with a callback that it tells how many bytes went out.
 template <class Send>
 Result<HttpAnswer> with_progress(std::size_t size, Send send) {
   std::atomic<std::size_t> sent = 0;

@@ -41,7 +41,8 @@ Stamps stamps_of(const std::vector<std::string>& files) {
   return stamps;
 }
 
-/// Until a file is another one than `known` and stays so, as an editor writes in several goes. False after Ctrl-C.
+/// Waits until a file differs from `known` and no longer changes, because an editor writes in several goes. Returns
+/// false after Ctrl-C.
 bool wait_for_change(const std::vector<std::string>& files, const Stamps& known) {
   Stamps before = known;
   for (;;) {

@@ -68,7 +68,7 @@ std::string json_of(const FlipFigures& flip) {
   return fmt::format(R"({{"mean":{:.7g},"percentile_95":{:.7g}}})", flip.mean, flip.percentile_95);
 }
 
-/// Both only with figures.
+/// Prints an error, which has to have figures.
 void print(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
   fmt::print("FLIP        mean {:.4f}, 95th percentile {:.4f}\n", figures.flip.mean, figures.flip.percentile_95);

@@ -9,14 +9,14 @@ namespace {
 /// "get" of "map get".
 std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
 
-/// Within single quotes of bash and zsh.
+/// Puts a text into single quotes for bash and zsh.
 std::string shell_text(const std::string& text) {
   std::string in_quotes = "'";
   for (const char c : text) in_quotes += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return in_quotes + "'";
 }
 
-/// Within single quotes of fish.
+/// Puts a text into single quotes for fish.
 std::string fish_text(const std::string& text) {
   std::string in_quotes = "'";
   for (const char c : text) {
@@ -26,8 +26,8 @@ std::string fish_text(const std::string& text) {
   return in_quotes + "'";
 }
 
-/// Commands below, the command's own options and those of the program, which may stand anywhere: a word and what it
-/// does.
+/// Returns the words that may follow, each with what it does: the commands below, the command's own options, and those
+/// of the program, which may stand anywhere.
 std::vector<std::pair<std::string, std::string>> words_after(const CommandHelp& command, const CommandHelp& root) {
   std::vector<std::pair<std::string, std::string>> words;
   for (const CommandHelp& below : command.commands) words.emplace_back(last_word(below.name), below.words);
@@ -58,7 +58,7 @@ std::string path_loop(const CommandHelp& root, const char* words) {
                      words, known);
 }
 
-/// "-n '...'" of fish: the command is on the line.
+/// Returns fish's option "-n '...'": the command is on the line.
 std::string fish_condition(const CommandHelp& command) {
   if (command.name.empty()) return "__fish_use_subcommand";
   std::string condition;

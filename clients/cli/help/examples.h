@@ -8,7 +8,7 @@ namespace pelage {
 
 inline constexpr const char* exit_codes = "0 done, 1 failed, 2 wrong use, 3 the input was refused.";
 
-/// Lines of a shell; `command` such as "map get", "" for the program.
+/// Returns shell lines that use a command; `command` is such as "map get", "" stands for the program.
 std::vector<std::string> examples_of(const std::string& command);
 
 /// What stands below a command's help.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int connection_seconds = 5;
 constexpr int answer_seconds = 24 * 3600;                         // the server says itself when it gives up
-constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP, which find a host that is gone
+constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP keepalive, which finds a host that is gone
 constexpr const char* bytes_type = "application/octet-stream";
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
 
@@ -25,7 +25,7 @@ void keep_alive(socket_t socket) {
   set(IPPROTO_TCP, TCP_KEEPCNT, probes);
 }
 
-/// A body that says how far it is.
+/// Returns a body that reports how much of it was sent.
 httplib::ContentProvider in_pieces(const std::string& bytes, const Sent& sent) {
   return [&bytes, &sent](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
     const std::size_t piece = std::min(length, piece_bytes);

@@ -32,7 +32,8 @@ class Connection {
   Connection& operator=(Connection&&) noexcept;
 
   Result<HttpAnswer> get(const std::string& path);
-  /// The same, with the body of a success (2xx) handed over piece by piece; false of `take` ends it.
+  /// Does the same, but hands the body of a success (2xx) to `take` in chunks; if `take` returns false, the transfer
+  /// ends.
   Result<HttpAnswer> get(const std::string& path, const std::function<bool(std::string_view)>& take);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
   /// `sent` is told how many bytes went out so far.

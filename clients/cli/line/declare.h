@@ -1,4 +1,4 @@
-// The parts of the command line: what they are called, what they say and where their values go.
+// Declares the command line: names, help texts, and where the values go.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@ class App;
 
 namespace pelage {
 
-/// A command with its examples, for what the options' `action` says.
+/// Adds a command with its examples; it sets the options' `action`.
 CLI::App* add_action(CLI::App& app, Options& options, Action action, const char* name, const char* help);
 
 void add_scene(CLI::App* command, Options& options);
 
-/// Options whose values are handed on under the name that an address knows them by.
+/// Adds an option whose value is passed on as a parameter of an address.
 void hand_on(CLI::App* command, Parameters& into, const char* flag, const char* parameter, const char* help);
 
-/// NAME=VALUE, each.
+/// Splits each text NAME=VALUE into a pair.
 void add_pairs(const std::vector<std::string>& texts, Parameters& pairs);
 
-/// What a recipe's variables are.
+/// Adds the options that set a recipe's variables.
 void add_variables(CLI::App* command, Options& options);
 
-/// The whole line: all that stands below, and the program's own options.
+/// Declares the whole line: all commands, and the program's own options.
 void declare_line(CLI::App& app, Options& options);
 
 void declare_scene_actions(CLI::App& app, Options& options);

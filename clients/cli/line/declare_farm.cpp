@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* frames_help = "Folder of `pelage farm submit`, job, or frames as \"out/fox.####.png\"";
 
-// No value is kept: pelage-farm takes the line as it is.
+// No value is stored: pelage-farm gets the command line unchanged.
 
 CLI::Option* add_value(CLI::App* command, const char* flag, const std::string& help) {
   return command->add_option(flag, help)->type_name("TEXT");
@@ -28,7 +28,7 @@ void declare_farm_pack(CLI::App& farm, Options& options) {
   add_value(pack, "-o,--output", "The file, .pelage")->required();
   add_value(pack, "--file", "Model to groom on a private server");
   add_value(pack, "--builtin", "Built-in model to groom on a private server: creature, sphere, torus or plane");
-  add_number(pack, "--triangles", "Of a built-in model, about, 2 to 1000000 [5000]", 2, 1000000);
+  add_number(pack, "--triangles", "Triangles of a built-in model, about, 2 to 1000000 [5000]", 2, 1000000);
   add_value(pack, "--recipe", "Recipe that grooms the model");
   add_value(pack, "--set", "NAME=VALUE of a recipe's variable; may be repeated")->expected(-1);
 }

@@ -14,7 +14,7 @@ void declare_export(CLI::App& app, Options& options) {
   Parameters& parameters = options.export_parameters;
   hand_on(command, parameters, "--format", "format",
           "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
-  hand_on(command, parameters, "--shells", "shells", "Layers of shells, 1 to 32 [16]");
+  hand_on(command, parameters, "--shells", "shells", "Number of shells, 1 to 32 [16]");
   hand_on(command, parameters, "--cards", "cards", "Cards of the finest level, about, 100 to 200000 [6000]");
   hand_on(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
   command->add_flag_callback(
@@ -41,7 +41,7 @@ void declare_guides(CLI::App& app, Options& options) {
   Parameters& parameters = options.guide_parameters;
   hand_on(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
   hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
-  hand_on(guides, parameters, "--sigma", "sigma", "Width of what one curve spreads over, sizes [from their distance]");
+  hand_on(guides, parameters, "--sigma", "sigma", "Width over which one curve acts, sizes [from their distance]");
   hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
 }
 

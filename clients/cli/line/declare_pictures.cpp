@@ -31,19 +31,19 @@ void add_quality(CLI::App* command, Options& options) {
   command->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
 }
 
-/// Members of Tracing.
+/// Adds options for members of Tracing.
 void add_tracing(CLI::App* command, Options& options) {
   Parameters& trace = options.trace;
-  hand_on(command, trace, "--passes", "passes", "Of traced strands, at most: samples of a pixel, 1 to 65536 [64]");
+  hand_on(command, trace, "--passes", "passes", "Passes of tracing at most: samples of a pixel, 1 to 65536 [64]");
   hand_on(command, trace, "--noise", "noise",
-          "Ends when the mean error of a shown channel is below, 0 to 1; 0 never [0]");
-  hand_on(command, trace, "--seconds", "seconds", "Ends after so much tracing, 0 to 3600; 0 never [0]");
+          "Mean error of a displayed channel at which tracing ends, 0 to 1; 0: never [0]");
+  hand_on(command, trace, "--seconds", "seconds", "Seconds of tracing after which it ends, 0 to 3600; 0: never [0]");
   hand_on(command, trace, "--transport", "transport",
           "transmittance, or paths that scatter from strand to strand [transmittance]");
   hand_on(command, trace, "--scattering", "scattering",
           "look or energy_conserving; paths take energy_conserving alone [look]");
-  hand_on(command, trace, "--bounces", "bounces", "With --transport paths: at most, 1 to 4096 [32]");
-  hand_on(command, trace, "--strands", "strands", "At most, 1 to 8000000; fewer are drawn wider [2000000]");
+  hand_on(command, trace, "--bounces", "bounces", "Bounces of a path at most, with --transport paths, 1 to 4096 [32]");
+  hand_on(command, trace, "--strands", "strands", "Strands at most, 1 to 8000000; fewer are drawn wider [2000000]");
   hand_on(command, trace, "--shutter", "shutter", "Motion blur of fur in the wind: seconds, 0 to 10 [0]");
   hand_on(command, trace, "--filter", "filter", "true or false: smooths pictures of few passes [true]");
   hand_on(command, trace, "--seed", "seed", "The same seed and passes give the same picture [1]");
@@ -69,7 +69,7 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");
   hand_on(command, frame, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
   hand_on(command, frame, "--format", "format", "png, png16, jpeg, webp, exr, npy or npy_linear [the output's ending]");
-  hand_on(command, frame, "--lossy-quality", "lossy_quality", "Of JPEG and WebP, 1 to 100 [by the quality]");
+  hand_on(command, frame, "--lossy-quality", "lossy_quality", "Quality of JPEG and WebP, 1 to 100 [by --quality]");
   hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
   hand_on(command, frame, "--aovs", "aovs",
           "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
@@ -82,7 +82,7 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
 }
 
-/// Ways to name a place beside a pixel; at most one of them.
+/// Adds the options that name a position other than by a pixel; at most one of them may be given.
 void add_places(CLI::App* pick, Options& options) {
   std::vector<CLI::Option*> ways = {
       pick->get_option("x"),

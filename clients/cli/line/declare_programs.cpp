@@ -15,7 +15,7 @@ void declare_trade(CLI::App& app, Options& options) {
   trade->add_flag("--quick", options.quick, "One small scene and few knobs: a look at the page in seconds");
   trade->add_flag("--resume", options.resume, "Keep what results.csv has already");
   trade->add_option("--size", options.size, "Pixels of a side")->capture_default_str()->check(CLI::Range(16, 2048));
-  trade->add_option("--passes", options.r2_passes, "Of the truth, which is traced")
+  trade->add_option("--passes", options.r2_passes, "Passes of the true pictures, which are traced")
       ->capture_default_str()
       ->check(CLI::Range(1, 65536));
   trade->add_option("--repeats", options.repeats, "Timed frames of each setting; the least counts")

@@ -20,7 +20,7 @@ void add_fur(CLI::App* command, Options& options) {
       ->capture_default_str();
 }
 
-/// How a file is read.
+/// Adds the options that say how a file is read.
 void add_import(CLI::App* command, Options& options) {
   command->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
   command->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
@@ -29,10 +29,9 @@ void add_import(CLI::App* command, Options& options) {
   command->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");
   command->add_option("--crease-degrees", options.crease_degrees,
                       "Edges that are sharper are seen as edges, 0 to 180; 180 for none [60]");
-  command->add_option("--flip", options.flip,
-                      "Number of a part that turns inside out, as the load reports doubtful ones");
+  command->add_option("--flip", options.flip, "Number of a part to turn inside out; loading reports doubtful parts");
   command->add_option("--two-sided", options.two_sided,
-                      "Number of a part of one layer that grows fur on both sides, as the load reports sheets");
+                      "Number of a single-sided part that grows fur on both sides; loading reports sheets");
 }
 
 void declare_new(CLI::App& app, Options& options) {
@@ -54,7 +53,7 @@ void declare_load(CLI::App& app, Options& options) {
                               "Give a scene a model from a file, with the files that it names; its log starts empty");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
-  load->add_flag("--discard", options.discard, "Load it though the groom that the scene has is lost");
+  load->add_flag("--discard", options.discard, "Load it even though the groom of the scene is lost");
   add_import(load, options);
   add_fur(load, options);
 }

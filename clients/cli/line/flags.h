@@ -10,8 +10,8 @@ class App;
 
 namespace pelage {
 
-/// The flag, or the argument's name, of the command that the line names, by the last step of the JSON pointer of the
-/// member that it gives. Nothing for commands whose pointers lead into a file.
+/// Returns the flags, or names of arguments, of the command on the line, by the last step of the JSON pointer of the
+/// member that each sets. Empty for commands whose pointers lead into a file.
 std::map<std::string, std::string> flags_of(const CLI::App& app);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-/// Of the line itself: what CLI11 says of it.
+/// Refuses the command line with what CLI11 says of it.
 int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool json = std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--json") == 0; });
   if (error.get_exit_code() == 0 || !json) return app.exit(error) == 0 ? done : wrong_use;
@@ -23,7 +23,7 @@ int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, cha
   return wrong_use;
 }
 
-/// What is made of the command line itself: printed here, with no server.
+/// Prints what is made of the command line itself, without a server.
 bool print_tree(const CLI::App& app, const Options& options) {
   const CommandHelp root = tree_of(app);
   std::string text;

@@ -86,7 +86,7 @@ class Packer {
   std::vector<std::string> missing_;
 };
 
-/// Files are added as they are: pictures do not get smaller, and the way is short.
+/// Adds a file without compression: pictures would not get smaller, and the transfer is short.
 bool add_to(zip_t* archive, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   const zip_int64_t index = source ? zip_file_add(archive, name.c_str(), source, ZIP_FL_OVERWRITE) : -1;

@@ -14,7 +14,7 @@ bool is_name_byte(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Goes through the text once. The first refusal is kept; after it all is 0.
+/// Parses the text in one pass. It stores the first refusal, and after it every value is 0.
 class Parser {
  public:
   Parser(std::string_view text, const std::function<Result<double>(const std::string&)>& value_of)

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Returns whether a text is meant to be worked out, and not the name of a variable.
+/// Returns whether a text is an expression, and not the name of a variable.
 bool is_expression(std::string_view text);
 
 /// + - * / and parentheses over numbers and names: letters, digits, _ and dots. Refused (invalid, without a pointer)

@@ -20,7 +20,7 @@ bool is_place(const json& value) {
          value.size() == (value.contains("by") ? 2u : 1u);
 }
 
-/// A count stays one, as members that are whole numbers need it.
+/// Returns a number as JSON. Whole numbers stay whole, as members that are integers need it.
 json number_of(double value) {
   if (value == std::floor(value) && std::abs(value) <= max_exact_integer) return static_cast<std::int64_t>(value);
   return value;
@@ -84,7 +84,7 @@ json Filler::fill_text(const std::string& text, const Scope& scope, const std::s
   return filled + text.substr(at);
 }
 
-/// A variable may be called "a-b"; what is none of that name is worked out.
+/// Returns the variable of this name, which may be such as "a-b"; any other text is evaluated as an expression.
 json Filler::variable_or_expression(const std::string& text, const Scope& scope, const std::string& pointer) {
   const bool is_variable = scope.given.contains(text) || scope.file.variables.contains(text);
   return is_variable || !is_expression(text) ? variable(text, scope, pointer) : expression(text, scope, pointer);

@@ -10,7 +10,7 @@
 
 namespace pelage::json_parts {
 
-/// What the variables of a file are worth in one use of it.
+/// The values of a file's variables in one use of it.
 struct Scope {
   const RecipeFile& file;
   nlohmann::json given = nlohmann::json::object();  // values for this use, loop variables and picks; all filled in
@@ -31,7 +31,7 @@ class Filler {
   nlohmann::json fill(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
   nlohmann::json refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
                         std::string nearest = {});
-  /// As the server or the decoder refused what stands at the pointer.
+  /// Refuses what stands at the pointer, for the reason that the server or the decoder gave.
   void refuse(const Scope& scope, const std::string& pointer, const Status& why);
 
   /// Model coordinates of shares of the box, and back.

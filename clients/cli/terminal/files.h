@@ -13,13 +13,13 @@ namespace pelage {
 /// "-" is standard input. Refused when it cannot be read (not_found) or is over `max_bytes` (too_large).
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
-/// Under a temporary name in the same folder, then renamed; "-" is standard output.
+/// Writes a file under a temporary name in the same folder, then renames it; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);
 
-/// Returns whether a file can be written there, for a look before the work whose result it takes. Leaves what is there.
+/// Checks whether a file can be written there, before the work whose result it takes. Changes nothing.
 Status check_output(const std::string& path);
 
-/// A file that is written piece by piece, under a temporary name that goes with it unless it is kept.
+/// A file that is written in chunks under a temporary name, and removed unless keep() is called.
 class NewFile {
  public:
   explicit NewFile(std::string path);

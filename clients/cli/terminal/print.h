@@ -11,7 +11,7 @@ void print(const SceneSummary& summary);
 void print(const std::vector<SceneSummary>& summaries);
 void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
-/// What lies there; not how recipes name it.
+/// Prints what lies at a position, without the forms that recipes take.
 void print(const PickAnswer& answer);
 void print(const PickedStrand& strand);
 void print(const std::vector<LogEntry>& log);

@@ -1,4 +1,4 @@
-// How far long work is, for who waits at a terminal.
+// The progress of long work, shown to a user at a terminal.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@ struct ProgressState {
 /// "running [######..............]  30 %, step 3 of 10, 4 s".
 std::string progress_text(const std::string& what, const ProgressState& state, double seconds);
 
-/// From when it is made until it is destroyed. Writes one line to standard error, from the first second on, that it
-/// takes away in the end; nothing where that is no terminal or JSON is wanted.
+/// Shows progress from its construction to its destruction: one line on standard error, from the first second on, which
+/// is erased in the end. Shows nothing where that is no terminal or JSON is wanted.
 class ProgressLine {
  public:
   /// `ask` is called twice a second in a thread of its own; without it the line says how long it took so far.
@@ -36,7 +36,7 @@ class ProgressLine {
   std::thread thread_;
 };
 
-/// What `call` gives, with a line that says how long it takes.
+/// Returns what `call` returns, and shows meanwhile how long it takes.
 template <class Call>
 auto with_line(std::string what, Call call) {
   const ProgressLine line(std::move(what));

@@ -38,7 +38,7 @@ ExitCode exit_code_of(Code code) {
   return ours ? failed : refused;
 }
 
-/// As of an answer of the server, so that programs read one kind of problem document.
+/// Returns the status that a server would answer with, so that programs read one kind of problem document.
 int http_status_of(Code code) {
   switch (code) {
     case Code::malformed: return 400;

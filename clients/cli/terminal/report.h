@@ -10,7 +10,7 @@ namespace pelage {
 
 enum ExitCode { done = 0, failed = 1, wrong_use = 2, refused = 3 };
 
-/// How this run of the program says it.
+/// How this run of the program reports failures.
 struct ReportStyle {
   bool json = false;                         // one problem document
   std::map<std::string, std::string> flags;  // of the command line, by the last step of the member's JSON pointer

@@ -38,14 +38,14 @@ class Context {
 /// Opens a context on the calling thread, each time another; null where there is to be no GL.
 using ContextSource = std::function<Result<std::unique_ptr<Context>>()>;
 
-/// Of what draws without one.
+/// The source for a renderer that draws without a GL.
 inline Result<std::unique_ptr<Context>> without_gl() { return std::unique_ptr<Context>(); }
 
 enum class EglPlatform { hardware_device, software_device, surfaceless };
 
 /// Each makes a context and makes it current on the calling thread, or says (unavailable) what failed.
 Result<std::unique_ptr<Context>> open_egl(EglPlatform platform);
-/// By a device of that number, a GPU or a software one.
+/// Opens a context by the EGL device of that number, a GPU or a software one.
 Result<std::unique_ptr<Context>> open_egl_device(int device);
 Result<std::unique_ptr<Context>> open_osmesa();
 

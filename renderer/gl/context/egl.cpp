@@ -62,7 +62,7 @@ struct NamedDisplay {
   std::string name;
 };
 
-/// By their numbers.
+/// Returns the devices by their numbers.
 std::vector<EGLDeviceEXT> devices_of(const Egl& egl) {
   std::vector<EGLDeviceEXT> devices(32);
   EGLint count = 0;
@@ -113,7 +113,7 @@ class EglContext final : public Context {
   }
 
  private:
-  /// `tells`: a reset of the device is known of (glGetGraphicsResetStatus); not every driver has that.
+  /// `tells`: the context reports a reset of the device (glGetGraphicsResetStatus); not every driver has that.
   bool create(bool tells) {
     std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,       4,
                                EGL_CONTEXT_MINOR_VERSION,       5,
@@ -132,7 +132,7 @@ class EglContext final : public Context {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// By the first that proves itself.
+/// Opens a context on the first display that proves itself.
 Result<std::unique_ptr<Context>> open_first(const Egl& egl, const std::vector<NamedDisplay>& displays) {
   std::string tried;
   for (const NamedDisplay& named : displays) {

@@ -22,7 +22,8 @@ class BoxStages {
   /// No buffer gets larger than `max_bytes`, nor than the GL allows.
   BoxStages(const Gl& gl, std::size_t max_bytes);
 
-  /// Draws a box on the GPU, up to its rows of pixels. Returns false if a stage cannot be built: failure() says why.
+  /// Runs all stages of a box on the GPU, from finding its cells to blending its rows of pixels. Returns false if a
+  /// stage cannot be built: failure() says why.
   bool draw(const DrawnBox& box, SceneData& data);
   /// Returns what the last draw found; waits for it. What exceeds the available room is missing from the picture.
   Totals totals() const;

@@ -10,7 +10,7 @@ namespace pelage {
 
 /// Binds the target; depth is reversed, rows come from the top, nothing is culled.
 void set_draw_state(const Gl& gl, const RenderTarget& target);
-/// Colour to `colour`, depth to far away.
+/// Clears the colour to `colour` and the depth to far away.
 void clear_target(const Gl& gl, const RenderTarget& target, const std::array<float, 4>& colour);
 void draw_list(const Gl& gl, const ModelBuffers::DrawList& list);
 

@@ -62,8 +62,8 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
 
 namespace {
 
-/// How a shell is drawn: of how many, how often they may be halved, and from which side the ray comes to its slab, 1 or
-/// -1. With a program of fur_vertex.glsl, in use.
+/// How a shell is drawn: the number of shells, how often it may be halved, and the side, 1 or -1, from which the ray
+/// enters its slab. A program of fur_vertex.glsl has to be in use.
 struct ShellDrawing {
   int shells, max_lod, side;
 

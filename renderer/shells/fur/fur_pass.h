@@ -40,7 +40,7 @@ class FurPass {
   /// Right after the skin: depth of dense fur, no colour. It hides fur that lies well behind where fragments are not
   /// sorted.
   void draw_dense(const Gl& gl, const FurDrawing& drawing);
-  /// Shells of what is back-facing outside in, then of what is front-facing inside out.
+  /// Draws the shells of back-facing fur from the outside in, then those of front-facing fur from the inside out.
   void draw_shells(const Gl& gl, const FurDrawing& drawing);
   static void bind(const Gl& gl, const FurDrawing& drawing);
 

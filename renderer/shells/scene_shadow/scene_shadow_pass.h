@@ -26,8 +26,8 @@ class SceneShadowPass {
   void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
             const SceneShadowTargets& targets) const;
 
-  /// Linear depth of the fur's hull (renderer/shaders/lean.glsl), which is what stops the light that comes to fur
-  /// elsewhere, into a target of R32F with depth.
+  /// Draws the linear depth of the fur's hull (renderer/shaders/lean.glsl), which occludes fur elsewhere, into a target
+  /// of R32F with depth.
   void draw_hull(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
                  const RenderTarget& target) const;
 

@@ -19,7 +19,7 @@ namespace pelage {
 /// The two halves of an area of at least two pixels, cut across its longer side.
 std::vector<Area> halves(const Area& area);
 
-/// Cuts an area in halves until each has at most `most` pixels, or only one. Together they are the area.
+/// Cuts an area in halves until each has at most `max` pixels, or only one. Together they are the area.
 std::vector<Area> cut(const Area& area, double max);
 
 // The buffers behind renderer/shaders/fragment_lists.glsl.
@@ -45,7 +45,7 @@ class FragmentLists {
   std::uint32_t capacity() const { return capacity_; }
   /// Empties the lists, for the pixels of an area, and binds the buffers.
   void begin(const Gl& gl, const Area& area) const;
-  /// Waits for what was drawn.
+  /// Returns the header, once all that was asked for is drawn.
   Header header(const Gl& gl) const;
   void clear_unsorted(const Gl& gl) const;
 

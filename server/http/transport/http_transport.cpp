@@ -65,7 +65,7 @@ bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock:
   bool stays = false;
   const Status served = caught([&] {
     Exchange exchange(connection, begin);
-    // What handlers throw is answered; this comes from those that write as they go.
+    // What handlers throw is answered elsewhere; this comes from handlers that throw while their answer is being sent.
     const Status answered = caught([&] { return stays = answer_one(connection, exchange), Status{}; });
     if (!answered.ok()) exchange.problem = answered.message;
     hooks_.ended(exchange);
@@ -76,7 +76,7 @@ bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock:
 
 bool HttpTransport::answer_one(Connection& connection, Exchange& exchange) {
   ConnectionStream stream(connection, exchange);
-  exchange.problem = "It is not what HTTP says.";  // until its head is parsed
+  exchange.problem = "The request is not valid HTTP.";  // until its head is parsed
   const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
   bool client_ends = false;
   const bool stays = process_request(stream, last, client_ends, [&](httplib::Request& request) {

@@ -23,7 +23,7 @@ class HttpTransport : public httplib::Server {
     std::function<std::string(Exchange&, int http_status)> refusal;
     /// After each answer, on any thread.
     std::function<void(const Exchange&)> ended;
-    /// Returns whether a GET or HEAD of a path, without its query, may take the worker that is kept.
+    /// Returns whether a GET or HEAD of a path, without its query, may take the reserved worker.
     std::function<bool(const std::string& path)> is_probe;
   };
 
@@ -33,7 +33,8 @@ class HttpTransport : public httplib::Server {
   void stop_serving();
 
  private:
-  /// The root of what a worker does: what is thrown ends this connection alone. False: it ends.
+  /// Serves one request on a worker's thread. An exception ends this connection alone. Returns false when the
+  /// connection ends.
   bool serve_one(Connection& connection, std::chrono::steady_clock::time_point begin);
   bool answer_one(Connection& connection, Exchange& exchange);
 

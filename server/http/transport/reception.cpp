@@ -95,7 +95,7 @@ void Reception::handle_events(int wait_milliseconds) {
   }
 }
 
-/// Without memory for it a connection ends, and the others stay.
+/// Runs an action on a connection. Without memory for it that connection ends, and the others stay.
 void Reception::or_drop(int socket, void (Reception::*action)(Entries::iterator)) {
   try {
     (this->*action)(entries_.find(socket));

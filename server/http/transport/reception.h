@@ -21,7 +21,7 @@ struct ReceptionLimits {
   using Milliseconds = std::chrono::milliseconds;
   int workers = 128;
   std::size_t waiting_requests = 256;    // that wait for a worker
-  std::size_t connections = 512;         // beyond it the one that is idle longest gives way
+  std::size_t connections = 512;         // beyond it the one that is idle longest is closed
   std::size_t head_bytes = 32 * 1024;    // of a request's first line and headers
   Milliseconds head_timeout{10'000};     // from the first byte of a head to its last
   Milliseconds idle_timeout{60'000};     // without a request
@@ -30,7 +30,7 @@ struct ReceptionLimits {
 };
 
 /// Idle and slow clients take memory here and no thread: a connection takes a worker once the head of a request is
-/// whole, and comes back after the answer. One more worker is kept for urgent requests.
+/// complete, and comes back after the answer. One more worker is reserved for urgent requests.
 class Reception {
  public:
   struct Calls {
@@ -47,7 +47,8 @@ class Reception {
   Reception(int listening, const ReceptionLimits& limits, Calls calls);
   ~Reception();
 
-  /// Serves on this thread until stop() and what runs then has ended; false when the listening socket failed.
+  /// Serves on this thread until stop() is called and what runs then has ended. Returns false when the listening socket
+  /// failed.
   bool run();
   /// Thread-safe; may come before run().
   void stop();

@@ -311,7 +311,7 @@ class RenderTest(JobTest):
     def test_a_model_that_is_another_is_refused_by_its_file(self):
         self.write_ball("ball.obj"), self.write_ball("ball.01.obj"), self.write_ball("ball.02.obj", sides=14)
         run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-2"), code=3)
-        self.assertIn("ball.02.obj: It is not the scene's model elsewhere: it has 112 vertices", run.stderr)
+        self.assertIn("ball.02.obj: It is not the scene's model in another pose: it has 112 vertices", run.stderr)
         self.assertEqual(len(self.frames()), 1)
         run = self.render(self.moving(motion={"model": "ball.##.obj"}, frames="1-3"), "--check", code=3)
         self.assertIn("ball.03.obj cannot be read", run.stderr)

@@ -88,7 +88,7 @@ TEST_F(SettingsTest, SentBackTheyChangeNothing) {
   EXPECT_TRUE(held);
 }
 
-TEST_F(SettingsTest, OfAnEarlierRevision) {
+TEST_F(SettingsTest, AreThoseOfTheAskedRevision) {
   const auto scene = make(Builtin::creature, 500);
   const std::string first = encode(*scene->settings());
   execute(*scene, {SetEyes{}});

@@ -7,7 +7,7 @@
 namespace pelage {
 namespace {
 
-TEST(Caught, WhatIsThrownIsAStatus) {
+TEST(Caught, ExceptionsBecomeAStatus) {
   const auto out_of_memory = []() -> Result<int> { throw std::bad_alloc(); };
   EXPECT_EQ(caught(out_of_memory).status().code, Code::unavailable);
   const auto fails = []() -> Status { throw std::runtime_error("the cause"); };

@@ -13,7 +13,7 @@ TEST(ClampedIndex, IsTheWholePartWithinItsRange) {
   EXPECT_EQ(clamped_index(10.0, 0, 10), 10);
 }
 
-TEST(ClampedIndex, HoldsWhatIntCannot) {
+TEST(ClampedIndex, ClampsWhatIntCannotHold) {
   for (const float large : {1e10f, 1e30f, std::numeric_limits<float>::infinity()}) {
     EXPECT_EQ(clamped_index(large, 0, 255), 255);
     EXPECT_EQ(clamped_index(-large, 0, 255), 0);
@@ -22,9 +22,7 @@ TEST(ClampedIndex, HoldsWhatIntCannot) {
   EXPECT_EQ(clamped_index(-1e300, -3, 3), -3);
 }
 
-TEST(ClampedIndex, TakesWhatIsNoNumberAsTheLowest) {
-  EXPECT_EQ(clamped_index(std::numeric_limits<double>::quiet_NaN(), 2, 9), 2);
-}
+TEST(ClampedIndex, NanGivesTheLowest) { EXPECT_EQ(clamped_index(std::numeric_limits<double>::quiet_NaN(), 2, 9), 2); }
 
 }  // namespace
 }  // namespace pelage

@@ -25,7 +25,7 @@ TEST(Parallel, EachNumberIsWorkedOnOnce) {
 }
 
 /// As farms and containers pin a process; a child, for it would hold for the other tests.
-TEST(ParallelDeathTest, OnACoreOfItsOwnTheCallersThreadDoesAllWithoutAWord) {
+TEST(ParallelDeathTest, SingleCoreRunsInline) {
   const auto pinned = [] {
     cpu_set_t cores, one;
     sched_getaffinity(0, sizeof cores, &cores);

@@ -230,7 +230,7 @@ TEST(OutputFiles, HaveNamesOfTheirOwnWhileTheyAreWritten) {
   EXPECT_TRUE(names.begin()->ends_with(".tmp"));
 }
 
-TEST(OutputFiles, AreTriedWithoutATrace) {
+TEST(OutputFiles, TryingAFolderLeavesNothing) {
   const auto folder = TemporaryFolder::make();
   EXPECT_TRUE(try_folder_of(folder->file("deep/er/frame.png")).ok());
   EXPECT_TRUE(std::filesystem::is_empty(folder->file(".")));
@@ -239,7 +239,7 @@ TEST(OutputFiles, AreTriedWithoutATrace) {
   EXPECT_EQ(try_folder_of(folder->file("taken/deeper/frame.png")).code, Code::internal);
 }
 
-TEST(InputFiles, AreNoPipesAndNoFolders) {
+TEST(InputFiles, RefusePipesAndFolders) {
   const auto folder = TemporaryFolder::make();
   const std::string pipe = folder->file("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

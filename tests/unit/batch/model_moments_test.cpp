@@ -36,7 +36,7 @@ TEST_F(ModelMomentsTest, OfNumberedFilesAreTheFramesOwn) {
   EXPECT_EQ(missing.status().pointer, "/motion/model");
 }
 
-TEST_F(ModelMomentsTest, BetweenTwoFilesAreOnTheWay) {
+TEST_F(ModelMomentsTest, AreInterpolatedBetweenTwoFiles) {
   write("walk.1.obj", "one"), write("walk.2.obj", "two");
   const auto moments = made({.model = "walk.#.obj", .animation = {}, .loop_seconds = {}});
   const auto between = moments->at(1.25);

@@ -24,7 +24,7 @@ TEST(FrameRanges, AreReadAsFarmsWriteThem) {
   EXPECT_EQ(frames("0-999999").size(), 1'000'000u);
 }
 
-TEST(FrameRanges, RefuseWhatIsNone) {
+TEST(FrameRanges, RefuseTextsThatAreNoRange) {
   for (const char* text : {"", ",", "1,", "a", "1-", "4-1", "1-9x0", "1-9x-2", "1-9x", "1-4,3", "1 - 4", "1-4;", "1.5",
                            "99999999999", "1000001", "0-1000000", "--3", "1-4x1x1"}) {
     const auto parsed = parse_frames(text);

@@ -42,14 +42,14 @@ class PoseHistoryTest : public ::testing::Test {
   int loads_ = 0;
 };
 
-TEST_F(PoseHistoryTest, OfEvenMotionIsNothing) {
+TEST_F(PoseHistoryTest, EvenMotionHasNoAcceleration) {
   auto even = history([](glm::dvec3 p, double t) { return p + t * glm::dvec3(1, 2, 3); });
   const auto swing = even.at(30, 1.25);
   ASSERT_TRUE(swing.ok()) << swing.status().message;
   for (const double t : {1.25, 1.0, -2.0}) EXPECT_LT(glm::length(swing->acceleration(7, t)), 2e-3);
 }
 
-TEST_F(PoseHistoryTest, OfAFallIsItsAcceleration) {
+TEST_F(PoseHistoryTest, AFallHasItsAcceleration) {
   auto fall = history([](glm::dvec3 p, double t) { return p - 0.5 * t * t * glm::dvec3(0, 3, 0); }, 2);
   const auto swing = fall.at(30, 100.25);  // the scene's time need not be the frame's
   ASSERT_TRUE(swing.ok());

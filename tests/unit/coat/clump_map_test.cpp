@@ -33,7 +33,7 @@ TEST(ClumpMap, LeadsToTheMiddlesOfTheCoatsClumps) {
   }
 }
 
-TEST(ClumpMap, InsideIsWholeInTheMiddleAndNothingOnTheBorder) {
+TEST(ClumpMap, InsideIsOneInTheMiddleAndZeroOnTheBorder) {
   const ClumpMap map = bake_clump_map({});
   double max = 0, min = 1;
   for (int y = 0; y < ClumpMap::side; ++y) {
@@ -51,7 +51,7 @@ TEST(ClumpMap, InsideIsWholeInTheMiddleAndNothingOnTheBorder) {
   EXPECT_LT(min, 0.05);
 }
 
-TEST(ClumpMap, ExtremesAreMade) {
+TEST(ClumpMap, BakesExtremeTilesAndClumps) {
   for (const auto& [tile, size] : {std::pair{0.01, 0.5}, {1.0, 0.001}, {0.12, 0.5}}) {
     Coat coat;
     coat.tile = tile, coat.clump_size = size;

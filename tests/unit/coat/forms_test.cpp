@@ -60,7 +60,7 @@ double way_along(const Coat& coat, const Strand& strand) {
   return way;
 }
 
-TEST(Forms, WindingIsTheWayAlongAStrand) {
+TEST(Forms, WindingIsTheLengthAlongAStrand) {
   EXPECT_EQ(winding(plain()), 1);
   for (const auto& [curl, wave, turns] : {std::array{0.02, 0.0, 3.0}, {0.12, 0.0, 8.0}, {0.0, 0.1, 4.0}}) {
     Coat coat = plain();
@@ -113,7 +113,7 @@ TEST(Forms, LocksCurlTogether) {
   EXPECT_LT(glm::length(sum) / coat.count, 0.05);
 }
 
-TEST(Forms, MessyStrandsGoTheirOwnWays) {
+TEST(Forms, MessyStrandsLeanInDirectionsOfTheirOwn) {
   Coat coat = plain();
   coat.mess = 0.8;
   glm::dvec2 sum(0);

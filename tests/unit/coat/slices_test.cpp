@@ -111,7 +111,7 @@ TEST(Ramp, GoesThroughItsStops) {
 
 /// Of n cut discs and d t n strips between them a ray meets none by exp(-n) where they lie by chance, by 1 - n where
 /// none lies over another; roots lie more evenly than by chance.
-TEST(StrandCover, RaysMeetStrandsByTheirWidthAndTheirWay) {
+TEST(StrandCover, RaysHitStrandsByTheirWidthAndPath) {
   const Coat coat = plain_coat();
   const std::vector<Strand> strands = make_strands(coat);
   const std::array<double, slice_count> open = rays_let_through(coat, strands, 1);
@@ -128,7 +128,7 @@ TEST(StrandCover, RaysMeetStrandsByTheirWidthAndTheirWay) {
 }
 
 /// Between thin strands a ray at 75 degrees goes several of their widths to the side in a slice, and past none of them.
-TEST(StrandCover, NoStrandIsTooThinToBeMet) {
+TEST(StrandCover, RaysHitEvenTheThinnestStrands) {
   Coat coat = plain_coat();
   coat.count = 600, coat.width_root = coat.width_tip = 0.00008;
   const double tangent = 3.7320508,
@@ -145,7 +145,7 @@ TEST(StrandCover, AlongUprightStrandsOnlyTheirEndsCount) {
   for (const double open : rays_let_through(coat, make_strands(coat), 0)) EXPECT_NEAR(open, std::exp(-discs), 0.01);
 }
 
-TEST(Slices, EveryLevelLetsThroughWhatTheStrandsDo) {
+TEST(Slices, EveryLevelHasTheTransmittanceOfTheStrands) {
   for (const Coat& coat : {thin_coat(), Coat()}) {
     const Slices slices = bake_slices(coat);
     const std::vector<Strand> strands = make_strands(coat);
@@ -165,7 +165,7 @@ TEST(Slices, EveryLevelLetsThroughWhatTheStrandsDo) {
 }
 
 // Tips too: what the outermost slices leave out, those below them would make up for.
-TEST(Slices, EverySliceHoldsOffItsShare) {
+TEST(Slices, EverySliceOccludesItsShare) {
   Coat wide;
   wide.tile = 0.0625, wide.count = 2000, wide.width_root = 0.0012, wide.width_tip = 0.0008, wide.fine_clump = 0.3;
   for (const Coat& coat : {wide, Coat()}) {
@@ -250,7 +250,7 @@ TEST(Slices, LightFallsTowardsTheRoots) {
   EXPECT_NEAR(slices.depth_above[31], 0, 0.1);
 }
 
-TEST(Slices, SameBitsAgain) {
+TEST(Slices, GiveTheSameBitsEveryTime) {
   const Slices first = bake_slices(thin_coat()), again = bake_slices(thin_coat());
   for (std::size_t i = 0; i < first.levels.size(); ++i) {
     ASSERT_EQ(first.levels[i].shape, again.levels[i].shape);
@@ -258,7 +258,7 @@ TEST(Slices, SameBitsAgain) {
   }
 }
 
-TEST(Slices, OnceToldToStopTheyStopThoughSomebodyWaitsAgain) {
+TEST(Slices, StopForGoodOnceToldTo) {
   std::atomic<int> asked{0};
   const Slices slices = bake_slices(thin_coat(), [&] { return ++asked != 2; });
   EXPECT_TRUE(slices.levels.empty()) << "a slice is missing";

@@ -53,7 +53,7 @@ TEST(Compare, EqualPicturesHaveNoErrorAtAll) {
   EXPECT_EQ(error.figures->bias, 0);
 }
 
-TEST(Compare, LinearFiguresByHand) {
+TEST(Compare, LinearFiguresAgreeWithOnesComputedByHand) {
   const FloatImage reference = constant(4, 4, 0.5f, 0.2f, 0), test = constant(4, 4, 0.6f, 0.2f, 0.1f);
   const PictureFigures f = figures(reference, test, everywhere(4, 4));
   EXPECT_NEAR(f.rmse, std::sqrt((0.01 + 0.01) / 3), 1e-7);
@@ -102,7 +102,7 @@ Image with_exposure(const Image& image, double stops) {
   });
 }
 
-TEST(Compare, WorseIsWorse) {
+TEST(Compare, ErrorsGrowWithTheDamage) {
   const Image image = scene(96, 96);
   const std::pair<Spoil, std::vector<double>> spoils[] = {{with_noise, {0.02, 0.05, 0.1, 0.3}},
                                                           {with_blur, {0.5, 1, 2, 3}},

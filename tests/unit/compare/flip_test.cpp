@@ -62,13 +62,13 @@ TEST(Flip, AgreesWithItsAuthorsImplementation) {
 }
 
 /// science.md 6: one grey level of 255 is .03, four are .079.
-TEST(Flip, FeelOfGreyLevels) {
+TEST(Flip, GreyLevelsGiveThePublishedErrors) {
   EXPECT_NEAR(mean_flip(grey(128), grey(129)), 0.03, 0.001);
   EXPECT_NEAR(mean_flip(grey(128), grey(132)), 0.079, 0.001);
 }
 
 /// science.md 6: strands shifted by .1, .25, .5 and 1 pixel give about .06, .12, .19 and .30.
-TEST(Flip, FeelOfShiftedStrands) {
+TEST(Flip, ShiftedStrandsGiveThePublishedErrors) {
   const Image still = strands(128, 128, 0);
   const double published[4][2] = {{0.1, 0.06}, {0.25, 0.12}, {0.5, 0.19}, {1, 0.30}};
   for (const auto& [shift, expected] : published) {

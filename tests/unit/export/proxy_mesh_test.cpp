@@ -128,7 +128,7 @@ TEST(ProxyMesh, AModelWithFewTrianglesIsSentAsItIs) {
   for (const glm::vec3& p : file.vectors("POSITION")) EXPECT_NEAR(glm::length(p), std::sqrt(3), 1e-6);
 }
 
-TEST(ProxyMesh, OneTriangle) {
+TEST(ProxyMesh, KeepsAtLeastOneTriangle) {
   const Mesh mesh = *shapes::prepared(shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   for (const std::size_t triangles : {100, 1, 0}) EXPECT_EQ(file_of(mesh, triangles).indices().size(), 3u);
   file_of(*shapes::prepared(shapes::ball(20)), 0);  // something is left
@@ -163,7 +163,7 @@ TEST(ProxyMesh, WhatCannotBeSimplerIsSentAllTheSame) {
   EXPECT_EQ(file_of(*shapes::prepared(fan), 100).indices().size() / 3, leaves);
 }
 
-TEST(ProxyMesh, AnyTrianglesAtAll) {  // the library ends the process where it is asked for what it does not do
+TEST(ProxyMesh, SimplifiesRandomTriangles) {  // the library ends the process where it is asked for what it does not do
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
   for (int turn = 0; turn < 3000; ++turn) {
@@ -189,7 +189,7 @@ TEST(ProxyMesh, IndicesAreAsShortAsTheyCanBe) {
   EXPECT_FALSE(file_of(large, 150'000).has_short_indices());
 }
 
-TEST(ProxyMesh, AnySizeThatFloatsHold) {
+TEST(ProxyMesh, WorksAtAnySizeThatFloatsHold) {
   for (const double scale : {2e-30, 1e-9, 1e9, 1e19}) {
     const GlbFile file = file_of(*shapes::prepared(moved(shapes::ball(60), glm::dvec3(0), scale)), 1000);
     EXPECT_GT(radii(file, glm::dvec3(0)).first, .97 * scale);

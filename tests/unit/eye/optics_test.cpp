@@ -23,7 +23,7 @@ struct AirToCornea {
   double degrees, inside, reflected;
 };
 
-TEST(Optics, ValuesOfAirToCornea) {  // science.md 5
+TEST(Optics, TheCorneaRefractsAndReflectsAsPublished) {  // science.md 5
   for (const AirToCornea& v :
        {AirToCornea{30, 21.3074, .02624}, {60, 39.0043, .06765}, {75, 44.5862, .22499}, {89, 46.6049, .89914}}) {
     EXPECT_NEAR(refracted_degrees(v.degrees, cornea), v.inside, 5e-5);
@@ -31,7 +31,7 @@ TEST(Optics, ValuesOfAirToCornea) {  // science.md 5
   }
 }
 
-TEST(Optics, ShiftOfTheIrisAtSixtyDegrees) {
+TEST(Optics, TheCorneaShiftsTheIrisAsPublished) {
   const auto inside = *refract_into(arriving(60), {0, 0, 1}, cornea);
   EXPECT_NEAR(3.6 * inside.x / -inside.z, 2.916, 5e-4);
   const auto straight = *refract_into(arriving(60), {0, 0, 1}, 1);

@@ -122,7 +122,7 @@ RawModel many_balls(std::uint32_t count) {
 }
 
 // Every spike is an end of fur, and every ball has one.
-TEST(FurFlow, TakesNoStepsForEachEndOverTheWholeModel) {
+TEST(FurFlow, StepsDoNotGrowWithTheNumberOfEnds) {
   EXPECT_LT(steps_of(spiky_polygon(20'000)), 20u);
   EXPECT_LT(steps_of(many_balls(2'000)), 100u);
 }

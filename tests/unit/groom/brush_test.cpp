@@ -17,7 +17,7 @@ class BrushTest : public ::testing::Test {
   Surface sphere_ = make_surface(Builtin::sphere, 2000);
 };
 
-TEST_F(BrushTest, FalloffCurves) {
+TEST_F(BrushTest, FalloffIsOneInTheMiddleAndZeroOutside) {
   for (const Falloff curve : {Falloff::constant, Falloff::linear, Falloff::smooth, Falloff::sharp, Falloff::sphere}) {
     EXPECT_EQ(falloff_weight(curve, 0), 1);
     EXPECT_EQ(falloff_weight(curve, 1.0001), 0);

@@ -100,7 +100,7 @@ TEST_F(Together, ACombAcrossThePlaneIsMirroredToRounding) {
   EXPECT_GT(changed, 20u);
 }
 
-TEST_F(Together, WhereOneReachesItIsThatOne) {
+TEST_F(Together, OneImageAloneKeepsItsChange) {
   Length longer;
   longer.mode = LengthMode::scale, longer.value = 1.5;
   longer.stroke = through({{0.8, 0.2, 0.4}});

@@ -113,7 +113,7 @@ std::string hair_file(std::uint32_t arrays) {
   return bytes;
 }
 
-TEST(Guides, OfHairFiles) {
+TEST(Guides, HairFilesAreRead) {
   const auto curves = read_guides(GuideFormat::hair, hair_file(1 | 2));
   ASSERT_TRUE(curves.ok()) << curves.status().message;
   ASSERT_EQ(curves->size(), 2u);
@@ -129,7 +129,7 @@ TEST(Guides, OfHairFiles) {
   EXPECT_NE(refusal(GuideFormat::hair, hair_file(1)).find("no points"), std::string::npos);
 }
 
-TEST(Guides, OfJson) {
+TEST(Guides, JsonIsReadOrRefusedWithTheReason) {
   const auto curves = read_guides(GuideFormat::json, R"({"curves": [[[0, 0, 0], [1, 2, 3]]]})");
   ASSERT_TRUE(curves.ok());
   expect_near((*curves)[0][1], {1, 2, 3});

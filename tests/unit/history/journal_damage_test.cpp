@@ -78,7 +78,7 @@ TEST_F(JournalDamageTest, WhatFailedAtItsSyncNeverComesBack) {
   }
 }
 
-TEST_F(JournalDamageTest, ALogThatIsShorterThanClientsWereToldIsSaid) {
+TEST_F(JournalDamageTest, ReportsALogThatIsShorterThanClientsWereTold) {
   { ASSERT_TRUE(open(file())->add_scene(scene("a")).ok()); }
   const auto journal = open(file());
   ASSERT_TRUE(journal->append("a", std::vector{entry(4), entry(5)}).ok());
@@ -116,7 +116,7 @@ TEST_F(JournalDamageTest, WhatWasRemovedIsNotLost) {
   EXPECT_TRUE(open(killed("then"))->lost().empty());
 }
 
-TEST_F(JournalDamageTest, ABrokenNoteOfRevisionsStopsNothing) {
+TEST_F(JournalDamageTest, IgnoresABrokenNoteOfRevisions) {
   { ASSERT_TRUE(open(file())->add_scene(scene("a")).ok()); }
   for (const char* text : {"", "a 9 ff\nend 12\n", "a", "end"}) {
     std::ofstream(file() + "-acknowledged") << text;

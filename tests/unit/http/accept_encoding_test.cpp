@@ -28,7 +28,7 @@ TEST(AcceptEncoding, WeightsDecide) {
   EXPECT_EQ(of_both("gzip;q=0.3, *;q=0.4"), brotli);
 }
 
-TEST(AcceptEncoding, ZeroIsARefusal) {
+TEST(AcceptEncoding, AWeightOfZeroRefuses) {
   EXPECT_EQ(of_both("br;q=0, gzip;q=0.000"), identity);
   EXPECT_EQ(of_both("br;q=0, *"), gzip);
   EXPECT_EQ(of_both("*;q=0, gzip"), gzip);
@@ -38,7 +38,7 @@ TEST(AcceptEncoding, ZeroIsARefusal) {
   EXPECT_EQ(of_both("identity;q=0, br;q=0.1"), brotli);
 }
 
-TEST(AcceptEncoding, OnlyWhatIsThere) {
+TEST(AcceptEncoding, ChoosesOnlyAvailableCodings) {
   EXPECT_EQ(choose_encoding("br, gzip", true, false), gzip);
   EXPECT_EQ(choose_encoding("br, gzip", false, true), brotli);
   EXPECT_EQ(choose_encoding("br, gzip;q=0.5", false, false), identity);

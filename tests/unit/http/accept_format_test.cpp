@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto png = FrameFormat::png, jpeg = FrameFormat::jpeg, webp = FrameFormat::webp;
 
-TEST(AcceptFormat, WhatIsNamedAndLikedBest) {
+TEST(AcceptFormat, ChoosesTheNamedFormatOfTheHighestWeight) {
   EXPECT_EQ(accepted_format("image/jpeg"), jpeg);
   EXPECT_EQ(accepted_format("image/webp, image/jpeg;q=0.5"), webp);
   EXPECT_EQ(accepted_format("image/webp;q=0.5, image/jpeg"), jpeg);
@@ -20,7 +20,7 @@ TEST(AcceptFormat, OfEqualsPngThenJpeg) {
   EXPECT_EQ(accepted_format("image/webp, image/jpeg"), jpeg);
 }
 
-TEST(AcceptFormat, WhoNamesNoneGetsPng) {
+TEST(AcceptFormat, NamingNoneGivesPng) {
   for (const char* text : {"", "*/*", "image/*", "text/html", "image/avif", "image/webp;q=0", "image/jpeg;q=2"})
     EXPECT_EQ(accepted_format(text), png) << text;
 }

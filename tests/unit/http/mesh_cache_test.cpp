@@ -38,7 +38,7 @@ TEST(MeshCache, TheLastEightAreKept) {
   EXPECT_NE(*cache.mesh(model, 101), second);
 }
 
-TEST(MeshCache, WhatIsOfAModelThatIsGoneGoes) {
+TEST(MeshCache, DropsTheMeshesOfAModelThatIsGone) {
   MeshCache cache;
   const auto model = ball(1);
   auto gone = ball(2);

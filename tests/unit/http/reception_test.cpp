@@ -120,7 +120,7 @@ class Served {
   std::thread thread_;
 };
 
-TEST(Reception, AConnectionStaysForMoreRequestsAlsoInOnePiece) {
+TEST(Reception, AConnectionServesSeveralRequestsEvenSentTogether) {
   Served served({.workers = 1});
   const Client client(served.port);
   client.say(head("/a"));

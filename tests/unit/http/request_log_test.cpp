@@ -17,7 +17,7 @@ TEST(RequestLog, ARequestWithoutATraceHasARandomId) {
   EXPECT_NE(id, new_request_id(""));
 }
 
-TEST(RequestLog, ItsTraceStandsBefore) {
+TEST(RequestLog, TheTraceIdComesFirst) {
   for (const std::string& parent :
        std::vector<std::string>{"00-" + trace + "-00f067aa0ba902b7-01", "01-" + trace + "-00f067aa0ba902b7-01-more"}) {
     const std::string id = new_request_id(parent);

@@ -25,7 +25,7 @@ std::string unzipped(std::string_view bytes, std::size_t size) {
 
 bool is_beside_the_page(std::string_view path) { return path.starts_with("/assets/") || path.starts_with("/docs/"); }
 
-TEST(StudioFiles, ThePageIsThereAndNothingElseIsBesideTheAssetsAndTheReference) {
+TEST(StudioFiles, HasThePageAssetsAndReferenceOnly) {
   const StudioFile* page = find_studio_file("/");
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(page->identity.starts_with("<!doctype html>"));

@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-TEST(Workers, FewThreadsDoWhatFewCan) {
+TEST(Workers, UsesAsFewThreadsAsPossible) {
   Workers workers(32, 8);
   std::set<std::thread::id> seen;
   for (int i = 0; i < 400; ++i) {

@@ -115,7 +115,7 @@ TEST(Exr, HalfRoundsKeepsInfinityAndHoldsWhatIsTooLarge) {
   EXPECT_NEAR(grey(11), 0.1f, 5e-5f);
 }
 
-TEST(Exr, AovsAndMixedTypesInOneFile) {
+TEST(Exr, KeepsAovsOfMixedTypes) {
   const std::vector<float> beauty = {1, 2, 3, 0.5f, 5, 6, 7, 1}, depth = {1e-7f, 123456.789f}, normal = {0.25f, -1};
   std::vector<ExrPlane> planes = rgba_planes(beauty, ExrSample::half, "beauty");
   planes.push_back({"Z", depth, 0, 1, ExrSample::single});
@@ -174,7 +174,7 @@ TEST(Hdr, ReadsRadiance) {
   EXPECT_FALSE(picture_files().decode_float_image(bytes_of(hdr.substr(0, hdr.size() - 3)), plenty).ok());
 }
 
-TEST(FloatReading, EightBitsAndOtherBytes) {
+TEST(FloatReading, ReadsEightBitsAndRefusesOtherBytes) {
   const Image image{1, 1, {188, 0, 255, 51}};
   const FloatImage of_png = decoded(encode_png(image, true)), direct = linear_image(image);
   EXPECT_EQ(of_png.rgba, direct.rgba);

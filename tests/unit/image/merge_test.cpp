@@ -53,7 +53,7 @@ void expect_whole_png() {
   }
 }
 
-TEST(Merge, PngOf8And16Bits) {
+TEST(Merge, MergesPngOf8And16Bits) {
   expect_whole_png<Image>();
   expect_whole_png<Image16>();
 }
@@ -80,7 +80,7 @@ std::string exr_of(const ExrNoise& noise, const ExrWindow& window, std::span<con
   return picture_files().encode_exr(window, planes, says);
 }
 
-TEST(Merge, ExrWithItsChannelsInTheirTypes) {
+TEST(Merge, MergesExrAndKeepsTheTypesOfItsChannels) {
   const ExrNoise noise = exr_noise();
   std::vector<PicturePart> parts;
   for (const Place& at : places) {

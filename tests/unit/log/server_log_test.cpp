@@ -48,7 +48,7 @@ std::string logged(LogFormat format, LogLevel level, std::initializer_list<LogFi
 
 constexpr const char* time_pattern = R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z)";
 
-TEST(Log, ALineOfText) {
+TEST(Log, WritesALineOfText) {
   const std::string line =
       logged(LogFormat::text, LogLevel::error,
              {{"id", "6f1c"}, {"status", std::int64_t{500}}, {"ms", 1.25}, {"problem", "it broke"}, {"empty", ""}});
@@ -57,7 +57,7 @@ TEST(Log, ALineOfText) {
       << line;
 }
 
-TEST(Log, ALineOfJson) {
+TEST(Log, WritesALineOfJson) {
   const std::string line =
       logged(LogFormat::json, LogLevel::warning, {{"path", "/a\"b\n"}, {"bytes", std::int64_t{7}}, {"ms", 2.0}});
   EXPECT_TRUE(std::regex_match(
@@ -66,7 +66,7 @@ TEST(Log, ALineOfJson) {
       << line;
 }
 
-TEST(Log, WhatIsSentMakesNoLinesOfItsOwnAndNoEndlessOnes) {
+TEST(Log, ClientsCanNeitherForgeLinesNorMakeThemEndless) {
   const std::string line =
       logged(LogFormat::text, LogLevel::info, {{"path", "/a\n2026 error forged"}, {"long", std::string(9000, '\x01')}});
   EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1);

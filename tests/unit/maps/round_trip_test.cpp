@@ -145,7 +145,7 @@ TEST_F(MapRoundTrip, ListsOfDirectionsAreVectorsAlongTheSurface) {
   }
 }
 
-TEST_F(MapRoundTrip, TheOtherEncodingsOfDirection) {
+TEST_F(MapRoundTrip, FastFurAndVectorMapsKeepDirections) {
   MapRequest request = asked(Field::direction, 512, MapFormat::png16, MapEncoding::fast_fur);
   EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5);
   EXPECT_LT(worst_change(surface_, fields_, request, 16), 3.0 / 65535);
@@ -153,7 +153,7 @@ TEST_F(MapRoundTrip, TheOtherEncodingsOfDirection) {
   EXPECT_LT(worst_change(surface_, fields_, request, 32), 2e-5) << "a root undoes what a square rounded";
 }
 
-TEST_F(MapRoundTrip, ScalesAndUnits) {
+TEST_F(MapRoundTrip, LengthsComeBackInAnyScaleAndUnit) {
   MapRequest request = asked(Field::length, 64);
   const DrawnMap own = draw_map(surface_.mesh(), fields_, request);
   EXPECT_NEAR(own.answer.scale, 0.09, 0.001) << "the longest fur";
@@ -198,7 +198,7 @@ TEST_F(MapRoundTrip, ValuesBeyondTheFieldAreHeldAndCounted) {
   EXPECT_TRUE(std::isfinite(after.at(7).direction.x));
 }
 
-TEST_F(MapRoundTrip, OnePixel) {
+TEST_F(MapRoundTrip, MapsOfOnePixelStayFinite) {
   for (const int bits : {8, 16, 32})
     EXPECT_TRUE(std::isfinite(worst_change(surface_, fields_, asked(Field::length, 1), bits)));
 }
@@ -273,7 +273,7 @@ TEST(MapTangents, DirectionsComeBackFromTurnedAndMirroredIslands) {
   }
 }
 
-TEST(MapExtremes, TexturesThatCollapseOrLeaveThePicture) {
+TEST(MapExtremes, DegenerateTextureCoordinatesStayFinite) {
   const Surface flat = square([](glm::dvec2) { return glm::dvec2(0.5); });
   EXPECT_FALSE(has_own_uvs(flat.mesh())) << "refused before it comes here";
   const Surface line = square([](glm::dvec2 p) { return glm::dvec2(p.x + 0.5, 0.5); });

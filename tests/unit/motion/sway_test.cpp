@@ -54,7 +54,7 @@ TEST(Sway, AVertexHasTheSameBitsAmongOthersAndAlone) {
   }
 }
 
-TEST(Sway, NothingPops) {
+TEST(Sway, MotionHasNoJumps) {
   const Meadow meadow = make_meadow();
   const auto largest_step = [&](double step) {
     double largest = 0;

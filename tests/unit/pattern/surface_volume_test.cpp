@@ -29,7 +29,7 @@ glm::vec4 value_at(const SurfaceVolume& volume, glm::vec3 place) {
          255.0f;
 }
 
-TEST(SurfaceVolumes, OfAMovedSurfaceSeeItRestPose) {
+TEST(SurfaceVolumes, OfAMovedSurfaceUseItsRestPose) {
   std::vector<glm::vec3> now, normals, rest(triangle.begin(), triangle.end());
   const glm::vec3 normal = glm::normalize(glm::cross(rest[1] - rest[0], rest[2] - rest[0]));
   const std::vector<glm::vec3> rest_normals(3, normal);

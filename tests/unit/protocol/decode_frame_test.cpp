@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-TEST(DecodeFrame, DefaultsAndCameras) {
+TEST(DecodeFrame, ReadsDefaultsAndCameras) {
   const auto plain = decode_frame_request("{}");
   ASSERT_TRUE(plain.ok());
   EXPECT_EQ(plain->width, 512);
@@ -48,13 +48,13 @@ TEST(DecodeFrame, QualityIsATierOrKnobs) {
     EXPECT_EQ(decode_frame_request(R"({"quality": {")" + gone + R"(": 1}})").status().pointer, "/quality/" + gone);
 }
 
-TEST(DecodeFrame, Sizes) {
+TEST(DecodeFrame, RefusesSizesOutOfRange) {
   for (const char* size : {"0", "-1", "8193", "1e9", "1.5", "\"512\""}) {
     EXPECT_EQ(decode_frame_request(std::string(R"({"width": )") + size + "}").status().pointer, "/width") << size;
   }
 }
 
-TEST(DecodeFrame, FormatsAndWhatGoesWithThem) {
+TEST(DecodeFrame, FormatsTakeOnlyMembersThatFitThem) {
   const auto exr = decode_frame_request(R"({"format": "exr", "exr_type": "float", "aovs": ["depth", "beauty"]})");
   ASSERT_TRUE(exr.ok()) << exr.status().message;
   EXPECT_EQ(exr->exr_type, ExrType::single);
@@ -84,7 +84,7 @@ TEST(DecodeFrame, ADifferenceIsFromARevision) {
   EXPECT_EQ(decode_frame_query({{"overlay", "difference"}, {"overlay_from", "7"}})->overlay_from, std::uint64_t{7});
 }
 
-TEST(DecodeFrame, OfAnEarlierRevision) {
+TEST(DecodeFrame, ReadsAnEarlierRevision) {
   const auto taken = decode_frame_request(R"({"revision": 0})");
   ASSERT_TRUE(taken.ok()) << taken.status().message;
   EXPECT_EQ(taken->revision, std::uint64_t{0});
@@ -129,7 +129,7 @@ TEST(DecodeFrame, ScaleCountsForTheSize) {
   EXPECT_EQ(decode_frame_request(R"({"height": 8192, "quality": {"scale": 1.5}})").status().pointer, "/quality");
 }
 
-TEST(Query, HowStrandsAreTraced) {
+TEST(Query, ReadsHowStrandsAreTraced) {
   const auto tracing = decode_tracing_query({{"passes", "9"},
                                              {"transport", "paths"},
                                              {"bounces", "3"},
@@ -196,7 +196,7 @@ TEST(DecodeFrameQuery, SaysWhatTheBodySays) {
   EXPECT_EQ(free->camera.position, glm::dvec3(0, 0.5, 2));
 }
 
-TEST(DecodeFrameQuery, Refusals) {
+TEST(DecodeFrameQuery, RefusesBadParametersWithTheirPointer) {
   const auto pointer_of = [](const Query& query) { return decode_frame_query(query).status().pointer; };
   EXPECT_EQ(pointer_of({{"width", "0"}}), "/width");
   EXPECT_EQ(pointer_of({{"width", "64,\"x\":1"}}), "/width");

@@ -13,7 +13,7 @@ namespace {
 
 const std::string comb_text = R"({"op": "comb", "stroke": {"samples": [{"position": [0, 0.2, 0.5]}]}})";
 
-TEST(Decode, CombWithDefaults) {
+TEST(Decode, ACombHasDefaults) {
   const auto commands = decode_commands(comb_text);
   ASSERT_TRUE(commands.ok());
   ASSERT_EQ(commands->size(), 1u);
@@ -36,7 +36,7 @@ TEST(Decode, BatchKeepsItsOrder) {
   EXPECT_DOUBLE_EQ(attract.brush.radius, 0.05);
 }
 
-TEST(Decode, EveryKindOfSample) {
+TEST(Decode, ReadsEveryKindOfSample) {
   const auto commands = decode_commands(
       R"({"op": "comb", "stroke": {"id": "k7", "part": 3, "last": false,
           "view": {"camera": {"auto": "front"}, "width": 640, "height": 480},
@@ -259,7 +259,7 @@ TEST(Decode, RampsRise) {
                  "/coat/ramp/0/colour");
 }
 
-TEST(Decode, PartsOfACoat) {
+TEST(Decode, ReadsThePartsOfACoat) {
   const auto commands = decode_commands(
       R"({"op": "set_coat", "coat": {"wetness": 1, "undercoat": {"share": 0.6}, "ticking": {"share": 0.1, "colour": "#ffffff"},
           "pattern": {"kind": "rosettes", "axis": [1, 0, 0], "seed": 9}, "variation": {"hue": 0.2}}})");
@@ -294,7 +294,7 @@ TEST(DecodeColour, IsSrgb) {
   EXPECT_NEAR(skin.b, 0.2158605, 1e-6);  // IEC 61966-2-1 of 128 / 255
 }
 
-TEST(DecodeHistory, BranchesAndAmendments) {
+TEST(DecodeHistory, ReadsBranchesAndAmendments) {
   EXPECT_EQ(decode_branch(" ")->name, "branch");
   EXPECT_FALSE(decode_branch("{}")->revision);
   EXPECT_EQ(decode_branch(R"({"revision": 3})")->revision, std::uint64_t{3});
@@ -313,7 +313,7 @@ TEST(DecodeHistory, BranchesAndAmendments) {
   EXPECT_EQ(decode_amend(many + "]}").status().pointer, "/commands");
 }
 
-TEST(DecodeImportQuery, AxesAndFormats) {
+TEST(DecodeImportQuery, ReadsAxesAndFormats) {
   const auto options = decode_import_query({{"format", "3ds"}, {"up", "-z"}, {"front", "y"}, {"length", "0.1"}});
   ASSERT_TRUE(options.ok());
   EXPECT_EQ(options->format, ModelFormat::tds);
@@ -324,7 +324,7 @@ TEST(DecodeImportQuery, AxesAndFormats) {
   EXPECT_EQ(decode_import_query({{"format", "obj"}, {"up", "z"}, {"front", "-z"}}).status().pointer, "/front");
 }
 
-TEST(DecodeScene, Names) {
+TEST(DecodeScene, NewScenesHaveDefaultsAndLimits) {
   EXPECT_EQ(decode_new_scene("{}")->model.shape, Builtin::creature);
   EXPECT_TRUE(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes, 'x') + "\"}").ok());
   EXPECT_EQ(decode_new_scene(R"({"name": ")" + std::string(limits::name_bytes + 1, 'x') + "\"}").status().pointer,
@@ -334,7 +334,7 @@ TEST(DecodeScene, Names) {
   EXPECT_EQ(decode_new_scene(R"({"model": {"triangles": 1000001}})").status().pointer, "/model/triangles");
 }
 
-TEST(DecodeMoves, StepsAndRevisions) {
+TEST(DecodeMoves, ReadsStepsAndRevisions) {
   EXPECT_EQ(*decode_steps(""), 1);
   EXPECT_EQ(*decode_steps(R"({"steps": 3})"), 3);
   EXPECT_EQ(decode_steps(R"({"steps": 0})").status().pointer, "/steps");
@@ -359,7 +359,7 @@ TEST(DecodePick, PixelsLieInTheView) {
   EXPECT_EQ(refused(R"({"nearest": [1, 2]})"), "/nearest");
 }
 
-TEST(SplitSteps, LinesArraysAndDocuments) {
+TEST(SplitSteps, SplitsLinesArraysAndDocuments) {
   EXPECT_EQ(split_steps("{\"op\": \"a\"}\n\n{\"op\": \"b\"}\r\n")->size(), 2u);
   EXPECT_EQ(split_steps("[{\"op\": \"a\"},\n {\"op\": \"b\"}, {}]")->size(), 3u);
   EXPECT_EQ(split_steps("{\n\"op\":\n\"a\"}")->size(), 1u);

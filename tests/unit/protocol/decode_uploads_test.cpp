@@ -22,7 +22,7 @@ TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
                  at + "harmonics/8/1");
 }
 
-TEST(Decode, EnvironmentQueries) {
+TEST(Decode, EnvironmentQueriesHaveDefaultsAndLimits) {
   EXPECT_EQ(decode_environment_query({})->intensity, 1);
   EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->turn_degrees, -90);
   EXPECT_EQ(decode_environment_query({{"intensity", "-1"}}).status().pointer, "/intensity");
@@ -63,14 +63,14 @@ TEST(Decode, MapsAreOfOneFieldInAnEncodingThatHoldsIt) {
   EXPECT_FALSE(decode_map_upload_query({{"field", "mask"}})->scale);
 }
 
-TEST(Decode, MeshQueries) {
+TEST(Decode, MeshQueriesHaveDefaultsAndLimits) {
   EXPECT_EQ(decode_mesh_query({})->triangles, 20'000);
   EXPECT_EQ(decode_mesh_query({{"triangles", "100"}})->triangles, 100);
   EXPECT_EQ(decode_mesh_query({{"triangles", "0"}}).status().pointer, "/triangles");
   EXPECT_EQ(decode_mesh_query({{"triangles", "200001"}}).status().limit, "[100, 200000]");
 }
 
-TEST(Decode, HowFurIsLaid) {
+TEST(Decode, ReadsHowFurIsLaid) {
   EXPECT_EQ(decode_new_scene("{}")->fur_patches, FurPatches::overlapping);
   EXPECT_EQ(decode_new_scene(R"({"fur_patches": "hard"})")->fur_patches, FurPatches::hard);
   EXPECT_EQ(decode_new_scene(R"({"fur_patches": "own_uv"})").status().nearest, "own_uvs");

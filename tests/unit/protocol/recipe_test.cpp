@@ -43,7 +43,7 @@ void expect_refusal(const Files& files, const std::string& pointer, const std::s
   EXPECT_NE(steps.status().message.find(words), std::string::npos) << steps.status().message;
 }
 
-TEST(Recipe, IsToldFromCommands) {
+TEST(Recipe, IsDistinguishedFromCommands) {
   EXPECT_TRUE(is_recipe(R"({"steps": []})"));
   EXPECT_TRUE(is_recipe(R"({"include": []})"));
   EXPECT_FALSE(is_recipe(R"({"op": "comb"})"));
@@ -176,7 +176,7 @@ Result<std::string> file_text(const std::string& name) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(Recipe, TheOneOfTheDocumentsWorks) {
+TEST(Recipe, TheOneInTheDocumentationWorks) {
   const std::string page = *file_text((source_folder / "docs/recipes.md").string());
   const std::size_t begin = page.find("```json") + 7;
   const std::string text = page.substr(begin, page.find("```", begin) - begin);

@@ -78,7 +78,7 @@ TEST(Trace, ReadsEachMember) {
             StrandScattering::energy_conserving);
 }
 
-TEST(Trace, StrandsScatterByTheLooksModelAndPathsByTheOneThatMakesNoLight) {
+TEST(Trace, StrandsScatterByTheLookAndPathsByEnergyConserving) {
   EXPECT_EQ(knobs_of(Tier::reference).trace.scattering, StrandScattering::look);
   EXPECT_EQ(decoded(traced(R"("passes": 7)")).knobs.trace.scattering, StrandScattering::look);
   const Tracing paths = decoded(traced(R"("transport": "paths")")).knobs.trace;
@@ -115,7 +115,7 @@ TEST(Trace, TakesTheEndsOfRangesAndRefusesWhatLiesBeyond) {
   }
 }
 
-TEST(Trace, OnlyPathsBounceAndTheyMakeNoLight) {
+TEST(Trace, OnlyPathsHaveBounces) {
   for (const std::string bounces : {"1", "4096"})
     EXPECT_TRUE(frame_refusal(traced(R"("transport": "paths", "bounces": )" + bounces)).ok());
   for (const std::string bounces : {"0", "4097", "1.5"})

@@ -32,7 +32,7 @@ TEST(CostLog, SmallChangesChangeNothing) {
   EXPECT_EQ(log.correction(1).factor, once);
 }
 
-TEST(CostLog, OneSlowFrameIsNothing) {
+TEST(CostLog, AFewSlowFramesCorrectNothing) {
   CostLog log;
   add_often(log, 1, 1, 3), add_often(log, 1, 50, 2), add_often(log, 1, 1, 3);
   EXPECT_EQ(log.correction(1), (CostCorrection{1, true}));

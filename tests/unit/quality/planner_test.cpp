@@ -72,7 +72,7 @@ RC_GTEST_PROP(Planner, WhatItSaysIsWhatItChose, ()) {
   RC_ASSERT(e.cost_safety == model.learnt_safety && e.correction == 3);
 }
 
-TEST(Planner, TheEndSaysWhy) {
+TEST(Planner, ReportsWhyItChose) {
   const PlanBasis basis{default_model(), machine, view};
   const auto end = [&](const PlanGoal& goal) { return plan(basis, goal).estimate.end; };
   EXPECT_EQ(end({600'000.0, {}}), PlanEnd::best);

@@ -15,13 +15,13 @@ void expect_request_refused(const std::string& text, const std::string& pointer)
   EXPECT_NE(decoded.status().limit, "") << text;
 }
 
-TEST(DialJson, OneGoalAtMost) {
+TEST(DialJson, RefusesTwoGoals) {
   expect_request_refused(R"({"budget_ms": 40, "quality": "draft"})", "/budget_ms");
   expect_request_refused(R"({"max_error": 0.1, "quality": "draft"})", "/max_error");
   expect_request_refused(R"({"budget_ms": 40, "max_error": 0.1})", "/max_error");
 }
 
-TEST(DialJson, Ranges) {
+TEST(DialJson, RefusesGoalsOutOfRange) {
   for (const char* budget : {"0.99", "600001", "-1"})
     expect_request_refused(std::string(R"({"budget_ms": )") + budget + "}", "/budget_ms");
   for (const char* error : {"0", "1.01", "-1"})

@@ -80,7 +80,7 @@ TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
   EXPECT_EQ(after.widened, before.widened);
 }
 
-TEST(Cull, StrandsComeAndGoAtNoWidth) {
+TEST(Cull, StrandsAppearAndVanishWithoutWidth) {
   Field field;
   KeptStrands before = field.kept(0.05);
   std::size_t came = 0;

@@ -121,7 +121,7 @@ TEST_F(BranchTest, AnAmendmentCanBeBranchedInItsMidst) {
   EXPECT_EQ(side->effective_log().size(), 2u);
 }
 
-TEST_F(BranchTest, IsRefusedAtTheLimitOfScenesAndForAScenesThatIsGone) {
+TEST_F(BranchTest, IsRefusedAtTheLimitOfScenesAndForARemovedScene) {
   const auto scene = make(Builtin::plane, 2);
   const auto gone = make(Builtin::plane, 2);
   ASSERT_TRUE(store_->remove(gone->id()).ok());

@@ -37,7 +37,7 @@ TEST(CoatBaker, BakesOnceForAllWhoAsk) {
   EXPECT_EQ(baker.baked(), 1u);
 }
 
-TEST(CoatBaker, TheLastWhoLetsGoEndsIt) {
+TEST(CoatBaker, EndsWhenItsLastHandleGoes) {
   CoatBaker baker(1, no_bound, [] {});
   CoatBaker::Handle first = baker.ask(coat_of(0.05)), second = first;
   const CoatBaker::Handle other = baker.ask(coat_of(0.06));  // waits for the first
@@ -50,7 +50,7 @@ TEST(CoatBaker, TheLastWhoLetsGoEndsIt) {
   EXPECT_EQ(baker.baked(), 1u) << "the other alone";
 }
 
-TEST(CoatBaker, WhatDoesNotFitWaitsAndOneAloneNever) {
+TEST(CoatBaker, WaitsForRoomUnlessItIsAlone) {
   CoatBaker baker(2, 1, [] {});
   CoatBaker::Handle first = baker.ask(coat_of(0.05));
   const CoatBaker::Handle second = baker.ask(coat_of(0.06));
@@ -63,7 +63,7 @@ TEST(CoatBaker, WhatDoesNotFitWaitsAndOneAloneNever) {
   EXPECT_TRUE(soon([&] { return second->settled(); }));
 }
 
-TEST(CoatBaker, SaysWhatItTakes) {
+TEST(CoatBaker, ReportsTheBytesOfSlicesAndOfBaking) {
   const Slices slices = bake_slices({});
   std::size_t bytes = 0;
   for (const SliceLevel& level : slices.levels) bytes += level.shape.size() + level.colour.size();

@@ -17,7 +17,7 @@ LinearPicture picture(const std::vector<float>& light, const std::vector<float>&
   return picture;
 }
 
-TEST(MeanPictures, AverageLightAndTakeThePlacesOfTheMiddle) {
+TEST(MeanPictures, AverageLightAndTakePositionsFromTheMiddleOne) {
   MeanPicture mean({Aov::beauty, Aov::depth}, 3);
   mean.add(picture({1, 0, 1e30f, 1}, {3, 3, 3, 1}));
   LinearPicture second = picture({4, 0, 1e30f, 0}, {5, 5, 5, 1});

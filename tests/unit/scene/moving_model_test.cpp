@@ -102,7 +102,7 @@ TEST_F(MovingModels, OfSplitTrianglesMoveToo) {
   }
 }
 
-TEST_F(MovingModels, AreRefusedWhereTheyAreOthers) {
+TEST_F(MovingModels, RefuseOtherModels) {
   const MovingModel model = moving();
   const auto pose = [&](const RawModel& raw) { return model.pose(raw, {}, 1); };
   RawModel other = raw_;

@@ -128,8 +128,7 @@ TEST_F(SceneStoreTest, ACreaturesWhiskersStandOutOfItsSkin) {
   const Surface& surface = view.model.surface;
   for (const CurveGroup& group : view.settings.curves) {
     for (const GuideCurve& curve : group.curves) {
-      const glm::dvec3 root = surface.mesh().to_internal(curve.front()),
-                       tip = surface.mesh().to_internal(curve.back());
+      const glm::dvec3 root = surface.mesh().to_internal(curve.front()), tip = surface.mesh().to_internal(curve.back());
       EXPECT_LT(glm::distance(root, surface.position(surface.nearest(root))), 0.02);
       EXPECT_GT(glm::dot(tip - root, surface.normal(surface.nearest(root))), 0);
     }

@@ -28,7 +28,7 @@ TEST(ShortestFirst, ServesTheShortBeforeTheLong) {
   EXPECT_TRUE(queue.empty());
 }
 
-TEST(ShortestFirst, OfEqualOnesTheFirst) {
+TEST(ShortestFirst, ServesEqualOnesInTheirOrder) {
   Queue queue;
   for (const char* name : {"a", "b", "c"}) queue.add(name, 5, 0);
   EXPECT_EQ(order_of(queue), "abc");

@@ -32,14 +32,14 @@ TEST(TraceCostTest, ACropPaysForItsShare) {
   EXPECT_DOUBLE_EQ(trace_cost(request, report()).seconds, .5 + 4 * .02 * 16 / 8);
 }
 
-TEST(TraceCostTest, ItsOwnSecondsAreTheMost) {
+TEST(TraceCostTest, NeverExceedsItsOwnSeconds) {
   FrameRequest request = strands_of(8192, 65536);
   EXPECT_GT(trace_cost(request, report()).seconds, 1e4);
   request.knobs.trace.seconds = .5;
   EXPECT_DOUBLE_EQ(trace_cost(request, report()).seconds, .5);
 }
 
-TEST(TraceCostTest, AProbeIsSmallWholeAndNobodysView) {
+TEST(TraceCostTest, AProbeIsSmallUncroppedAndHasNoView) {
   FrameRequest request = strands_of(256, 400);
   request.height = 3;
   request.crop = Crop{.left = 8, .top = 1, .width = 16, .height = 1};

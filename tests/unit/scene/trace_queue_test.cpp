@@ -284,7 +284,7 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
   EXPECT_TRUE(gone);
 }
 
-TEST_F(TraceQueueTest, WaitsUntilTheHandRests) {
+TEST_F(TraceQueueTest, WaitsUntilTheSceneSettles) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
   limits.settle_time = 300ms;
@@ -420,7 +420,7 @@ TEST_F(TraceQueueTest, RefusesWhenTooManyWait) {
   EXPECT_TRUE(queue_->improve(scene, progressive(3, "c"), 0).ok()) << "in the place of what its view asked for before";
 }
 
-TEST_F(TraceQueueTest, KeepsSoManyProgressivePictures) {
+TEST_F(TraceQueueTest, BoundsTheNumberOfProgressivePictures) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
   limits.max_progressive = 3;

@@ -58,7 +58,7 @@ TEST(SinePower, OfADirectionWithItselfIsNothing) {
   EXPECT_LT(below, 0.35 * count);
 }
 
-TEST(SinePower, AtTheEnds) {
+TEST(SinePower, IsExactAtTheEnds) {
   EXPECT_EQ(sine_power(1.0, 0.0), 1);
   EXPECT_EQ(sine_power(1.0, 1e6), 0);
   EXPECT_EQ(sine_power(1.0000001, 3.0), 0);

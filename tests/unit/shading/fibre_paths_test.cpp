@@ -39,7 +39,7 @@ double truth_of(const FibreLobes& lobes, glm::vec3 light, glm::vec3 eye, float h
   return scatter_at_offset(lobes, inclination_of(light), inclination_of(eye), azimuth, double(h), double(sigma_a));
 }
 
-TEST(FibrePaths, ReferenceValues) {
+TEST(FibrePaths, AgreesWithReferenceValues) {
   const struct {
     double theta_o, phi_o, theta_i, phi_i, h, sigma_a, beta_m, beta_n, alpha, value;
   } rows[] = {

@@ -50,7 +50,7 @@ class Extremes : public ::testing::Test {
   Tracer tracer_{2, plenty, false};
 };
 
-TEST_F(Extremes, FieldsThatFoldAndCross) {
+TEST_F(Extremes, FoldedFieldsGiveSanePictures) {
   for (const Transport transport : both) {
     FurPatch fur = ball_;
     for (std::size_t i = 0; i < fur.direction.size(); ++i) {
@@ -74,7 +74,7 @@ TEST_F(Extremes, FieldsThatFoldAndCross) {
   }
 }
 
-TEST_F(Extremes, LengthDensityAndCount) {
+TEST_F(Extremes, AnyLengthDensityAndCountGivesSanePictures) {
   for (const Transport transport : both) {
     for (const float length : {0.0f, 1e-6f, 10.0f}) trace(fur_ball(length), usual(transport));
     const std::vector<float> none(ball_.positions.size(), 0.0f), whole(ball_.positions.size(), 1.0f);
@@ -94,7 +94,7 @@ TEST_F(Extremes, LengthDensityAndCount) {
   }
 }
 
-TEST_F(Extremes, WidthFormAndWetness) {
+TEST_F(Extremes, AnyWidthFormAndWetnessGivesSanePictures) {
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
     for (const double width : {0.0, 0.05}) {
@@ -130,7 +130,7 @@ FurLight point_at(glm::vec3 place, float radiance) {
   return light;
 }
 
-TEST_F(Extremes, LightsAnywhere) {
+TEST_F(Extremes, LightsAnywhereGiveSanePictures) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
@@ -154,7 +154,7 @@ TEST_F(Extremes, LightsAnywhere) {
   }
 }
 
-TEST_F(Extremes, LightFromAfarAndAllAround) {
+TEST_F(Extremes, DirectionalAndEnvironmentLightGivesSanePictures) {
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
     for (const float angle : {0.0f, 1.5707964f}) {
@@ -182,7 +182,7 @@ TEST_F(Extremes, LightFromAfarAndAllAround) {
   }
 }
 
-TEST_F(Extremes, CamerasAnywhere) {
+TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
   const glm::vec3 along = glm::normalize(tip(strands, 5).place - knot(strands, 5, 0).place);
   const auto looking = [](FurFrame frame, glm::vec3 eye, glm::vec3 forward) {
@@ -210,7 +210,7 @@ TEST_F(Extremes, CamerasAnywhere) {
   }
 }
 
-TEST_F(Extremes, AnySizeOfPicture) {
+TEST_F(Extremes, PicturesOfAnySizeAreTraced) {
   FurFrame frame = usual(Transport::transmittance);
   frame.knobs.trace.passes = 1, frame.knobs.trace.filter = true;
   for (const glm::ivec2 size : {glm::ivec2(1, 1), {1, 8192}, {8192, 1}, {17, 15}}) {
@@ -219,7 +219,7 @@ TEST_F(Extremes, AnySizeOfPicture) {
   }
 }
 
-TEST_F(Extremes, EveryModelOfScattering) {
+TEST_F(Extremes, EveryScatteringModelGivesSanePictures) {
   const std::vector<float> wet(ball_.positions.size(), 1.0f);
   FurPatch fur = ball_;
   for (const ShadingModel model : {ShadingModel::lengyel, ShadingModel::kajiya, ShadingModel::energy_conserving,
@@ -243,7 +243,7 @@ TEST_F(Extremes, EveryModelOfScattering) {
   }
 }
 
-TEST_F(Extremes, EyesWhiskersAndBareSkinInsideEachOther) {
+TEST_F(Extremes, EyesWhiskersAndBareSkinMayOverlap) {
   FurFrame frame = usual(Transport::transmittance);
   frame.eyes.resize(4);
   frame.eyes[1].radius = 1e6f, frame.eyes[2].radius = 1e-6f;  // around everything, and nothing
@@ -265,7 +265,7 @@ TEST_F(Extremes, EyesWhiskersAndBareSkinInsideEachOther) {
   }
 }
 
-TEST_F(Extremes, ABackplateOfAnything) {
+TEST_F(Extremes, AnyBackplateGivesSanePictures) {
   for (const float value : {-1.0f, 0.0f, 1.0f, 1e30f, infinity, std::numeric_limits<float>::quiet_NaN()}) {
     const FloatImage any{.width = 1, .height = 1, .rgba = {value, value, value, 1}};
     for (const Transport transport : both) {
@@ -278,7 +278,7 @@ TEST_F(Extremes, ABackplateOfAnything) {
   }
 }
 
-TEST_F(Extremes, EveryEndOfATrace) {
+TEST_F(Extremes, ReportsWhyATraceEnded) {
   FurFrame frame = usual(Transport::transmittance);
   frame.knobs.trace.passes = 65536, frame.knobs.trace.seconds = 0.01;
   const TraceReport brief = trace(frame);

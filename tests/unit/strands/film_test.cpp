@@ -35,7 +35,7 @@ glm::vec4 pixel_of(const Film& film, Aov aov, int x = 0, int y = 0) {
   return {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]};
 }
 
-TEST(Film, AovsOfAPixelThatIsHalfCovered) {
+TEST(Film, AveragesTheAovsOfAPartlyCoveredPixel) {
   Film film(1, 1, film_aovs, false);
   film.add(0, 0, hit(2));
   FilmSample ground;
@@ -61,7 +61,7 @@ TEST(Film, AovsOfAPixelThatIsHalfCovered) {
   }
 }
 
-TEST(Film, PixelsThatSawNothing) {
+TEST(Film, PixelsWithoutHitsAreEmpty) {
   Film film(2, 1, film_aovs, true);
   film.add(0, 0, {});
   for (const Aov aov : film_aovs) {
@@ -132,7 +132,7 @@ TEST(Film, NoiseIsTheMeanErrorOfWhatIsShown) {
   }
 }
 
-TEST(Film, NoiseOfWhatIsNotKnown) {
+TEST(Film, NoiseIsInfiniteUntilItIsKnown) {
   Film film(20, 20, film_aovs, false);
   ASSERT_EQ(film.tiles().size(), 4u);
   EXPECT_TRUE(std::isinf(film.noise(0, 0)));

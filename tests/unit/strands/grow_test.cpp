@@ -255,7 +255,7 @@ TEST(GrowFingerprint, FollowsTheRecipe) {
   EXPECT_EQ(bald_spot.grower(recipe).fingerprint(patch.all()), own);
 }
 
-TEST(GrowExtremes, FiniteOrNone) {
+TEST(GrowExtremes, StrandsAreFiniteOrAbsent) {
   const GrowRecipe recipe{Coat{.count = 300}};
   for (const float length : {0.0f, 1e-6f, 0.001f, 10.0f}) {
     FurPatch patch(0.2, 2, length);
@@ -272,7 +272,7 @@ TEST(GrowExtremes, FiniteOrNone) {
   }
 }
 
-TEST(GrowExtremes, NothingToGrowOn) {
+TEST(GrowExtremes, NothingGrowsWithoutDensityOrSkin) {
   const GrowRecipe recipe{Coat{.count = 300}};
   FurPatch patch(0.2, 2);
   const std::vector<float> none(patch.positions.size(), 0.0f);
@@ -288,7 +288,7 @@ TEST(GrowExtremes, NothingToGrowOn) {
   EXPECT_EQ(expected_strands(flat.model(), recipe.coat), 0);
 }
 
-TEST(GrowExtremes, NoWidthIsStillThere) {
+TEST(GrowExtremes, StrandsWithoutWidthHaveTheLeastRadius) {
   Coat coat = plain_coat(200);
   coat.width_root = coat.width_tip = 0;
   const StrandSet set = FurPatch(0.2).grow({coat});

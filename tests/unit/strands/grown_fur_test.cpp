@@ -111,7 +111,7 @@ TEST(GrownFur, KnowsWhereItsPartsAreBentTo) {
   EXPECT_LT(beyond, 1e-4f);
 }
 
-TEST(GrownFur, LeavesToOthersToBendIt) {
+TEST(GrownFur, LeavesBendingToTheCaller) {
   const BentPatch bent;
   GrownFur fur, left, still;
   fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);

@@ -73,7 +73,7 @@ TEST(StrandLights, BallIsThatOfItsVisibleCap) {
   EXPECT_NEAR(mean_on(lights, {0, 0, 0}, towards), 3 / double(glm::dot(light.position, light.position)), 1e-3);
 }
 
-TEST(StrandLights, WaysEndOnTheBall) {
+TEST(StrandLights, SampledDirectionsEndOnTheBall) {
   const FurLight light = ball_at({0.1f, 1, -0.2f}, 0.6f);
   for (int i = 0; i < 100; ++i) {
     const glm::vec3 place(0.3f, 0.2f, 0.1f);
@@ -242,7 +242,7 @@ TEST(StrandLights, WhiteEnvironmentIsItsAmbient) {
   EXPECT_NEAR(lights.sample_environment({0.3f, 0.3f}).pdf, 1 / (4 * pi), 1e-4);
 }
 
-TEST(StrandLights, NoEnvironment) {
+TEST(StrandLights, WithoutAnEnvironmentNoLightComesFromIt) {
   for (const StrandLights& lights : {StrandLights({}, dark(), 1), StrandLights({}, Environment{}, 0)}) {
     EXPECT_FALSE(lights.has_environment());
     const EnvironmentSample s = lights.sample_environment({0.3f, 0.9f});

@@ -50,7 +50,7 @@ TEST(MovingStrands, StartAsTheyOpenAndEndAsTheyClose) {
   }
 }
 
-TEST(MovingStrands, ARayMeetsThemWhereTheyAreAtItsTime) {
+TEST(MovingStrands, RaysHitThemWhereTheyAreAtTheirTime) {
   const MovingPatch moving;
   const GrowRecipe recipe{few_thick_strands()};
   World world(plenty);

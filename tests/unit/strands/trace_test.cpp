@@ -110,7 +110,7 @@ TEST(Trace, LightsAddUp) {
   }
 }
 
-TEST(Trace, PaleFurLetsLightThroughAndDarkFurDoesNot) {
+TEST(Trace, PaleFurTransmitsLightAndDarkFurDoesNot) {
   const FurPatch ball = fur_ball(0.05f);
   const auto from_behind = [&](float colour) {
     FurFrame frame = frame_at(32, coat_of(glm::vec3(colour), 4000), Transport::transmittance, 16);

@@ -16,7 +16,7 @@ Status traced_in(Tracer& tracer, const FurPatch& fur, const FurFrame& frame) {
   return status;
 }
 
-TEST(Upkeep, AnyMemoryDoesOrIsRefusedAndDoesForLess) {
+TEST(Upkeep, AnyMemorySufficesOrIsRefused) {
   const FurPatch ball = fur_ball(0.04f), bald = fur_ball(0);
   FurPatch small(0.02);
   small.id = 2;

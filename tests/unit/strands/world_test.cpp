@@ -34,7 +34,7 @@ Ray past_first(const StrandSet& set, float aside) {
   return {.origin = middle + glm::vec3(aside, -0.001f * 5, 0), .direction = {0, 1, 0}};
 }
 
-TEST(World, RayMeetsAStrandWhereItIs) {
+TEST(World, RaysHitAStrandWhereItIs) {
   FurPatch patch(0.12);
   World world(enough_memory);
   grown(world, patch, thick_coat());
@@ -129,7 +129,7 @@ TEST(World, OnlyWhatChangedIsGrownAgain) {
   EXPECT_EQ(grown(world, patch, coat).grown, first.strands);
 }
 
-TEST(World, TooLittleMemoryIsSaidAndEnoughWorksAgain) {
+TEST(World, ReportsTooLittleMemoryAndRecovers) {
   const FurPatch patch(0.6, 10);
   World world(200'000);
   const Result<World::Change> much =

@@ -94,7 +94,7 @@ TEST_F(Packing, ArchivesWithSeveralModelsOrNoneAreRefused) {
   EXPECT_FALSE(Bundle::unpack("PK\x03\x04 and no more", format).ok());
 }
 
-TEST(Names, OfFilesThatModelsName) {
+TEST(Names, ListTheFilesThatModelsName) {
   EXPECT_EQ(names_in_obj(" mtllib a b.mtl \r\n#mtllib c\nmtllib a b.mtl\n"), std::vector<std::string>{"a b.mtl"});
   EXPECT_EQ(names_in_mtl("map_Kd a b.png\nmap_Kd -o 1 1 c.png\nmap_Bump d.png\n"),
             (std::vector<std::string>{"a b.png", "c.png"}));
@@ -103,7 +103,7 @@ TEST(Names, OfFilesThatModelsName) {
   EXPECT_TRUE(names_in_gltf("no JSON").empty());
 }
 
-TEST(Skeleton, SidesOfJoints) {
+TEST(Skeleton, ReadsTheSideFromTheNameOfAJoint) {
   for (const char* name :
        {"mixamorig:LeftArm", "Skeleton_arm_joint_L__4_", "l_ear", "Bip01 L Thigh", "paw.L", "LThigh"})
     EXPECT_EQ(side_of_joint(name), BodySide::left) << name;

@@ -94,7 +94,7 @@ TEST_F(Import, CrashesAreRefusalsThatSaySo) {
   EXPECT_TRUE(contains(run(script("kill -SYS $$"), one_triangle).message, "must not"));
 }
 
-TEST_F(Import, ReasonIsTheLastLineOfTheComplaint) {
+TEST_F(Import, ReasonIsTheLastLineOfTheErrorOutput) {
   const Status status = run(script("echo noise >&2; echo face 7 is bad >&2; exit 3"), one_triangle);
   EXPECT_EQ(status.message, "The model cannot be read: face 7 is bad");
 }
@@ -175,7 +175,7 @@ TEST_F(Import, NonsenseInPlaceOfPicturesIsRefused) {
   EXPECT_EQ(import_picture(script("kill -SEGV $$"), bytes_of("x")).status().code, Code::invalid);
 }
 
-TEST(PictureCodec, RoundTripAndRefusals) {
+TEST(PictureCodec, PicturesComeBackAndDamageIsRefused) {
   SphericalHarmonics light{};
   for (std::size_t i = 0; i < 9; ++i) light[i] = {double(i), -1e6, 0.1};
   EXPECT_EQ(*decode_harmonics(bytes_of(encode_harmonics(light))), light);
@@ -214,7 +214,7 @@ RawModel everything() {
   return model;
 }
 
-TEST(RawCodec, RoundTrip) {
+TEST(RawCodec, ModelsComeBack) {
   const std::string bytes = encode_raw_model(everything());
   const Result<RawModel> back = decode_raw_model(bytes_of(bytes));
   ASSERT_TRUE(back.ok()) << back.status().message;

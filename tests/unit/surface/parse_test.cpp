@@ -27,7 +27,7 @@ std::string bytes(T value, bool big_endian = false) {
   return big_endian ? std::string(text.rbegin(), text.rend()) : text;
 }
 
-TEST(ParseObj, PolygonsRelativeIndicesAndTextureCoordinates) {
+TEST(ParseObj, ReadsPolygonsRelativeIndicesAndTextureCoordinates) {
   const RawModel model =
       parsed(ModelFormat::obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0.5\nf -3/1 -2/2 3\nv 0 1 0\nf 1 2 3 -1\n");
   EXPECT_EQ(model.face_sizes, (std::vector<std::uint32_t>{3, 4}));
@@ -57,13 +57,13 @@ TEST(ParseObj, VertexColoursBecomeLinear) {
   EXPECT_EQ(model.corner_colour[1], glm::vec4(1));
 }
 
-TEST(ParseObj, LineEndsAndContinuations) {
+TEST(ParseObj, ReadsAnyLineEndsAndContinuations) {
   EXPECT_EQ(parsed(ModelFormat::obj, "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n").positions.size(), 3u);
   EXPECT_EQ(parsed(ModelFormat::obj, "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3").positions.size(), 3u);
   EXPECT_EQ(parsed(ModelFormat::obj, "\xef\xbb\xbfv 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1 \\\r\n2 3").corners.size(), 3u);
 }
 
-TEST(ParseStl, BinaryThatBeginsWithSolid) {
+TEST(ParseStl, ReadsBinaryThatBeginsWithSolid) {
   std::string stl = "solid but binary";
   stl.resize(80, ' ');
   stl += bytes<std::uint32_t>(1);
@@ -84,7 +84,7 @@ TEST(ParseStl, CutOffTextIsRefused) {
             std::string::npos);
 }
 
-TEST(ParseOff, CommentsColoursAndBadIndices) {
+TEST(ParseOff, ReadsCommentsAndColoursAndMarksBadIndices) {
   const RawModel model = parsed(ModelFormat::off,
                                 "COFF # colours\n3 2\n0 0 0 255 0 0 255\n# between\n1 0 0 0 255 0 255\n"
                                 "0 1 0 0 0 255 255\n3 0 1 2\n3 0 1 9 0.5 0.5 0.5\n");
@@ -104,7 +104,7 @@ const std::string ply_body =
     "property uchar blue\nelement extra 1\nproperty list uchar short things\nelement face 1\n"
     "property list uchar int vertex_indices\nend_header\n";
 
-TEST(ParsePly, BigEndianWithColoursAndUnknownElements) {
+TEST(ParsePly, ReadsBigEndianWithColoursAndUnknownElements) {
   std::string ply = "ply\nformat binary_big_endian 1.0\n" + ply_body;
   for (float x : {0.0f, 1.0f, 0.5f}) {
     ply += bytes(x, true) + bytes(x * x, true) + bytes(2.0f, true) + std::string("\xff\x80\0", 3);
@@ -139,7 +139,7 @@ TEST(ParsePly, ListsLongerThanTheFileAreRefused) {
 }
 
 /// Two parts, one turned by its node and one mirrored, from one buffer inside the text.
-TEST(ParsePly, StripsOfTriangles) {
+TEST(ParsePly, ReadsStripsOfTriangles) {
   const RawModel model =
       parsed(ModelFormat::ply,
              "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
@@ -149,7 +149,7 @@ TEST(ParsePly, StripsOfTriangles) {
   EXPECT_EQ(model.corners, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2, 2, 3, 4}));
 }
 
-TEST(ParseGltf, NodeTransformsAndFactors) {
+TEST(ParseGltf, AppliesNodeTransformsAndFactors) {
   const std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
     "nodes": [{"children": [1], "translation": [10, 0, 0]}, {"mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678]},
               {"mesh": 0, "scale": [-1, 1, 1]}],
@@ -254,7 +254,7 @@ TEST(ParseGltf, OtherVersionsAndGraphsThatAreNoTreesAreRefused) {
 }
 
 /// Bytes say what they are, and the message what to do with them.
-TEST(Signature, OfWhatIsNoModelOfThatFormat) {
+TEST(Signature, NamesWhatIsNoModelOfThatFormat) {
   using namespace std::string_literals;
   const struct {
     std::string bytes;

@@ -90,7 +90,7 @@ TEST(Patches, ABallIsCoveredByAFewThatStretchLittle) {
   expect_good(mesh, map, 1.3);
 }
 
-TEST(Patches, BuiltInsOfTheUsualSize) {
+TEST(Patches, CoverBuiltInsOfTheUsualSize) {
   for (const auto& [shape, triangles] : {std::pair{Builtin::creature, 5000},
                                          {Builtin::sphere, 5000},
                                          {Builtin::cloth, 1401},
@@ -237,7 +237,7 @@ TEST(ValueNoise, IsSmoothWithinItsRangeAndDependsOnTheSeed) {
   EXPECT_NE(value_noise({0.5, 0.5, 0.5}, 1), value_noise({0.5, 0.5, 0.5}, 2));
 }
 
-TEST(SharedPatches, ModelsOfTheSharedFolder) {
+TEST(SharedPatches, CoverTheModelsOfTheSharedFolder) {
   if (shared_models::folder().empty()) {
     const char* ci = std::getenv("CI");
     if (ci && std::string(ci) == "true") FAIL() << "shared/meshes is missing";

@@ -35,7 +35,7 @@ TEST(SavedFile, WhatIsNoGzipFileOfADatabaseIsRefused) {
   EXPECT_NE(refusal(file).find("not a database"), std::string::npos) << refusal(file);
 }
 
-TEST(SavedFile, MuchOfLittleIsRefusedOnTheWay) {
+TEST(SavedFile, RefusesADecompressionBomb) {
   const std::string bomb = packed(std::string(20 << 20, '\0'));
   EXPECT_LT(bomb.size(), 200'000u);
   EXPECT_EQ(refusal(bomb), "it is larger than 1048576 bytes unpacked.");

@@ -43,7 +43,7 @@ TEST(Surface, LeavesOtherWorkItsThreads) {
   EXPECT_GE(allowed, std::thread::hardware_concurrency()) << "Embree bounds oneTBB for the whole process";
 }
 
-TEST(Surface, RaysThatMissOrAreNone) {
+TEST(Surface, RaysThatMissOrAreInvalidHitNothing) {
   const Surface cube = surface_of(shapes::cube());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(cube.raycast({0, 1, 0}, {0, 1, 0}));
@@ -69,7 +69,7 @@ TEST(Surface, ADirectionMayHaveAnyLength) {
 }
 
 /// A child whose memory ends: what Embree cannot have it says, in a release too.
-TEST(SurfaceDeathTest, MemoryThatDoesNotDoIsSaid) {
+TEST(SurfaceDeathTest, ReportsThatMemoryIsNotEnough) {
   const auto starved = [] {
     const Result<Mesh> mesh = shapes::prepared(shapes::ball(300));
     std::ifstream pages("/proc/self/statm");
@@ -97,7 +97,7 @@ TEST(Surface, RaysThroughEdgesAndVerticesDoNotSlipThrough) {
   }
 }
 
-TEST(Surface, NearestPoints) {
+TEST(Surface, FindsNearestPoints) {
   const Surface cube = surface_of(shapes::cube());
   const auto at = [&](glm::dvec3 place) { return cube.position(cube.nearest(place)); };
   EXPECT_NEAR(glm::length(at({0.1, 0.9, 0.05}) - glm::dvec3(0.1, half, 0.05)), 0, 1e-6);
@@ -115,7 +115,7 @@ TEST(Surface, NormalsAreInterpolatedAndUnit) {
   }
 }
 
-TEST(Surface, VerticesAlongALine) {
+TEST(Surface, FindsVerticesAlongALine) {
   const Surface ball = surface_of(shapes::ball(20));
   const auto& positions = ball.mesh().positions;
   std::vector<std::uint32_t> found;
@@ -136,7 +136,7 @@ TEST(Surface, VerticesAlongALine) {
   EXPECT_TRUE(found.empty());
 }
 
-TEST(Surface, VerticesWithin) {
+TEST(Surface, FindsVerticesWithinARadius) {
   const Surface ball = surface_of(shapes::ball(20));
   const glm::dvec3 vertex(ball.mesh().positions[17]);
   std::vector<std::uint32_t> found = {1, 2, 3};

@@ -48,7 +48,7 @@ TEST_F(Trials, ATextureTransformMovesTheTexture) {
   }
 }
 
-TEST_F(Trials, InstancesAreModels) {
+TEST_F(Trials, InstancesBecomeParts) {
   const Mesh mesh = load("gpui.glb");
   EXPECT_EQ(mesh.report.parts, 3u);
   EXPECT_EQ(mesh.report.triangles, 3 * 2208u);
@@ -65,7 +65,7 @@ TEST_F(Trials, PicturesThatOnlyAnExtensionNamesAreMissing) {
   }
 }
 
-TEST_F(Trials, ABadIndexIsOneFaceLessAndSaid) {
+TEST_F(Trials, ABadIndexDropsItsFaceAndIsReported) {
   const Mesh mesh = load("badindex.glb");
   EXPECT_EQ(repair_of(mesh, "bad_indices").count, 1u);
   EXPECT_EQ(mesh.report.source_faces, 2208u);

@@ -43,7 +43,7 @@ TEST(Turns, OfAThingThatIsTurnedAreItsRotation) {
   }
 }
 
-TEST(Turns, OfASheetThatShearsAreHalfWay) {
+TEST(Turns, OfASheetThatShearsAreItsPolarFactor) {
   const Mesh mesh = mesh_of(Builtin::plane);
   const double shear = 0.4, angle = std::atan(shear / 2);  // polar factor of ((1, shear), (0, 1))
   const glm::dvec3 up(mesh.normals[0]);

@@ -64,7 +64,7 @@ TEST(ShellLods, CurvatureOfASphereIsOneOverItsRadius) {
   for (const float curvature : curvatures(positions, normals, triangles)) EXPECT_NEAR(curvature, 4, 1e-3);
 }
 
-TEST(ShellLods, ExtremesAreLevels) {
+TEST(ShellLods, ExtremesGiveValidLevels) {
   for (const float length : {0.0f, 1e-20f, 10.0f, 1e20f}) {
     for (const glm::vec3 place : {glm::vec3(0, 0, 10), glm::vec3(0, 0, 1e6f), glm::vec3(0)}) {
       const float level = shell_lod(view, {place, {0, 0, 1}, length, 1e6f});

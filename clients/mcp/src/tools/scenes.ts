@@ -38,7 +38,7 @@ function createScene({service, schemas}: Context): Tool {
 
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
-  const discard = {type: "boolean", default: false, description: "Load it though the groom that the scene has is lost."};
+  const discard = {type: "boolean", default: false, description: "Load it even though the groom of the scene is lost."};
   const path = {type: "string", description: "Path of the file on the machine where pelage-mcp runs. A model with files of its own comes as a zip archive."};
   return {
     name: "load_model", annotations: destroys,
