@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 picture=${1:-}
 root=$(mktemp -d --suffix=-pelage-root)
 clean_up() {
-  for folder in proc dev; do umount "$root/$folder" 2>/dev/null || true; done
+  umount "$root/proc" 2>/dev/null || true
   rm -rf --one-file-system "$root"
 }
 trap clean_up EXIT
@@ -17,7 +17,6 @@ command -v mmdebstrap >/dev/null || apt-get -qq install -y --no-install-recommen
 echo "package: a bare Debian 12"
 mmdebstrap --quiet --variant=minbase bookworm "$root"
 mount -t proc proc "$root/proc"
-mount --rbind /dev "$root/dev" 2>/dev/null || true
 cp /etc/resolv.conf "$root/etc/"
 cp build/release/pelage_*.deb "$root/tmp/pelage.deb"
 cp tests/package/groom.sh "$root/tmp/"
