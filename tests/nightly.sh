@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What takes too long for each change: all tests with all cases on each GL, benchmarks that run, the soak, many fuzzed
+# What takes too long for each change: all tests with all cases on each GL, that benchmarks build, the soak, many fuzzed
 # scenes, the Debian package in a bare system, clang-tidy over all sources, all suites under the sanitizers, and ten
 # minutes of the fuzzer.
 # usage: tests/nightly.sh [SEED]

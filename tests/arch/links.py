@@ -1,6 +1,6 @@
 """Checks that every relative link and picture of the Markdown pages leads to a file, and every #anchor to a heading.
 
-usage: links.py ROOT | --self-test
+usage: links.py ROOT
 """
 import pathlib
 import re
@@ -34,17 +34,6 @@ def problems(root, page):
     return found
 
 
-def self_test():
-    with tempfile.TemporaryDirectory() as folder:
-        root, page = pathlib.Path(folder), pathlib.Path("a.md")
-        (root / "b.md").write_text("# One `two`, three\n", encoding="utf-8")
-        for text, count in (("[x](b.md) [y](b.md#one-two-three) `[z](c.md)` [w](https://a.b/c)", 0), ("[x](c.md)", 1),
-                            ("![](c.png)", 1), ("[x](b.md#four)", 1), ("# Here\n[x](#here) [y](#there)", 1)):
-            (root / page).write_text(text, encoding="utf-8")
-            assert len(problems(root, page)) == count, text
-    print("the checker finds what it should")
-
-
 def pages(root):
     listed = subprocess.run(["git", "-C", str(root), "ls-files", "*.md"], capture_output=True, text=True)
     names = listed.stdout.split() if listed.returncode == 0 else []
@@ -53,8 +42,6 @@ def pages(root):
 
 
 def main():
-    if sys.argv[1] == "--self-test":
-        return self_test()
     root = pathlib.Path(sys.argv[1])
     checked = [page for page in pages(root) if (root / page).exists()]
     found = [line for page in checked for line in problems(root, page)]

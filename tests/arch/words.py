@@ -1,7 +1,7 @@
 """Words that must not come back: each thing has one word, and these are the old ones. docs/notes/ tells of the past and may use
 any, and so may CHANGELOG.md.
 
-usage: words.py ROOT | --self-test
+usage: words.py ROOT
 """
 import pathlib
 import re
@@ -62,20 +62,7 @@ def files(root):
             if LOOKED_AT.search(name) and not EXEMPT.search(name) and (pathlib.Path(root) / name).is_file()]
 
 
-def self_test():
-    assert hits_in("renderer/a.h", "int lamp_count;\nclamp(octets)") == [(1, "lamp", "light"), (2, "octet", "byte")]
-    assert hits_in("a.cpp", "application/octet-stream; almost; outermost; clamped") == []
-    assert hits_in("tests/kept_views_test.cpp", "") == [(0, "kept view", "cached view")]
-    assert [hit[1] for hit in hits_in("a.json", '{"least_radius": 1}')] == ["most, least"]
-    assert [hit[1] for hit in hits_in("docs/a.md", "A base picture\nis refined.")] == ["base picture", "refine"]
-    assert hits_in("renderer/strands/a.cpp", "world.blocked(ray)") and not hits_in("server/a.cpp", "blocked")
-    assert EXEMPT.search("docs/notes/2026-shells.md") and not EXEMPT.search("docs/fur.md")
-
-
 def main():
-    if "--self-test" in sys.argv:
-        self_test()
-        return 0
     found = [(name, *hit) for name in files(sys.argv[1])
              for hit in hits_in(name, (pathlib.Path(sys.argv[1]) / name).read_text(encoding="utf-8", errors="replace"))]
     for name, line, word, say in found:
