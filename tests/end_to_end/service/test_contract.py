@@ -63,7 +63,7 @@ class Document(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "documents"
             subprocess.run([BIN / "property_json", "--gtest_filter=Described*"], check=True, stdout=subprocess.DEVNULL,
-                           stderr=subprocess.DEVNULL, env={**os.environ, "PELAGE_DOCUMENTS": str(file)})
+                           stderr=subprocess.DEVNULL, env={**os.environ, "RC_PARAMS": "seed=1", "PELAGE_DOCUMENTS": str(file)})
             documents = [line.split(" ", 1) for line in file.read_text(encoding="utf-8").splitlines()]
         self.assertGreaterEqual(len(documents), 500 + 1300)
         closed = set()
@@ -196,6 +196,7 @@ class Requests(ServedTest):
 
     def test_frames_and_the_rest(self):
         scene = self.server.new_scene("plane", 50)
+        self.assertEqual(scene.run({"op": "set_coat", "coat": {"count": 100}}).status, 200)  # what is not refused is drawn or traced
         frame = {"width": 8, "height": 8, "camera": {"position": [0, 0.5, 2], "target": [0, 0.3, 0], "up": [0, 1, 0], "fov_degrees": 35},
                  "quality": {"scale": 1.0, "eye_steps": 2},
                  "background": "transparent", "exposure": 0, "tone_map": "none", "view": "", "format": "png"}
