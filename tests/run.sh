@@ -15,8 +15,7 @@ echo "build: done after $((SECONDS - started)) s"
 rm -rf build/tests/results
 passed=yes no_skips=()
 [ "${CI:-}" != true ] || no_skips=(--no-skips)
-# One more at a time than there are cores: some wait for their clocks.
-RC_PARAMS="seed=1 max_success=25" ctest --preset tests -j "$((jobs + 1))" --no-tests=error -LE nightly "$@" || passed=no
+RC_PARAMS="seed=1 max_success=25" ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "$@" || passed=no
 echo "tests: done after $((SECONDS - started)) s, packages and build included"
 python3 tests/count.py build/tests/results "${no_skips[@]}" || passed=no
 [ $passed = yes ]

@@ -15,6 +15,7 @@ import unittest
 
 import yaml
 
+from support.nightly import nightly
 from support.server import BIN, REPOSITORY, ServedTest
 
 REFERENCE = REPOSITORY / "docs" / "reference"
@@ -183,6 +184,7 @@ class Examples(ServedTest):
         self.assertEqual([name for name, client in CLIENTS.items() if "cli" not in client], ["docs"])  # which leads to docsFile
         self.assertTrue(all("python" in client for client in CLIENTS.values()))
 
+    @nightly
     def test_operations(self):
         for operation in CONTRACT.operations:
             client = CLIENTS[operation.id]
