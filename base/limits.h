@@ -1,4 +1,4 @@
-// Every limit of the contract, once. Prose of the contract repeats some; tests/end_to_end/test_contract.py compares.
+// Every limit of the contract, once. tests/end_to_end/service/test_contract.py compares the prose that repeats some.
 #pragma once
 
 #include <cstddef>

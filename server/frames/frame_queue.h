@@ -1,5 +1,5 @@
-// The queue of waiting frames, which takes the shortest first and lets subjects take turns, and the expected cost
-// of a frame and the renderer that draws it.
+// The queue of waiting frames, which takes the shortest first and lets subjects take turns, and the renderer that draws
+// them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Random documents for the schemas of the contract: tests/end_to_end/test_contract.py names a file and validates them.
+// Random documents for the schemas of the contract: tests/end_to_end/service/test_contract.py names a file and
+// validates them.
 #pragma once
 
 #include <cstdlib>

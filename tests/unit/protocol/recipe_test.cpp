@@ -193,7 +193,7 @@ TEST(Recipe, TheOneInTheDocumentationWorks) {
 TEST(Recipe, ThoseOfTheClientAreAtMostSixtyCommandsThatTheServerTakes) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(source_folder / "clients/recipes")) {
-    if (entry.is_directory()) continue;  // those with picks, which need a server (tests/end_to_end/test_recipes.py)
+    if (entry.is_directory()) continue;  // those with picks, which need a server (grooming/test_recipes.py)
     ++count;
     const std::string name = entry.path().string();
     const auto steps = expand_recipe({name, *file_text(name), {}, {-1, -1, -1}, {1, 1, 1}, file_text});
