@@ -7,6 +7,8 @@
 namespace pelage::limits {
 
 inline constexpr std::size_t command_body_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t recipe_bytes = std::size_t{8} << 20;  // with all that it includes
+inline constexpr std::size_t file_name_bytes = 4096;
 inline constexpr std::size_t model_bytes = std::size_t{256} << 20;
 inline constexpr std::size_t model_triangles = 2'000'000;
 inline constexpr double frame_seconds = 86'400;

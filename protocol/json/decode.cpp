@@ -55,6 +55,8 @@ Result<RenderJob> decode_job(std::string_view text) { return decode_document<Ren
 
 Result<PickRequest> decode_pick(std::string_view text) { return decode_document<PickRequest>(text); }
 
+Result<RecipeRequest> decode_recipe(std::string_view text) { return decode_document<RecipeRequest>(text); }
+
 Result<int> decode_steps(std::string_view text) {
   const auto body = decode_optional_document<StepsBody>(text);
   if (!body) return body.status();
@@ -84,6 +86,7 @@ template Result<CommandAnswer> decode_answer(std::string_view);
 template Result<SceneSummary> decode_answer(std::string_view);
 template Result<SceneList> decode_answer(std::string_view);
 template Result<PickAnswer> decode_answer(std::string_view);
+template Result<RecipeAnswer> decode_answer(std::string_view);
 template Result<Comparison> decode_answer(std::string_view);
 template Result<SettingsAnswer> decode_answer(std::string_view);
 template Result<Log> decode_answer(std::string_view);

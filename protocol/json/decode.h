@@ -18,6 +18,7 @@
 #include "protocol/commands/map.h"
 #include "protocol/commands/pick.h"
 #include "protocol/commands/quality.h"
+#include "protocol/commands/recipe.h"
 #include "protocol/commands/scene.h"
 #include "protocol/commands/settings.h"
 
@@ -68,6 +69,8 @@ Result<MapUpload> decode_map_upload_query(const Query& query);
 Result<GuideUpload> decode_guide_query(const Query& query);
 
 Result<PickRequest> decode_pick(std::string_view text);
+/// Reads the parts of the request as texts of JSON; expand_recipe checks what they say.
+Result<RecipeRequest> decode_recipe(std::string_view text);
 
 /// `{"steps": n}` (1 when absent or the body is empty), n in [1, 1e6].
 Result<int> decode_steps(std::string_view text);

@@ -21,6 +21,8 @@ std::string encode(const CommandAnswer& answer) { return line(written(answer)); 
 std::string encode(const SceneSummary& summary) { return line(written(summary)); }
 std::string encode(const SceneList& scenes) { return line(written(scenes)); }
 std::string encode(const PickAnswer& answer) { return line(written(answer)); }
+std::string encode(const RecipeRequest& request) { return line(written(request)); }
+std::string encode(const RecipeAnswer& answer) { return line(written(answer)); }
 std::string encode(const Comparison& comparison) { return line(written(comparison)); }
 std::string encode(const SettingsAnswer& settings) { return line(written(settings)); }
 std::string encode(const Log& log) { return line(written(log)); }

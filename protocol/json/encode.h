@@ -23,10 +23,12 @@ std::string encode(const FrameRequest& request);           // decodes to the sam
 std::string encode(const BranchRequest& request);          // decodes to the same request
 std::string encode(const AmendRequest& request);           // decodes to the same request
 std::string encode(const PickRequest& request);            // decodes to the same request
+std::string encode(const RecipeRequest& request);          // decodes to the same request
 std::string encode(const CommandAnswer& answer);
 std::string encode(const SceneSummary& summary);
 std::string encode(const SceneList& scenes);
 std::string encode(const PickAnswer& answer);
+std::string encode(const RecipeAnswer& answer);
 std::string encode(const Comparison& comparison);
 std::string encode(const SettingsAnswer& settings);  // each member as its command is encoded
 std::string encode(const Log& log);

@@ -5,6 +5,7 @@
 #include "protocol/commands/frame.h"
 #include "protocol/commands/map.h"
 #include "protocol/commands/quality.h"
+#include "protocol/commands/recipe.h"
 #include "protocol/json/members.h"
 
 namespace pelage::json_parts {
@@ -329,6 +330,30 @@ void members(V& v, Visited<V, PickedStrand>& c) {
   v.name("kind", c.kind, json_names::strand_kinds, "Whether it is of the coat or a curve, such as a whisker.");
   v.number("along", c.along, share, "Where on it the pixel lies: 0 at its root, 1 at its tip.");
   v.position("root", c.root, "Where it stands.");
+}
+
+template <class V>
+void members(V& v, Visited<V, TouchLimits>& c) {
+  v.answer("TouchLimits", "How many vertices a command has to touch; who runs the step compares.");
+  v.counter("command", c.command, "Number of the command in its step, from 0.");
+  v.counter(sparse("min_vertices"), c.min_vertices, "Least number of vertices; none where it is not given.");
+  v.counter(sparse("max_vertices"), c.max_vertices, "Greatest number of vertices; none where it is not given.");
+}
+
+template <class V>
+void members(V& v, Visited<V, RecipeStep>& c) {
+  v.answer("RecipeStep", "One undo step, with variables and places filled in.");
+  v.objects("commands", c.commands, {1, limits::commands_per_batch}, "Commands to run as one step.");
+  v.text("file", c.file, "Name of the file that the step stands in.", limits::file_name_bytes);
+  v.text("pointer", c.pointer, "JSON pointer to the step, within the request.", any_length);
+  v.objects("asserts", c.asserts, any_count, "What the recipe asserts of the commands.");
+}
+
+template <class V>
+void members(V& v, Visited<V, RecipeAnswer>& c) {
+  v.answer("RecipeAnswer", "The steps of a recipe for this model, none of them run yet.");
+  v.counter("revision", c.revision, "Revision of the scene that picks were made in.");
+  v.objects("steps", c.steps, any_count, "Steps in their order.");
 }
 
 template <class V>

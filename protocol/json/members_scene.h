@@ -5,6 +5,7 @@
 #include "protocol/commands/history.h"
 #include "protocol/commands/map.h"
 #include "protocol/commands/pick.h"
+#include "protocol/commands/recipe.h"
 #include "protocol/commands/scene.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/members_look.h"
@@ -112,6 +113,17 @@ void members(V& v, Visited<V, AmendRequest>& c) {
             "Revision that made, joined or replayed the step, as in the log, or the number of the step.");
   v.objects(required("commands"), c.commands, {0, limits::commands_per_batch},
             "Commands that take its place; strokes are whole. An empty list leaves the step out.");
+}
+
+template <class V>
+void members(V& v, Visited<V, RecipeRequest>& c) {
+  v.type("RecipeRequest", "A recipe with all that it is made of. docs/recipes.md says what a recipe is.");
+  v.text("file", c.file, "Name of the recipe; what it includes is named from its folder.", limits::file_name_bytes);
+  v.json(required("recipe"), c.recipe, "The recipe's document.");
+  v.json(sparse("files"), c.files, "Documents of the recipes that are included, by name.");
+  v.json(sparse("variables"), c.variables, "Values in place of the recipe's, by name.");
+  v.json(sparse("places"), c.places,
+         "Places, as shares of the model's box, and sizes, by name; they take the place of variables and picks.");
 }
 
 template <class V>

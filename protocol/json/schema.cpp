@@ -196,7 +196,7 @@ class MemberSchemas {
   }
   void hash(MemberName name, FieldsHash, const char* words = "") { add(name, reference("FieldsHash"), {}, words); }
   void json(MemberName name, const std::string&, const char* words = "") {
-    add(name, {{"type", {"object", "array"}}}, {}, words);
+    add(name, {{"type", answer_ ? Json({"object", "array"}) : Json("object")}}, {}, words);
   }
   void any(MemberName name, const std::string&, const char* words = "") {
     add(name, {{"type", {"number", "string", "boolean", "array"}}}, {}, words);
@@ -390,7 +390,7 @@ nlohmann::ordered_json schemas() {
   Json all = shapes();
   describe<NewScene>(all), describe<Batch>(all), describe<AmendRequest>(all), describe<BranchRequest>(all);
   describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all);
-  describe<FrameRequest>(all), describe<PickRequest>(all);
+  describe<FrameRequest>(all), describe<PickRequest>(all), describe<RecipeRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
   describe<GuideUpload>(all);
@@ -398,7 +398,7 @@ nlohmann::ordered_json schemas() {
   describe<SceneList>(all), describe<CommandAnswer>(all), describe<Comparison>(all);
   describe<SettingsAnswer>(all);
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
-  describe<PickAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
+  describe<PickAnswer>(all), describe<RecipeAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
   describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers
   describe<FrameCost>(all), describe<FrameProgressList>(all);
   describe<MapAnswer>(all);

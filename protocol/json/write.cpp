@@ -212,6 +212,8 @@ template Json written(const Log&);
 template Json written(const SceneEvent&);
 template Json written(const ChangeEvent&);
 template Json written(const PickAnswer&);
+template Json written(const RecipeRequest&);
+template Json written(const RecipeAnswer&);
 template Json written(const MapAnswer&);
 template Json written(const PictureAnswer&);
 template Json written(const FrameEstimate&);

@@ -25,7 +25,7 @@ Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastS
   return failure(Code::conflict, "the scene has another model since the frame was asked for");
 }
 
-Shown show(Renderer& renderer, ShownFur& shown, SnapshotPtr snapshot, const FrameRequest& request,
+Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
            const FieldSet* compared) {
   const SceneView view = snapshot->view();
   const Mesh& mesh = view.model.surface.mesh();

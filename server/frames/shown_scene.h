@@ -34,7 +34,7 @@ struct Shown {
 };
 
 /// Brings the renderer's copy of the scene up to date with a snapshot. `compared`: FrameView::compared.
-Shown show(Renderer& renderer, ShownFur& shown, SnapshotPtr snapshot, const FrameRequest& request,
+Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
            const FieldSet* compared = nullptr);
 
 // What two states of the fields differ in, as one number for each vertex.

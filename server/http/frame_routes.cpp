@@ -6,7 +6,6 @@
 #include "base/limits.h"
 #include "base/stopwatch.h"
 #include "protocol/json/encode.h"
-#include "server/frames/seen_strand.h"
 #include "server/http/accept_format.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
@@ -215,19 +214,6 @@ Result<FrameRequest> png_request_of(const Request& request) {
   return failure(Code::invalid, "The address of a PNG; POST frames gives other formats.", "/format", "png | png16");
 }
 
-void pick(Service& service, const std::shared_ptr<Scene>& scene, const Request& request, Response& response) {
-  const auto wanted = decode_pick(request.body);
-  if (!wanted) return reply_problem(response, wanted.status());
-  auto answer = scene->pick(*wanted);
-  if (!answer) return reply_problem(response, answer.status());
-  if (reaches_fur(*wanted)) {
-    auto strand = seen_strand(service.frames, scene, wanted->view, wanted->pixel);
-    if (!strand) return reply_problem(response, strand.status());
-    answer->strand = *strand;
-  }
-  reply_json(response, 200, encode(*answer));
-}
-
 }  // namespace
 
 void add_frame_routes(httplib::Server& server, Service& service) {
@@ -243,9 +229,6 @@ void add_frame_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes/([^/]+)/frame.png", [&](const Request& request, Response& response) {
     with_scene(service, request, response,
                [&](const auto& scene) { answer_frame(service, scene, png_request_of(request), request, response); });
-  });
-  add_post(server, "/v1/scenes/([^/]+)/pick", [&](const Request& request, Response& response) {
-    with_scene(service, request, response, [&](const auto& scene) { pick(service, scene, request, response); });
   });
 }
 

@@ -28,7 +28,11 @@ using httplib::Request;
 
 // A body a little over the limit is read to its end before it is refused, so that clients which send first and listen
 // later see the refusal; a longer one is cut off.
-constexpr std::uint64_t max_drained_body_bytes = 4 * limits::command_body_bytes;
+constexpr std::uint64_t drained_bodies = 4;  // times the limit
+
+std::uint64_t body_limit_of(const Request& request) {
+  return request.path.ends_with("/recipe") ? limits::recipe_bytes : limits::command_body_bytes;
+}
 
 Refusal refuse(int http_status, Code code, std::string message, std::string limit = {}) {
   return {http_status, failure(code, std::move(message), "", std::move(limit))};
@@ -100,9 +104,9 @@ std::optional<Refusal> refused_body(const Request& request) {
   if (request.method != "POST") {
     return refuse(400, Code::malformed, "A " + request.method + " has no body.", "Content-Length 0");
   }
-  if (length > max_drained_body_bytes) {
+  if (const std::uint64_t limit = body_limit_of(request); length > drained_bodies * limit) {
     return refuse(413, Code::too_large, fmt::format("The body has {} bytes.", length),
-                  fmt::format("at most {} bytes", limits::command_body_bytes));
+                  fmt::format("at most {} bytes", limit));
   }
   // Only JSON: pages of other sites can send forms and plain text without asking first.
   if (!type.empty() && !type.starts_with("application/json")) {

@@ -93,6 +93,7 @@ struct HttpServer::Impl {
     add_export_routes(server, service);
     add_command_routes(server, service);
     add_frame_routes(server, service);
+    add_pick_routes(server, service);
     add_event_routes(server, service);
     add_status_routes(server, service);
     add_studio_routes(server);

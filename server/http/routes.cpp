@@ -38,11 +38,12 @@ void run_once(Service& service, const httplib::Request& request, httplib::Respon
 
 std::uint64_t model_id_of(const Scene& scene) { return scene.snapshot()->view().copy_id; }
 
-void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler) {
-  server.Post(pattern, [handler](const httplib::Request& request, httplib::Response& response) {
-    if (request.body.size() <= limits::command_body_bytes) return handler(request, response);
+void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler,
+              std::size_t max_bytes) {
+  server.Post(pattern, [handler, max_bytes](const httplib::Request& request, httplib::Response& response) {
+    if (request.body.size() <= max_bytes) return handler(request, response);
     reply_problem(response, failure(Code::too_large, fmt::format("The body has {} bytes.", request.body.size()), "",
-                                    fmt::format("at most {} bytes", limits::command_body_bytes)));
+                                    fmt::format("at most {} bytes", max_bytes)));
   });
 }
 
@@ -116,6 +117,7 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}/frames", "GET, HEAD, POST"},
                                                       {"/v1/scenes/{id}/frame.png", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/pick", "POST"},
+                                                      {"/v1/scenes/{id}/recipe", "POST"},
                                                       {"/livez", "GET, HEAD"},
                                                       {"/readyz", "GET, HEAD"},
                                                       {"/metrics", "GET, HEAD"},

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "base/limits.h"
 #include "protocol/json/decode.h"
 #include "server/frames/frame_service.h"
 #include "server/frames/picture_service.h"
@@ -50,6 +51,8 @@ void add_scene_routes(httplib::Server& server, Service& service);
 void add_upload_routes(httplib::Server& server, Service& service);
 void add_command_routes(httplib::Server& server, Service& service);
 void add_frame_routes(httplib::Server& server, Service& service);
+/// Picks, and recipes, which are made with picks.
+void add_pick_routes(httplib::Server& server, Service& service);
 void add_map_routes(httplib::Server& server, Service& service);
 void add_mesh_routes(httplib::Server& server, Service& service);
 void add_export_routes(httplib::Server& server, Service& service);
@@ -76,8 +79,9 @@ std::uint64_t model_id_of(const Scene& scene);
 void run_once(Service& service, const httplib::Request& request, httplib::Response& response,
               const std::function<void(const RequestedChange&)>& again, const std::function<void()>& run);
 
-/// A POST; bodies over the limit of commands are refused (413).
-void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler);
+/// A POST; bodies over the limit, that of commands unless another is given, are refused (413).
+void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler,
+              std::size_t max_bytes = limits::command_body_bytes);
 
 Query query_of(const httplib::Request& request);
 /// The same with the field of the address ".../maps/{field}" as a parameter.

@@ -11,6 +11,7 @@ ALLOWED = {
     "base": [],
     "protocol/commands": ["base"],
     "protocol/json": ["base", "protocol/commands"],
+    "protocol/recipes": ["base", "protocol/commands", "protocol/json"],
     "protocol/openapi": ["base", "protocol/commands", "protocol/json"],
     "server/process": [],
     "server/surface": ["base", "protocol/commands"],
@@ -79,7 +80,7 @@ ALLOWED = {
 # outside library -> folders that may include it
 ONLY_IN = {
     r"httplib\.h": ["server/http", "clients/cli/http"],
-    r"nlohmann/.*": ["protocol/json", "clients/cli/recipe"],
+    r"nlohmann/.*": ["protocol/json", "protocol/recipes", "clients/cli/recipe"],
     r"CLI/.*": ["server", "clients/cli/line", "clients/cli/help"],
     r"spdlog/.*": ["server/log"],
     r"zip\.h": ["server/import_worker", "clients/cli/pack"],

@@ -3,10 +3,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "clients/cli/recipe/recipe.h"
+#include "clients/cli/recipe/gather.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
+#include "protocol/recipes/recipe.h"
 
 namespace {
 
@@ -47,7 +48,12 @@ void check_history(std::string_view text) {
 void check_recipe(std::string_view text) {
   (void)pelage::is_recipe(text);
   const auto read = [text](const std::string&) { return pelage::Result<std::string>(std::string(text)); };
-  const auto steps = pelage::expand_recipe({"main.json", std::string(text), {}, {-1, -1, -1}, {1, 1, 1}, read});
+  const auto request = pelage::gather_recipe({"main.json", std::string(text)}, read);
+  if (!request) return require(!request.status().message.empty());
+  const auto nothing = [](const pelage::PickRequest&) {
+    return pelage::Result<pelage::PickAnswer>(pelage::PickAnswer{});
+  };
+  const auto steps = pelage::expand_recipe(*request, {{{-1, -1, -1}, {1, 1, 1}}, nothing});
   require(steps.ok() ? !steps->empty() : !steps.status().message.empty());
 }
 

@@ -173,6 +173,20 @@ test("the groom goes out as a recipe and comes in again", async () => {
   assert.equal((await server.get(`/v1/scenes/${bare.id}`)).fields_hash, (await server.get(`/v1/scenes/${id}`)).fields_hash);
 });
 
+test("a recipe with a pick and a loop runs up to the step that breaks its assert", async () => {
+  const {id} = await server.post("/v1/scenes", {name: "picked", model: {builtin: "sphere", triangles: 2000}});
+  await studio.page.goto(`${server.address}/?scene=${id}`);
+  await studio.ready();
+  const dab = {op: "length", value: "${value}", brush: {radius: 0.1}, stroke: {samples: [{position: {at: "${top}"}}]}};
+  const path = join(folder, "picked.json");
+  writeFileSync(path, JSON.stringify({steps: [{pick: {farthest: {direction: [0, 1, 0]}}, as: "top"},
+    {for: {value: [0.1, 0.2], least: [1, 1000000]}, steps: [{...dab, assert: {min_vertices: "${least}"}}]}, {op: "lift", flood: true}]}));
+  await drop(path);
+  await studio.page.getByText("picked.json stopped after 2 of 3 steps.").waitFor({timeout: 60000});
+  await studio.page.getByText(/^length touched \d+ vertices/).waitFor();
+  assert.equal((await server.get(`/v1/scenes/${id}`)).revision, 2);
+});
+
 test("pictures have the size that was asked for; maps and the log come too", async () => {
   const {id} = await server.post("/v1/scenes", {name: "torus", model: {builtin: "torus", triangles: 2000}});
   await studio.page.goto(`${server.address}/?scene=${id}`);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/limits.h"
 #include "clients/cli/actions/actions.h"
 #include "clients/cli/recipe/places.h"
-#include "clients/cli/recipe/recipe.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/print.h"
 #include "protocol/json/decode.h"
@@ -123,7 +123,7 @@ void print_forms(const Options& options, const PickAnswer& answer, const Places&
 
 /// Adds the place to the file of the options.
 Status keep_place(const Options& options, glm::dvec3 shares) {
-  const auto before = std::filesystem::exists(options.places) ? read_file(options.places, recipe_file_bytes)
+  const auto before = std::filesystem::exists(options.places) ? read_file(options.places, limits::recipe_bytes)
                                                               : Result<std::string>(std::string());
   if (!before) return before.status();
   const auto after = with_place(*before, options.place_name, {shares.x, shares.y, shares.z});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "clients/cli/recipe/gather.h"
 #include "clients/cli/recipe/split_steps.h"
 #include "clients/cli/terminal/files.h"
 #include "protocol/json/decode.h"
@@ -14,43 +15,51 @@ namespace {
 
 constexpr std::size_t command_file_bytes = std::size_t{1} << 30;
 
-Result<ModelReport> model_at(Session& session, const std::string& path) {
-  const auto answer = Session::accepted(session.connection().get(path));
-  if (!answer) return answer.status();
-  const auto summary = decode_answer<SceneSummary>(answer->body);
-  return summary ? Result<ModelReport>(summary->report) : summary.status();
+Result<RecipeRequest> request_of(const Options& options, const std::string& text, RunPlan& plan) {
+  const auto read = [&plan](const std::string& file) {
+    plan.files.push_back(file);
+    return read_file(file, limits::recipe_bytes);
+  };
+  RecipeSource source{options.file, text, options.variables};
+  if (!options.places.empty()) {
+    const auto places = read(options.places);
+    if (!places) return places.status();
+    source.places = *places;
+  }
+  return gather_recipe(source, read);
 }
 
-/// Returns the recipe, completed by the options, the model and the server. It refers to all that it is made of.
-Result<Recipe> completed(Session& session, const std::string& path, const std::string& text, RunPlan& plan) {
-  const Options& options = session.options();
-  const auto model = model_at(session, path);
-  if (!model) return model.status();
-  Recipe recipe{options.file, text, options.variables, model->bounds.min, model->bounds.max, {}};
-  recipe.read = [&plan](const std::string& file) {
-    plan.files.push_back(file);
-    return read_file(file, recipe_file_bytes);
-  };
-  recipe.pick = [&session, path](const std::string& request) -> Result<std::string> {
-    const auto answer = Session::accepted(session.connection().post_json(path + "/pick", request));
-    return answer ? Result<std::string>(answer->body) : answer.status();
-  };
-  if (options.places.empty()) return recipe;
-  const auto places = recipe.read(options.places);
-  if (!places) return places.status();
-  recipe.places = *places, recipe.places_file = options.places;
-  return recipe;
+/// A refusal of the server with its pointer into the file that the message names.
+Status in_file(const Options& options, const Status& refused) {
+  Status status = refused;
+  if (status.pointer.starts_with("/places")) status.message.insert(0, options.places + ": ");
+  status.pointer = pointer_in_file(status.pointer);
+  return status;
 }
 
 Status steps_of_recipe(Session& session, const std::string& path, const std::string& text, RunPlan& plan) {
-  const auto recipe = completed(session, path, text, plan);
+  const auto request = request_of(session.options(), text, plan);
+  if (!request) return request.status();
+  const auto answer = Session::accepted(session.connection().post_json(path + "/recipe", encode(*request)));
+  if (!answer) return in_file(session.options(), answer.status());
+  const auto recipe = decode_answer<RecipeAnswer>(answer->body);
   if (!recipe) return recipe.status();
-  const auto expanded = expand_recipe(*recipe);
-  if (!expanded) return expanded.status();
-  for (const RecipeStep& step : *expanded) {
-    const std::string place = fmt::format("step {} of {}, {}", plan.steps.size() + 1, expanded->size(), step.file);
-    plan.steps.push_back({step.text, {}, place, step.pointer, step.asserts});
+  for (const RecipeStep& step : recipe->steps) {
+    const std::string place = fmt::format("step {} of {}, {}", plan.steps.size() + 1, recipe->steps.size(), step.file);
+    plan.steps.push_back({encode(step.commands), step.commands, place, pointer_in_file(step.pointer), step.asserts});
   }
+  return {};
+}
+
+/// Decodes the commands of a step.
+Status check(RunStep& step) {
+  if (step.text.size() > limits::command_body_bytes) {
+    return failure(Code::too_large, fmt::format("The step has {} bytes.", step.text.size()), "",
+                   fmt::format("at most {} bytes", limits::command_body_bytes));
+  }
+  auto commands = decode_commands(step.text);
+  if (!commands) return commands.status();
+  step.commands = std::move(*commands);
   return {};
 }
 
@@ -62,24 +71,11 @@ Status steps_of_log(const Options& options, const std::string& text, RunPlan& pl
   if (!texts) return texts.status();
   for (const std::string& one : *texts) {
     const std::string place = fmt::format("step {} of {} of {}", plan.steps.size() + 1, texts->size(), options.file);
-    plan.steps.push_back({one, {}, place, "", {}});
+    plan.place = place;
+    RunStep& step = plan.steps.emplace_back(RunStep{one, {}, place, "", {}});
+    if (Status bad = check(step); !bad.ok()) return bad;
   }
   return {};
-}
-
-Status check(RunStep& step) {
-  if (step.text.size() > limits::command_body_bytes) {
-    return failure(Code::too_large, fmt::format("The step has {} bytes.", step.text.size()), step.pointer,
-                   fmt::format("at most {} bytes", limits::command_body_bytes));
-  }
-  auto commands = decode_commands(step.text);
-  if (commands) {
-    step.commands = std::move(*commands);
-    return {};
-  }
-  Status status = commands.status();
-  status.pointer.insert(0, step.pointer);
-  return status;
 }
 
 /// Puts ids in place of the names of scenes that fields are taken from.
@@ -113,21 +109,21 @@ Status read_steps(Session& session, const std::string& path, RunPlan& plan) {
   for (RunStep& step : plan.steps) {
     if (!status.ok()) break;
     plan.place = step.place;
-    status = check(step);
-    if (status.ok()) status = name_sources(session, step);
+    status = name_sources(session, step);
   }
   return status;
 }
 
 Status check_asserts(const RunStep& step, const std::vector<CommandResult>& results) {
-  for (std::size_t k = 0; k < std::min(step.asserts.size(), results.size()); ++k) {
-    const auto& limits = step.asserts[k];
-    const std::size_t touched = results[k].touched;
-    if (!limits || (limits->min <= touched && touched <= limits->max)) continue;
-    const std::string command = step.asserts.size() > 1 ? fmt::format("/commands/{}", k) : "";
-    const std::string most = limits->max == TouchLimits{}.max ? "or more" : fmt::format("to {}", limits->max);
-    return with_next(failure(Code::invalid, fmt::format("{} touched {} vertices.", results[k].op, touched),
-                             step.pointer + command + "/assert", fmt::format("{} {}", limits->min, most)),
+  for (const TouchLimits& limits : step.asserts) {
+    if (limits.command >= results.size()) continue;
+    const CommandResult& result = results[limits.command];
+    const std::uint64_t min = limits.min_vertices.value_or(0);
+    if (min <= result.touched && (!limits.max_vertices || result.touched <= *limits.max_vertices)) continue;
+    const std::string command = step.commands.size() > 1 ? fmt::format("/commands/{}", limits.command) : "";
+    const std::string most = limits.max_vertices ? fmt::format("to {}", *limits.max_vertices) : "or more";
+    return with_next(failure(Code::invalid, fmt::format("{} touched {} vertices.", result.op, result.touched),
+                             step.pointer + command + "/assert", fmt::format("{} {}", min, most)),
                      "look at the picture, and correct the place, the radius or the assert");
   }
   return {};

@@ -4,19 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "clients/cli/recipe/recipe.h"
 #include "clients/cli/session.h"
 #include "protocol/commands/command.h"
+#include "protocol/commands/recipe.h"
 
 namespace pelage {
 
 /// One undo step.
 struct RunStep {
-  std::string text;                                 // as it is sent
-  std::vector<Command> commands;                    // what it says
-  std::string place;                                // "step 3 of 12 of show.json"
-  std::string pointer;                              // to it, within the file; "" in a log
-  std::vector<std::optional<TouchLimits>> asserts;  // one for each command, or none at all
+  std::string text;                  // as it is sent
+  std::vector<Command> commands;     // what it says
+  std::string place;                 // "step 3 of 12 of show.json"
+  std::string pointer;               // to it, within the file; "" in a log
+  std::vector<TouchLimits> asserts;  // what its commands have to touch
 };
 
 /// What the files of the options say. `place` and `files` can be used even if reading them failed.
@@ -26,8 +26,8 @@ struct RunPlan {
   std::vector<std::string> files;  // that were read
 };
 
-/// Reads the steps of the file that the options name. A recipe's places are filled in from the box of the scene at
-/// `path`, its picks are made, and ids stand for the names of scenes that fields are taken from.
+/// Reads the steps of the file that the options name; the server turns a recipe into those for the scene at `path`. Ids
+/// stand for the names of scenes that fields are taken from.
 Status read_steps(Session& session, const std::string& path, RunPlan& plan);
 
 /// Refuses the results of a step where a command touched more or less than its assert says.

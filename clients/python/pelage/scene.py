@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Sequence, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union, cast
 
 from . import arrays, events
 from .commands import Commands
@@ -21,6 +21,7 @@ from .schemas import (
     FrameProgress,
     LogEntry,
     Pick,
+    RecipeStep,
     SceneInfo,
     Settings,
     StoredPicture,
@@ -217,6 +218,22 @@ class Scene(Commands[CommandAnswer], Pictures):
     def pick_nearest(self, position: Sequence[float]) -> Pick:
         """The place of the surface that is nearest to a position in model coordinates."""
         return self._place({"nearest": list(position)})
+
+    def recipe_steps(
+        self,
+        recipe: Mapping[str, Any],
+        *,
+        files: Optional[Mapping[str, Any]] = None,
+        variables: Optional[Mapping[str, Any]] = None,
+        places: Optional[Mapping[str, Any]] = None,
+    ) -> List[RecipeStep]:
+        """The steps of a recipe for this model; nothing is changed. `run(*step["commands"])` runs one.
+
+        files: Documents of the recipes that it includes, by name. variables: Values in place of the recipe's.
+        places: Places and sizes in place of variables and picks.
+        """
+        given_parts = given({"recipe": recipe, "files": files, "variables": variables, "places": places})
+        return cast("List[RecipeStep]", self._connection.post(f"{self._path}/recipe", given_parts, changes=False).json["steps"])
 
     def set_map_array(self, field: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
         """Reads a field from an array [height, width] or [height, width, channels] as from a picture.

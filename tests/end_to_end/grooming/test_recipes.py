@@ -240,6 +240,29 @@ class Recipes(ServedTest):
             self.pelage("load", scene, path, f"--front={front}")
             self.check_groom(scene, name)
 
+    def test_the_server_fills_in_what_every_client_sends(self):
+        scene = self.server.new_scene("sphere", 2000)
+        ear = {"variables": {"place": [0, 0, 0]}, "steps": [
+            {"op": "length", "value": 0.2, "brush": {"radius": 0.1}, "stroke": {"samples": [{"position": {"at": "${place}"}}]}, "assert": {"min_vertices": 2}}]}
+        body = {"file": "grooms/main.json", "files": {"grooms/parts/ear.json": ear}, "variables": {"up": [0, 2, 0]}, "recipe": {
+            "variables": {"up": [1, 0, 0]}, "include": ["parts/ear.json"], "steps": [
+                {"pick": {"farthest": {"direction": "${up}"}}, "as": "top"}, {"use": "ear", "with": {"place": "${top}"}}]}}
+        filled = scene.post("recipe", body)
+        self.assertEqual((filled.status, filled.json["revision"], scene.info()["revision"]), (200, 0, 0))
+        (step,) = filled.json["steps"]
+        self.assertEqual((step["file"], step["pointer"], step["asserts"]),
+                         ("grooms/parts/ear.json", "/files/grooms~1parts~1ear.json/steps/0", [{"command": 0, "min_vertices": 2}]))
+        (x, y, z) = step["commands"][0]["stroke"]["samples"][0]["position"]
+        self.assertAlmostEqual(y, scene.info()["bounds"]["max"][1], places=6)
+        self.assertGreater(scene.post("commands", {"commands": step["commands"]}).json["results"][0]["touched"], 2)
+        for change, pointer in (({"variables": {"upp": 1}}, "/variables/upp"), ({"places": {"nose": [1, 2]}}, "/places/nose"), ({"files": {}}, "/recipe/include/0"),
+                                ({"files": {"grooms/parts/ear.json": {"steps": [{"op": "comb", "leen": 1}]}}}, "/recipe/steps/1/with/place"),
+                                ({"recipe": {"steps": [{"op": "lift", "flood": 1}]}, "variables": {}}, "/recipe/steps/0/flood")):
+            refused = scene.post("recipe", {**body, **change})
+            self.assertEqual((refused.status, refused.json["pointer"]), (422, pointer), refused)
+        self.assertEqual(scene.post("recipe", {"recipe": {"description": "a" * (8 << 20), "steps": []}}).status, 413)
+        self.assertEqual(scene.info()["revision"], 1)
+
     def test_a_recipe_replays_to_the_bit(self):
         hashes = []
         for _ in range(2):

@@ -51,7 +51,7 @@ class Document(unittest.TestCase):
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
                     "RevisionBody", "Subdivide", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
-                    "PickRay", "PickFarthest")
+                    "PickRay", "PickFarthest", "RecipeRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
             for key, schema in SCHEMAS[name]["properties"].items():
@@ -239,6 +239,14 @@ class Requests(ServedTest):
         for variation in self.variations({"strength": 0.5, "strand_from": 0.25, "strand_to": 0.75}):
             self.agree("Command", {**colour, "brush": variation}, lambda b: scene.post("commands?dry_run=1", b))
 
+    def test_recipes(self):
+        scene = self.server.new_scene("plane", 50)
+        body = {"file": "a.json", "recipe": {"steps": [{"op": "lift", "flood": True}]}, "files": {"b.json": {"steps": []}}, "variables": {}, "places": {}}
+        for key in body:
+            for other in ({k: v for k, v in body.items() if k != key}, *({**body, key: value} for value in (None, 1, True, [], "text"))):
+                if key != "file" or other.get(key, "") != "":
+                    self.agree("RecipeRequest", other, lambda b: scene.post("recipe", b))
+
     def test_subdivide(self):
         for variation in self.variations({"levels": 1, "masked": True}):
             scene = self.server.new_scene("plane", 8)
@@ -378,7 +386,8 @@ class Answers(ServedTest):
     def test_every_operation_answers_what_it_says(self):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "branch": {"name": "side"},
-                "subdivide": {"levels": 1, "masked": False}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]}}
+                "subdivide": {"levels": 1, "masked": False}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]},
+                "recipe": {"recipe": {"steps": [{"pick": {"nearest": [0, 0, 0]}, "as": "near"}, {"op": "lift", "flood": True, "assert": {"min_vertices": 1}}]}}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
                  "{field}": png([[[1, 2, 3]]]), "guides": b'{"curves": [[[0.2, 0.2, 0], [0.2, 0.3, 0.1]]]}'}

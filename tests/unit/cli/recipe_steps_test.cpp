@@ -1,28 +1,30 @@
 // Recipes: picks, loops, expressions, asserts and files of places.
 #include <gtest/gtest.h>
 
-#include "clients/cli/recipe/expression.h"
+#include "clients/cli/recipe/gather.h"
 #include "clients/cli/recipe/places.h"
-#include "clients/cli/recipe/recipe.h"
+#include "protocol/json/encode.h"
+#include "protocol/recipes/expression.h"
+#include "protocol/recipes/recipe.h"
 
 namespace pelage {
 namespace {
 
 /// A recipe for a box from (0, 0, 0) to (2, 4, 8) whose picks are answered in turn; the requests are kept.
 struct Kitchen {
-  std::vector<std::string> answers, asked;
+  std::vector<PickAnswer> answers;
+  std::vector<std::string> asked;
   std::string places;
   std::map<std::string, std::string> files;
 
-  Result<std::vector<RecipeStep>> expand(const std::string& text) {
-    Recipe recipe{"main.json", text, {}, {0, 0, 0}, {2, 4, 8}, {}};
-    recipe.read = [this](const std::string& name) { return Result<std::string>(files.at(name)); };
-    recipe.pick = [this](const std::string& request) -> Result<std::string> {
-      asked.push_back(request);
-      return answers.at(asked.size() - 1);
-    };
-    recipe.places = places;
-    return expand_recipe(recipe);
+  Result<std::vector<FilledStep>> expand(const std::string& text) {
+    const auto read = [this](const std::string& name) { return Result<std::string>(files.at(name)); };
+    const auto request = gather_recipe({"main.json", text, {}, places}, read);
+    if (!request) return request.status();
+    return fill_recipe(*request, {{{0, 0, 0}, {2, 4, 8}}, [this](const PickRequest& pick) -> Result<PickAnswer> {
+                                    asked.push_back(encode(pick));
+                                    return answers.at(asked.size() - 1);
+                                  }});
   }
 
   std::vector<std::string> texts(const std::string& text) {
@@ -30,14 +32,14 @@ struct Kitchen {
     EXPECT_TRUE(steps.ok()) << (steps ? "" : steps.status().message + steps.status().pointer);
     std::vector<std::string> all;
     if (steps)
-      for (const RecipeStep& step : *steps) all.push_back(step.text);
+      for (const FilledStep& step : *steps) all.push_back(step.text);
     return all;
   }
 
   void refuses(const std::string& text, const std::string& pointer, const std::string& words) {
     const auto steps = expand(text);
     ASSERT_FALSE(steps.ok()) << text;
-    EXPECT_EQ(steps.status().pointer, pointer) << steps.status().message;
+    EXPECT_EQ(pointer_in_file(steps.status().pointer), pointer) << steps.status().message;
     EXPECT_NE(steps.status().message.find(words), std::string::npos) << steps.status().message;
     EXPECT_NE((steps.status().message + steps.status().limit).find("main.json"), std::string::npos);
   }
@@ -90,7 +92,7 @@ TEST(RecipeLoops, GoThroughTheirLists) {
             (Texts{R"({"at":[2.0,0.0,0.0],"k":1,"op":"x"})", R"({"at":[0.0,0.0,0.0],"k":2,"op":"x"})",
                    R"({"k":"kept","op":"y"})"}));
   const auto steps = Kitchen().expand(R"({"steps": [{"for": {"a": [1, 2]}, "steps": [{"op": "x"}]}]})");
-  EXPECT_EQ(steps->at(1).pointer, "/steps/0/steps/0");
+  EXPECT_EQ(steps->at(1).pointer, "/recipe/steps/0/steps/0");
 }
 
 TEST(RecipeLoops, NestAndEndWithTheirVariables) {
@@ -124,17 +126,18 @@ TEST(RecipeLoops, KeepToTheLimits) {
 }
 
 TEST(RecipePicks, BecomeVariables) {
-  Kitchen kitchen{{R"({"hit": true, "position": [1, 4, 2], "normal": [0, 1, 0], "length": 0.5})"}, {}, "", {}};
+  Kitchen kitchen{{{.hit = true, .position = {1, 4, 2}, .normal = {0, 1, 0}, .length = 0.5}}, {}, "", {}};
   EXPECT_EQ(kitchen.texts(R"({"variables": {"above": {"at": "${ear}", "by": [0, 0.5, 0]}}, "steps": [
       {"comment": "the tip", "pick": {"farthest": {"direction": [0, 1, 0], "min": {"at": [0.5, 0.5, 0]}, "max": {"at": [1, 1, 1]}}},
        "as": "ear"},
       {"op": "x", "p": {"at": "${ear}"}, "n": "${ear.normal}", "l": "${ear.length * 2}", "q": "${ear.position}", "a": "${above}"}]})"),
-            Texts{R"({"a":[1.0,6.0,2.0],"l":1,"n":[0,1,0],"op":"x","p":[1.0,4.0,2.0],"q":[1,4,2]})"});
-  EXPECT_EQ(kitchen.asked, Texts{R"({"farthest":{"direction":[0,1,0],"max":[2.0,4.0,8.0],"min":[1.0,2.0,0.0]}})"});
+            Texts{R"({"a":[1.0,6.0,2.0],"l":1,"n":[0.0,1.0,0.0],"op":"x","p":[1.0,4.0,2.0],"q":[1.0,4.0,2.0]})"});
+  EXPECT_EQ(kitchen.asked,
+            Texts{R"({"farthest":{"direction":[0.0,1.0,0.0],"min":[1.0,2.0,0.0],"max":[2.0,4.0,8.0]}})"});
 }
 
 TEST(RecipePicks, AreCheckedBeforeTheyAreSent) {
-  Kitchen kitchen{{R"({"hit": false})"}, {}, "", {}};
+  Kitchen kitchen{{{.hit = false}}, {}, "", {}};
   kitchen.refuses(R"({"steps": [{"pick": {"nearest": [1, 2]}, "as": "a"}]})", "/steps/0/pick/nearest", "");
   kitchen.refuses(R"({"steps": [{"pick": {"nearest": [1, 2, 3]}}]})", "/steps/0/as", "pick");
   kitchen.refuses(R"({"steps": [{"pick": {"ray": {"orign": [1, 2, 3]}}, "as": "a"}]})", "/steps/0/pick/ray/origin", "");
@@ -147,7 +150,7 @@ TEST(RecipePicks, AreCheckedBeforeTheyAreSent) {
 TEST(RecipePicks, HaveALimit) {
   std::string list = "1";
   for (std::size_t k = 0; k < recipe_picks; ++k) list += ",1";
-  Kitchen kitchen{Texts(recipe_picks, R"({"hit": true, "position": [1, 1, 1]})"), {}, "", {}};
+  Kitchen kitchen{std::vector<PickAnswer>(recipe_picks, {.hit = true, .position = {1, 1, 1}}), {}, "", {}};
   kitchen.refuses(
       R"({"steps": [{"for": {"k": [)" + list + R"(]}, "steps": [{"pick": {"nearest": [1, 2, 3]}, "as": "a"}]}]})",
       "/steps/0/steps/0", "too many picks");
@@ -156,13 +159,12 @@ TEST(RecipePicks, HaveALimit) {
 TEST(RecipePlaces, StandForVariablesAndPicks) {
   const std::string text = R"({"variables": {"nose": [0, 0, 0]}, "steps": [
       {"pick": {"farthest": {"direction": [0, 1, 0]}}, "as": "ear"}, {"op": "x", "n": "${nose}", "e": "${ear}"}]})";
-  Kitchen kitchen{
-      {R"({"hit": true, "position": [1, 2, 4]})"}, {}, R"({"nose": [0.5, 0, 1], "ear": [0.5, 0.25, 1]})", {}};
+  Kitchen kitchen{{{.hit = true, .position = {1, 2, 4}}}, {}, R"({"nose": [0.5, 0, 1], "ear": [0.5, 0.25, 1]})", {}};
   EXPECT_EQ(kitchen.texts(text), Texts{R"({"e":[0.5,0.5,0.5],"n":[0.5,0,1],"op":"x"})"});
   EXPECT_EQ(kitchen.asked, Texts{R"({"nearest":[1.0,1.0,8.0]})"});
   kitchen.places = R"({"nose": [1, 2]})";
   const auto refused = kitchen.expand(text);
-  EXPECT_EQ(refused.status().pointer, "/nose");
+  EXPECT_EQ(refused.status().pointer, "/places/nose");
 }
 
 TEST(RecipePlaces, OfAFileAreNotForThoseThatItUses) {
@@ -188,11 +190,11 @@ TEST(RecipeAsserts, AreTakenFromCommands) {
   ASSERT_TRUE(steps.ok()) << steps.status().message;
   EXPECT_EQ(steps->at(0).text, R"({"op":"x"})");
   ASSERT_EQ(steps->at(0).asserts.size(), 1u);
-  EXPECT_EQ(steps->at(0).asserts[0]->min, 3u);
+  EXPECT_EQ(steps->at(0).asserts[0].min_vertices, 3u);
   EXPECT_EQ(steps->at(1).text, R"({"commands":[{"op":"y"},{"op":"z"}]})");
-  ASSERT_EQ(steps->at(1).asserts.size(), 2u);
-  EXPECT_FALSE(steps->at(1).asserts[0]);
-  EXPECT_EQ(steps->at(1).asserts[1]->max, 9u);
+  ASSERT_EQ(steps->at(1).asserts.size(), 1u);
+  EXPECT_EQ(steps->at(1).asserts[0].command, 1u);
+  EXPECT_EQ(steps->at(1).asserts[0].max_vertices, 9u);
   EXPECT_TRUE(steps->at(2).asserts.empty());
 }
 

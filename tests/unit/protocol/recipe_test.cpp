@@ -1,5 +1,5 @@
 // Recipes: variables, uses, places, and what is refused where.
-#include "clients/cli/recipe/recipe.h"
+#include "protocol/recipes/recipe.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <map>
 
-#include "protocol/json/decode.h"
+#include "clients/cli/recipe/gather.h"
 
 namespace pelage {
 namespace {
@@ -16,30 +16,34 @@ namespace {
 using Files = std::map<std::string, std::string>;
 using Variables = std::vector<std::pair<std::string, std::string>>;
 
-Result<std::vector<RecipeStep>> expanded(const Files& files, const Variables& variables = {}) {
+Result<PickAnswer> no_picks(const PickRequest&) { return failure(Code::invalid, "There is no scene."); }
+
+Result<std::vector<FilledStep>> filled(const Files& files, const Variables& variables = {}) {
   const auto read = [&files](const std::string& name) -> Result<std::string> {
     const auto file = files.find(name);
     if (file == files.end()) return failure(Code::not_found, "Cannot read " + name + ".");
     return file->second;
   };
-  return expand_recipe({"main.json", files.at("main.json"), variables, {-1, 0, 10}, {1, 4, 30}, read});
+  const auto request = gather_recipe({"main.json", files.at("main.json"), variables}, read);
+  if (!request) return request.status();
+  return fill_recipe(*request, {{{-1, 0, 10}, {1, 4, 30}}, no_picks});
 }
 
 std::vector<std::string> texts(const Files& files, const Variables& variables = {}) {
-  const auto steps = expanded(files, variables);
+  const auto steps = filled(files, variables);
   EXPECT_TRUE(steps.ok()) << (steps ? "" : steps.status().message);
   std::vector<std::string> all;
   if (steps) {
-    for (const RecipeStep& step : *steps) all.push_back(step.text);
+    for (const FilledStep& step : *steps) all.push_back(step.text);
   }
   return all;
 }
 
 void expect_refusal(const Files& files, const std::string& pointer, const std::string& words,
                     const Variables& variables = {}) {
-  const auto steps = expanded(files, variables);
+  const auto steps = filled(files, variables);
   ASSERT_FALSE(steps.ok()) << words;
-  EXPECT_EQ(steps.status().pointer, pointer) << steps.status().message;
+  EXPECT_EQ(pointer_in_file(steps.status().pointer), pointer) << steps.status().message;
   EXPECT_NE(steps.status().message.find(words), std::string::npos) << steps.status().message;
 }
 
@@ -94,9 +98,9 @@ TEST(Recipe, UsesFilesWithValuesOfTheirVariables) {
       {"tip.json", R"({"steps": [{"commands": [{"op": "y"}]}]})"}};
   EXPECT_EQ(texts(files), (std::vector<std::string>{R"({"a":1,"n":2,"op":"x"})", R"({"commands":[{"op":"y"}]})",
                                                     R"({"a":7,"n":2,"op":"x"})", R"({"commands":[{"op":"y"}]})"}));
-  const auto steps = expanded(files);
+  const auto steps = filled(files);
   EXPECT_EQ(steps->at(0).file, "parts/ear.json");
-  EXPECT_EQ(steps->at(0).pointer, "/steps/0");
+  EXPECT_EQ(steps->at(0).pointer, "/files/parts~1ear.json/steps/0");
   EXPECT_EQ(steps->at(3).file, "tip.json");
 }
 
@@ -141,7 +145,17 @@ TEST(Recipe, RefusesCirclesAndDepth) {
     chain[k == 0 ? "main.json" : "f" + std::to_string(k) + ".json"] =
         R"({"include": ["f)" + std::to_string(k + 1) + R"(.json"], "steps": []})";
   }
+  chain["f" + std::to_string(recipe_depth + 1) + ".json"] = R"({"steps": []})";
   expect_refusal(chain, "/include/0", "too deeply");
+}
+
+TEST(Recipe, CountsTheBytesOfTexts) {
+  std::string uses;
+  for (int k = 0; k < 2000; ++k) uses += std::string(k ? ", " : "") + R"({"op": "${long}"})";
+  const auto steps = filled(
+      {{"main.json", R"({"variables": {"long": ")" + std::string(10'000, 'a') + R"("}, "steps": [)" + uses + "]}"}});
+  ASSERT_FALSE(steps.ok());
+  EXPECT_EQ(steps.status().limit, "at most 1000000 values");
 }
 
 TEST(Recipe, RefusesWhatGrowsWithoutEnd) {
@@ -151,7 +165,7 @@ TEST(Recipe, RefusesWhatGrowsWithoutEnd) {
     for (int j = 0; j < 10; ++j) variables += std::string(j ? ", " : "") + "\"${v" + std::to_string(k - 1) + "}\"";
     variables += "]";
   }
-  const auto steps = expanded({{"main.json", "{\"variables\": {" + variables + R"(}, "steps": [{"op": "${v9}"}]})"}});
+  const auto steps = filled({{"main.json", "{\"variables\": {" + variables + R"(}, "steps": [{"op": "${v9}"}]})"}});
   ASSERT_FALSE(steps.ok());
   EXPECT_EQ(steps.status().limit, "at most 1000000 values");
 
@@ -163,7 +177,7 @@ TEST(Recipe, RefusesWhatGrowsWithoutEnd) {
     files[k == 0 ? "main.json" : "f" + std::to_string(k) + ".json"] =
         "{\"include\": [\"" + next + ".json\"], \"steps\": [" + uses + "]}";
   }
-  const auto many = expanded(files);
+  const auto many = filled(files);
   ASSERT_FALSE(many.ok());
   EXPECT_EQ(many.status().limit, "at most 10000");
 }
@@ -176,17 +190,27 @@ Result<std::string> file_text(const std::string& name) {
   return std::string{std::istreambuf_iterator<char>(file), {}};
 }
 
+Result<std::vector<RecipeStep>> expanded(const std::string& file, const std::string& text) {
+  const auto request = gather_recipe({file, text}, file_text);
+  if (!request) return request.status();
+  return expand_recipe(*request, {{{-1, -1, -1}, {1, 1, 1}}, no_picks});
+}
+
+TEST(Recipe, RefusesWhatNoCommandIsWithItsPlaceInTheRequest) {
+  const auto steps = expanded(
+      "main.json", R"({"steps": [{"comment": "none"}, {"op": "lift", "flood": true, "brush": {"raduis": 1}}]})");
+  ASSERT_FALSE(steps.ok());
+  EXPECT_EQ(steps.status().pointer, "/recipe/steps/1/brush/raduis");
+  EXPECT_EQ(steps.status().nearest, "radius");
+}
+
 TEST(Recipe, TheOneInTheDocumentationWorks) {
   const std::string page = *file_text((source_folder / "docs/recipes.md").string());
   const std::size_t begin = page.find("```json") + 7;
   const std::string text = page.substr(begin, page.find("```", begin) - begin);
   const std::string name = (source_folder / "clients/recipes/example.json").string();
-  const auto steps = expand_recipe({name, text, {}, {-1, -1, -1}, {1, 1, 1}, file_text});
+  const auto steps = expanded(name, text);
   ASSERT_TRUE(steps.ok()) << steps.status().message << " " << steps.status().pointer;
-  for (const RecipeStep& step : *steps) {
-    const auto decoded = decode_commands(step.text);
-    EXPECT_TRUE(decoded.ok()) << step.pointer << decoded.status().pointer << decoded.status().message;
-  }
   EXPECT_EQ(steps->size(), 3u);
 }
 
@@ -196,14 +220,10 @@ TEST(Recipe, ThoseOfTheClientAreAtMostSixtyCommandsThatTheServerTakes) {
     if (entry.is_directory()) continue;  // those with picks, which need a server (grooming/test_recipes.py)
     ++count;
     const std::string name = entry.path().string();
-    const auto steps = expand_recipe({name, *file_text(name), {}, {-1, -1, -1}, {1, 1, 1}, file_text});
+    const auto steps = expanded(name, *file_text(name));
     ASSERT_TRUE(steps.ok()) << steps.status().message << " " << steps.status().pointer;
     std::size_t commands = 0;
-    for (const RecipeStep& step : *steps) {
-      const auto decoded = decode_commands(step.text);
-      ASSERT_TRUE(decoded.ok()) << step.file << step.pointer << decoded.status().pointer << decoded.status().message;
-      commands += decoded->size();
-    }
+    for (const RecipeStep& step : *steps) commands += step.commands.size();
     EXPECT_LE(commands, 60u) << name;
   }
   EXPECT_GE(count, 5);

@@ -1,5 +1,5 @@
 // One tool for each command of the contract, and those that run several: batches, looks and recipes.
-import {expand, type Recipe} from "../../../web/src/files/recipe";
+import {brokenAssert} from "../../../web/src/files/asserts";
 import {rulesOf, type Schema} from "../contract";
 import {namesOf, textOf} from "../library";
 import {Refusal, unknownName} from "../refusal";
@@ -8,6 +8,7 @@ import {arrayIn, changes, dry_run_member, result, scene_member, findScene, pathO
 import {changeInWords, previewInWords} from "./words";
 
 type Answer = Answers["CommandAnswer"];
+type Step = Answers["RecipeStep"];
 
 /** Members of commands that have another name in their tools, where `scene` is the scene that changes. */
 const renamed = new Map([["scene", "source_scene"]]);
@@ -86,38 +87,36 @@ export async function runRecipe({service, schemas}: Context): Promise<Tool> {
     inputSchema: schemas.input({scene: scene_member, name, variables, dry_run: dry_run_member}, ["scene", "name"]),
     run: async (input, caller) => {
       const scene = await findScene(service, textIn(input, "scene"), caller), path = pathOf(scene);
-      const steps = await stepsOf(textIn(input, "name"), input["variables"] ?? {}, scene.bounds);
-      if (dryRunIn(input)) return preview(service, path, {commands: steps.flatMap((step) => "commands" in step ? step.commands : [step])}, caller);
+      const steps = await stepsOf(service, path, textIn(input, "name"), input["variables"] ?? {}, caller);
+      if (dryRunIn(input)) return preview(service, path, {commands: steps.flatMap(({commands}) => commands)}, caller);
       const answer = await runSteps(service, path, steps, caller);
       return result(`${steps.length} steps are done.\n${changeInWords(answer, scene.revision)}`, {steps: steps.length, ...answer});
     },
   };
 }
 
-async function stepsOf(name: string, variables: unknown, bounds: Answers["Bounds"]) {
-  const texts = await Promise.all((await namesOf("recipes")).map(async (one) => [one, JSON.parse(await textOf("recipes", one)) as Recipe] as const));
-  const recipes = Object.fromEntries(texts);
-  const recipe = recipes[name];
-  if (!recipe) throw unknownName(`There is no recipe "${name}".`, "/name", name, Object.keys(recipes));
-  try {
-    return expand(recipe, recipes, bounds, variables as Parameters<typeof expand>[3]);
-  } catch (error) {
-    throw new Refusal({detail: (error as Error).message, pointer: "/variables", limit: Object.keys(recipe.variables ?? {}).join(" | ")});
-  }
+async function stepsOf(service: Service, path: string, name: string, variables: unknown, caller: Caller): Promise<Step[]> {
+  const names = await namesOf("recipes");
+  if (!names.includes(name)) throw unknownName(`There is no recipe "${name}".`, "/name", name, names);
+  const documents = await Promise.all(names.map(async (one) => [`${one}.json`, JSON.parse(await textOf("recipes", one)) as unknown] as const));
+  const files = Object.fromEntries(documents), file = `${name}.json`;
+  return (await service.post<Answers["RecipeAnswer"]>(`${path}/recipe`, {file, recipe: files[file], files, variables}, caller)).steps;
 }
 
 /** The last answer, with the results of all steps. */
-async function runSteps(service: Service, path: string, steps: object[], caller: Caller): Promise<Answer> {
+async function runSteps(service: Service, path: string, steps: Step[], caller: Caller): Promise<Answer> {
   const answers: Answer[] = [];
   for (const step of steps) {
     try {
-      answers.push(await service.post<Answer>(`${path}/commands`, step, caller));
+      answers.push(await service.post<Answer>(`${path}/commands`, {commands: step.commands}, caller));
       await caller.progress(answers.length, steps.length);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       const detail = `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`;
       throw new Refusal({...error.problem, detail}, `${answers.length} steps are done; \`undo\` takes them back.`);
     }
+    const broken = brokenAssert(step, answers.at(-1)!);
+    if (broken) throw new Refusal({detail: `Step ${answers.length} of ${steps.length} is not what its recipe asserts: ${broken}`, pointer: "/name"}, "`undo` takes the steps back.");
   }
   const last = answers.at(-1);
   if (!last) throw new Refusal({detail: "The recipe has no steps.", pointer: "/name"});

@@ -1,5 +1,5 @@
 // Calls of the server. Every refusal becomes a Refusal with the words of its problem document.
-import type {CommandAnswer, Comparison, FrameCounters, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, Scene, SceneList, Settings, TraceReport} from "./types";
+import type {CommandAnswer, Comparison, FrameCounters, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, RecipeStep, Scene, SceneList, Settings, TraceReport} from "./types";
 import {author, otherToken, token} from "./identity";
 
 /** The server said no, and why. */
@@ -94,6 +94,8 @@ export const readLines = async (id: string) => (await call(`${at(id)}/log?format
 export const branchScene = (id: string, json: unknown) => read<Scene>(`${at(id)}/branch`, {json});
 export const compareRevisions = (id: string, from: number, to: number) => read<Comparison>(`${at(id)}/compare?from=${from}&to=${to}`);
 export const pick = (id: string, json: unknown) => read<Pick>(`${at(id)}/pick`, {json});
+/** The steps of a recipe for this scene's model; nothing changes. */
+export const expandRecipe = async (id: string, json: unknown) => (await read<{steps: RecipeStep[]}>(`${at(id)}/recipe`, {json})).steps;
 /** What an amendment would do; nothing changes. */
 export const tryAmend = (id: string, json: unknown, signal?: AbortSignal) => read<CommandAnswer>(`${at(id)}/amend?dry_run=1`, {json, ...(signal ? {signal} : {})});
 export const scenePath = at;

@@ -1,15 +1,16 @@
 // The upload of a model into a scene of its own, from the question about its axes to the report.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
-import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
+import type {CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
 import {hear, isOpen, listScenes, openScene, run, scene} from "../scene/session";
 import {panel} from "../shell/places";
 import {PlanError, planOf, type Plan} from "./plan";
-import {stepsOf, type Recipe} from "./recipe";
-import {baseOf, endingOf, type Taken} from "./take";
+import {brokenAssert} from "./asserts";
+import {stepsOf} from "./steps";
+import {endingOf, folderOf, type Taken} from "./take";
 
 /** What a new model takes from its scene: what the server says of the groom; or up to a revision, only what an upload made. */
 export type Loss = {says: string} | {revision: number};
@@ -90,22 +91,30 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
   }
 }
 
+/** What the recipe can include: files that came with it, and recipes of the program as if they lay beside it. */
+async function recipesBeside(main: Taken, all: Taken[]): Promise<Record<string, unknown>> {
+  const own = Object.entries((await import("./sample_grooms")).recipes).map(([name, recipe]) => [`${folderOf(main.path)}${name}`, recipe]);
+  const others = all.filter((one) => one !== main && endingOf(one.path) === "json");
+  const dropped = await Promise.all(others.map(async ({path, file}) => [path, JSON.parse(await file.text()) as unknown]));
+  return Object.fromEntries([...own, ...dropped]);
+}
+
 /** Runs the steps of a recipe or a log on the open scene, each as one undo step. */
 async function runFile(main: Taken, all: Taken[]) {
   const open = scene.value;
   if (!open) return say("Open a scene first.", "A recipe grooms the model that is open.", "error");
-  const files: Record<string, Recipe> = {...(await import("./sample_grooms")).recipes};
-  for (const {path, file} of all) if (endingOf(path) === "json") files[baseOf(path).replace(/\.json$/i, "")] = JSON.parse(await file.text()) as Recipe;
-  const steps = stepsOf(await main.file.text(), files, open.bounds);
-  let done = 0;
+  const steps = await stepsOf(open.id, main.path, await main.file.text(), await recipesBeside(main, all));
+  let done = 0, broken = "";
   for (const step of steps) {
     if (!isOpen(open.id)) break;  // another scene was opened, which the recipe is not for
-    const answer = await run(...("commands" in step ? step.commands as Command[] : [step]));
+    const answer = await run(...step.commands);
     if (!answer) break;
     ++done;
+    broken = brokenAssert(step, answer);
+    if (broken) break;
   }
-  say(done === steps.length ? `${main.file.name}: ${done} steps are done.` : `${main.file.name} stopped after ${done} of ${steps.length} steps.`,
-      "Each is one step to undo.", done === steps.length ? "info" : "error");
+  say(done === steps.length && !broken ? `${main.file.name}: ${done} steps are done.` : `${main.file.name} stopped after ${done} of ${steps.length} steps.`,
+      [broken, "Each is one step to undo."].filter(Boolean).join(" "), done === steps.length && !broken ? "info" : "error");
 }
 
 /** Files came onto the page. */
@@ -113,7 +122,7 @@ export async function take(all: Taken[]) {
   if (all.length === 0) return;
   const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));
   const has_model = all.some(({path}) => ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"].includes(endingOf(path)));
-  if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "docs/recipes.md says what a recipe is.", "error"));
+  if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "Drop what it includes with it, in its folder; docs/recipes.md says what a recipe is.", "error"));
   const beside = has_model ? undefined : all.find(({path}) => isPicture(path));
   if (beside) return takePicture(beside.file);
   panel.value = "files";

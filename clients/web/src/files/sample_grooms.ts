@@ -14,8 +14,9 @@ import creature from "../../../recipes/creature.json";
 import dot from "../../../recipes/dot.json";
 import portrait_light from "../../../recipes/portrait_light.json";
 import tint from "../../../recipes/tint.json";
-import type {Recipe} from "./recipe";
 
 export const looks = {bear, fox, leopard, rabbit, sheep, shorthair_cat, toy_plush, wet_dog, zebra} as unknown as Record<string, {commands: Command[]}>;
-/** By the names that `use` has for them. */
-export const recipes = {best_in_show, creature, dot, portrait_light, tint} as unknown as Record<string, Recipe>;
+/** By the names that recipes include them by. */
+export const recipes: Record<string, unknown> = {
+  "best_in_show.json": best_in_show, "creature.json": creature, "dot.json": dot, "portrait_light.json": portrait_light, "tint.json": tint,
+};

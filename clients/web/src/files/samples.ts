@@ -1,11 +1,11 @@
 // Samples: the built-in creature with a look, and one with a whole groom.
 import {signal} from "@preact/signals";
-import {change, createScene} from "../api/client";
+import {change, createScene, expandRecipe} from "../api/client";
 import {page_id} from "../api/identity";
 import {sayError} from "../scene/messages";
 import {listScenes, openScene} from "../scene/session";
 import type {Scene} from "../api/types";
-import {expand, type Step} from "./recipe";
+import type {Step} from "./steps";
 
 /** Without look and recipe: the creature as it comes, in its own colours. */
 export interface Sample { name: string; look?: string; recipe?: string; length?: number }
@@ -25,7 +25,7 @@ const sample_triangles = 20000;
 async function stepsOf({look, recipe}: Sample, made: Scene): Promise<Step[]> {
   if (!look && !recipe) return [];
   const {looks, recipes} = await import("./sample_grooms");
-  return look ? [looks[look]!] : expand(recipes[recipe!]!, recipes, made.bounds);
+  return look ? [looks[look]!] : expandRecipe(made.id, {recipe: recipes[`${recipe}.json`], files: recipes});
 }
 
 /** Makes the scene on the server and opens it. */
@@ -38,7 +38,7 @@ export async function makeSample(sample: Sample) {
     let done = 0;
     for (const step of steps) {
       if (steps.length > 1) preparing.value = `Grooming, step ${done + 1} of ${steps.length}`;
-      await change(made.id, "commands", step, `${page_id}-${made.id}-${done++}`);
+      await change(made.id, "commands", {commands: step.commands}, `${page_id}-${made.id}-${done++}`);
     }
     preparing.value = "The first picture is drawn";
     await Promise.all([openScene(made.id), listScenes()]);

@@ -39,7 +39,7 @@ export const takeChosen = (files: FileList): Taken[] => [...files].map((file) =>
 
 export const endingOf = (path: string) => /\.([^./]+)$/.exec(path)?.[1]?.toLowerCase() ?? "";
 export const baseOf = (path: string) => path.replaceAll("\\", "/").split("/").pop()!;
-const folderOf = (path: string) => path.slice(0, path.lastIndexOf("/") + 1);
+export const folderOf = (path: string) => path.slice(0, path.lastIndexOf("/") + 1);
 
 function tidy(path: string): string {
   const parts: string[] = [];

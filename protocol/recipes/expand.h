@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "clients/cli/recipe/fill.h"
+#include "protocol/recipes/fill.h"
+#include "protocol/recipes/recipe.h"
 
 namespace pelage::json_parts {
 
@@ -11,9 +12,10 @@ namespace pelage::json_parts {
 class Expander {
  public:
   /// `places` by their names, as shares of the box.
-  Expander(const Recipe& recipe, const nlohmann::json& places) : recipe_(recipe), places_(places), filler_(recipe) {}
+  Expander(const RecipeScene& scene, const nlohmann::json& places)
+      : scene_(scene), places_(places), filler_(scene.box) {}
 
-  Result<std::vector<RecipeStep>> expand(Scope& scope);
+  Result<std::vector<FilledStep>> expand(Scope& scope);
 
  private:
   void add_steps(const nlohmann::json& steps, Scope& scope, const std::string& pointer);
@@ -29,12 +31,12 @@ class Expander {
   bool has_only(const nlohmann::json& step, const std::map<std::string, nlohmann::json::value_t>& known,
                 const std::string& message, const Scope& scope, const std::string& pointer);
 
-  const Recipe& recipe_;
+  const RecipeScene& scene_;
   const nlohmann::json& places_;
   Filler filler_;
   std::size_t count_ = 0, picks_ = 0;
   int uses_ = 0;  // that are open
-  std::vector<RecipeStep> steps_;
+  std::vector<FilledStep> steps_;
 };
 
 }  // namespace pelage::json_parts

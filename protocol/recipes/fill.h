@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "clients/cli/recipe/recipe.h"
-#include "clients/cli/recipe/recipe_files.h"
+#include "base/status.h"
+#include "protocol/commands/answers.h"
+#include "protocol/recipes/recipe_files.h"
 
 namespace pelage::json_parts {
 
@@ -18,20 +19,19 @@ struct Scope {
 
 std::string dumped(const nlohmann::json& value);
 
-/// [x, y, z]
-bool is_triple(const nlohmann::json& value);
-
-/// A copy of values with variables and places filled in. The first refusal is kept; after it copies are empty.
+/// A copy of values with variables and places filled in; places are shares of `box`. The first refusal is kept; after
+/// it copies are empty.
 class Filler {
  public:
-  explicit Filler(const Recipe& recipe) : recipe_(recipe) {}
+  explicit Filler(const Bounds& box) : box_(box) {}
 
   const Status& status() const { return status_; }
 
   nlohmann::json fill(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
-  nlohmann::json refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
+  /// Refuses what stands at the pointer within the scope's file.
+  nlohmann::json refuse(const Scope& scope, const std::string& message, const std::string& pointer, std::string limit,
                         std::string nearest = {});
-  /// Refuses what stands at the pointer, for the reason that the server or the decoder gave.
+  /// The same for the reason that the scene or the decoder gave.
   void refuse(const Scope& scope, const std::string& pointer, const Status& why);
 
   /// Model coordinates of shares of the box, and back.
@@ -44,9 +44,10 @@ class Filler {
   nlohmann::json variable(const std::string& name, const Scope& scope, const std::string& pointer);
   nlohmann::json expression(const std::string& text, const Scope& scope, const std::string& pointer);
   nlohmann::json count(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
+  bool has_room(const Scope& scope, const std::string& pointer);
   nlohmann::json place(const nlohmann::json& place, const Scope& scope, const std::string& pointer);
 
-  const Recipe& recipe_;
+  const Bounds box_;
   std::size_t values_ = 0;
   int depth_ = 0;
   Status status_;

@@ -1,10 +1,12 @@
-#include "clients/cli/recipe/fill.h"
+#include "protocol/recipes/fill.h"
 
 #include <cmath>
 
-#include "clients/cli/recipe/expression.h"
 #include "protocol/json/parse.h"
 #include "protocol/json/reader.h"
+#include "protocol/recipes/expression.h"
+#include "protocol/recipes/places.h"
+#include "protocol/recipes/recipe.h"
 
 namespace pelage::json_parts {
 
@@ -12,6 +14,7 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t bytes_per_value = 16;             // of a text
 constexpr double max_exact_integer = 9007199254740992;  // 2^53
 
 /// {"at": [...]} or {"at": [...], "by": [...]}. A colour ramp has an `at` too, which is a number.
@@ -26,20 +29,14 @@ json number_of(double value) {
   return value;
 }
 
-std::string too_many_values() { return "at most " + std::to_string(recipe_values) + " values"; }
-
 }  // namespace
 
 std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-bool is_triple(const json& value) {
-  return value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
-}
-
 json Filler::fill(const json& value, const Scope& scope, const std::string& pointer) {
   if (!status_.ok()) return {};
-  if (++values_ > recipe_values)
-    return refuse(scope, "The steps are too much with their variables filled in.", pointer, too_many_values());
+  ++values_;
+  if (!has_room(scope, pointer)) return {};
   if (value.is_string()) return fill_text(value.get_ref<const std::string&>(), scope, pointer);
   if (!value.is_structured()) return value;
   json copy = value.is_array() ? json::array() : json::object();
@@ -52,10 +49,9 @@ json Filler::fill(const json& value, const Scope& scope, const std::string& poin
   return is_place(copy) ? place(copy, scope, pointer) : copy;
 }
 
-json Filler::refuse(const Scope& scope, const std::string& message, std::string pointer, std::string limit,
+json Filler::refuse(const Scope& scope, const std::string& message, const std::string& pointer, std::string limit,
                     std::string nearest) {
-  if (status_.ok())
-    status_ = recipe_failure(scope.file.name, message, std::move(pointer), std::move(limit), std::move(nearest));
+  if (status_.ok()) status_ = refused_in(scope.file, message, pointer, std::move(limit), std::move(nearest));
   return {};
 }
 
@@ -63,7 +59,7 @@ void Filler::refuse(const Scope& scope, const std::string& pointer, const Status
   if (!status_.ok()) return;
   status_ = why;
   status_.message.insert(0, scope.file.name + ": ");
-  status_.pointer.insert(0, pointer);
+  status_.pointer.insert(0, scope.file.pointer + pointer);
 }
 
 json Filler::fill_text(const std::string& text, const Scope& scope, const std::string& pointer) {
@@ -78,10 +74,12 @@ json Filler::fill_text(const std::string& text, const Scope& scope, const std::s
       return refuse(scope, "A list or an object cannot stand within a text.", pointer, "text or number");
     filled += text.substr(at, begin - at) + (value.is_string() ? value.get<std::string>() : dumped(value));
     at = end + 1;
-    if (filled.size() > recipe_file_bytes)
-      return refuse(scope, "The text is too long.", pointer, "at most " + std::to_string(recipe_file_bytes) + " bytes");
+    if (filled.size() > recipe_text_bytes)
+      return refuse(scope, "The text is too long.", pointer, "at most " + std::to_string(recipe_text_bytes) + " bytes");
   }
-  return filled + text.substr(at);
+  filled += text.substr(at);
+  values_ += filled.size() / bytes_per_value;
+  return filled;
 }
 
 /// Returns the variable of this name, which may be such as "a-b"; any other text is evaluated as an expression.
@@ -94,9 +92,8 @@ json Filler::variable(const std::string& name, const Scope& scope, const std::st
   if (const auto given = scope.given.find(name); given != scope.given.end()) return count(*given, scope, pointer);
   const auto own = scope.file.variables.find(name);
   if (own == scope.file.variables.end()) {
-    std::vector<std::string_view> known;
-    for (const auto& item : scope.file.variables.items()) known.push_back(item.key());
-    for (const auto& item : scope.given.items()) known.push_back(item.key());
+    std::vector<std::string_view> known = names_of(scope.file.variables);
+    for (const std::string_view given_name : names_of(scope.given)) known.push_back(given_name);
     return refuse(scope, "There is no variable \"" + name + "\".", pointer, "one of \"variables\"",
                   nearest_name(name, known));
   }
@@ -124,9 +121,17 @@ json Filler::expression(const std::string& text, const Scope& scope, const std::
 
 /// A value that is filled in already counts as often as it is copied.
 json Filler::count(const json& value, const Scope& scope, const std::string& pointer) {
-  values_ += value.is_structured() ? dumped(value).size() / 2 : 1;
-  if (values_ <= recipe_values) return value;
-  return refuse(scope, "The steps are too much with their variables filled in.", pointer, too_many_values());
+  values_ += 1 + (value.is_primitive() && !value.is_string()
+                      ? 0
+                      : dumped(value).size() / (value.is_string() ? bytes_per_value : 2));
+  return has_room(scope, pointer) ? value : json();
+}
+
+bool Filler::has_room(const Scope& scope, const std::string& pointer) {
+  if (values_ <= recipe_values) return true;
+  refuse(scope, "The steps are too much with their variables filled in.", pointer,
+         "at most " + std::to_string(recipe_values) + " values");
+  return false;
 }
 
 json Filler::place(const json& place, const Scope& scope, const std::string& pointer) {
@@ -142,7 +147,7 @@ json Filler::position_at(const json& shares) const {
   json position = json::array();
   for (int k = 0; k < 3; ++k) {
     const double part = shares[static_cast<std::size_t>(k)].get<double>();
-    position.push_back(recipe_.min[k] + part * (recipe_.max[k] - recipe_.min[k]));
+    position.push_back(box_.min[k] + part * (box_.max[k] - box_.min[k]));
   }
   return position;
 }
@@ -150,8 +155,8 @@ json Filler::position_at(const json& shares) const {
 json Filler::shares_of(const json& position) const {
   json shares = json::array();
   for (int k = 0; k < 3; ++k) {
-    const double side = recipe_.max[k] - recipe_.min[k];
-    shares.push_back(side > 0 ? (position[static_cast<std::size_t>(k)].get<double>() - recipe_.min[k]) / side : 0.0);
+    const double side = box_.max[k] - box_.min[k];
+    shares.push_back(side > 0 ? (position[static_cast<std::size_t>(k)].get<double>() - box_.min[k]) / side : 0.0);
   }
   return shares;
 }

@@ -1,4 +1,4 @@
-#include "clients/cli/recipe/asserts.h"
+#include "protocol/recipes/asserts.h"
 
 #include "protocol/json/parse.h"
 #include "protocol/json/reader.h"
@@ -21,40 +21,40 @@ Result<TouchLimits> limits_in(const json& value) {
                      nearest_name(name, {"min_vertices", "max_vertices"}));
     if (!member.is_number_unsigned())
       return failure(Code::invalid, "It is no count of vertices.", pointer_step(name), "0 or more");
-    (name == "min_vertices" ? limits.min : limits.max) = member.get<std::size_t>();
+    (name == "min_vertices" ? limits.min_vertices : limits.max_vertices) = member.get<std::uint64_t>();
   }
   return limits;
 }
 
-Status take_assert(json& command, std::optional<TouchLimits>& to, const std::string& pointer) {
+/// Takes the assert of a command, if it has one.
+Status take_assert(json& command, std::size_t number, const std::string& pointer, std::vector<TouchLimits>& asserts) {
   if (!command.is_object() || !command.contains("assert")) return {};
-  const Result<TouchLimits> limits = limits_in(command["assert"]);
+  Result<TouchLimits> limits = limits_in(command["assert"]);
   if (!limits) {
     Status bad = limits.status();
     bad.pointer.insert(0, pointer + "/assert");
     return bad;
   }
-  to = *limits;
+  limits->command = number;
+  asserts.push_back(*limits);
   command.erase("assert");
   return {};
 }
 
 }  // namespace
 
-Status take_asserts(json& step, std::vector<std::optional<TouchLimits>>& asserts) {
-  const bool is_batch = step.contains("commands") && step["commands"].is_array();
-  if (is_batch && step.contains("assert"))
-    return failure(Code::invalid, "In a batch an assert belongs to one of its commands.", "/assert", "beside an op");
-  asserts.resize(is_batch ? step["commands"].size() : 1);
-  bool any = false;
-  for (std::size_t k = 0; k < asserts.size(); ++k) {
-    json& command = is_batch ? step["commands"][k] : step;
-    const std::string pointer = is_batch ? "/commands/" + std::to_string(k) : "";
-    if (Status bad = take_assert(command, asserts[k], pointer); !bad.ok()) return bad;
-    any = any || asserts[k];
+Result<std::vector<TouchLimits>> take_asserts(json& step) {
+  std::vector<TouchLimits> asserts;
+  if (!step.contains("commands") || !step["commands"].is_array()) {
+    if (Status bad = take_assert(step, 0, "", asserts); !bad.ok()) return bad;
+    return asserts;
   }
-  if (!any) asserts.clear();
-  return {};
+  if (step.contains("assert"))
+    return failure(Code::invalid, "In a batch an assert belongs to one of its commands.", "/assert", "beside an op");
+  json& commands = step["commands"];
+  for (std::size_t k = 0; k < commands.size(); ++k)
+    if (Status bad = take_assert(commands[k], k, "/commands/" + std::to_string(k), asserts); !bad.ok()) return bad;
+  return asserts;
 }
 
 }  // namespace pelage::json_parts

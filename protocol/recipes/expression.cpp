@@ -1,4 +1,4 @@
-#include "clients/cli/recipe/expression.h"
+#include "protocol/recipes/expression.h"
 
 #include <cctype>
 #include <charconv>

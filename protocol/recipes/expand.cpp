@@ -1,9 +1,11 @@
-#include "clients/cli/recipe/expand.h"
+#include "protocol/recipes/expand.h"
 
-#include "clients/cli/recipe/asserts.h"
 #include "protocol/json/decode.h"
+#include "protocol/json/encode.h"
 #include "protocol/json/parse.h"
 #include "protocol/json/reader.h"
+#include "protocol/recipes/asserts.h"
+#include "protocol/recipes/places.h"
 
 namespace pelage::json_parts {
 
@@ -13,18 +15,20 @@ namespace {
 
 constexpr const char* step_kinds = "op | commands | use | pick | for | comment";
 
-std::vector<std::string_view> names_of(const json& object) {
-  std::vector<std::string_view> names;
-  for (const auto& item : object.items()) names.push_back(item.key());
-  return names;
+/// The step without its comment, which is not sent.
+json without_comment(const json& step) {
+  json rest = json::object();
+  for (const auto& [name, member] : step.items())
+    if (name != "comment") rest[name] = member;
+  return rest;
 }
 
 }  // namespace
 
-Result<std::vector<RecipeStep>> Expander::expand(Scope& scope) {
+Result<std::vector<FilledStep>> Expander::expand(Scope& scope) {
   add_steps(scope.file.steps, scope, "/steps");
   if (!filler_.status().ok()) return filler_.status();
-  if (steps_.empty()) return recipe_failure(scope.file.name, "There are no commands in it.", "/steps", "1 or more");
+  if (steps_.empty()) return refused_in(scope.file, "There are no commands in it.", "/steps", "1 or more");
   return std::move(steps_);
 }
 
@@ -51,14 +55,11 @@ void Expander::add_step(const json& step, Scope& scope, const std::string& point
 }
 
 void Expander::add_commands(const json& step, const Scope& scope, const std::string& pointer) {
-  json filled = step;
-  filled.erase("comment");
-  filled = filler_.fill(filled, scope, pointer);
+  json filled = filler_.fill(without_comment(step), scope, pointer);
   if (!filler_.status().ok()) return;
-  RecipeStep one{"", scope.file.name, pointer, {}};
-  if (const Status bad = take_asserts(filled, one.asserts); !bad.ok()) return filler_.refuse(scope, pointer, bad);
-  one.text = dumped(filled);
-  steps_.push_back(std::move(one));
+  Result<std::vector<TouchLimits>> asserts = take_asserts(filled);
+  if (!asserts) return filler_.refuse(scope, pointer, asserts.status());
+  steps_.push_back({dumped(filled), scope.file.name, scope.file.pointer + pointer, std::move(*asserts)});
 }
 
 void Expander::loop(const json& step, Scope& scope, const std::string& pointer) {
@@ -78,15 +79,15 @@ void Expander::loop(const json& step, Scope& scope, const std::string& pointer) 
 }
 
 void Expander::run_loop(const json& lists, const json& steps, Scope& scope, const std::string& pointer) {
-  const json before = scope.given;
+  json hidden = json::object();  // values of the same names outside the loop
+  for (const auto& [name, list] : lists.items())
+    if (scope.given.contains(name)) hidden[name] = scope.given[name];
   for (std::size_t k = 0; k < lists.front().size() && filler_.status().ok(); ++k) {
     for (const auto& [name, list] : lists.items()) scope.given[name] = list[k];
     add_steps(steps, scope, pointer);
   }
-  for (const auto& [name, list] : lists.items()) {
-    scope.given.erase(name);
-    if (before.contains(name)) scope.given[name] = before[name];
-  }
+  for (const auto& [name, list] : lists.items()) scope.given.erase(name);
+  scope.given.update(hidden);
 }
 
 void Expander::pick(const json& step, Scope& scope, const std::string& pointer) {
@@ -109,15 +110,12 @@ void Expander::pick(const json& step, Scope& scope, const std::string& pointer) 
 }
 
 Result<json> Expander::picked(const json& request) {
-  const std::string text = dumped(request);
-  if (const auto checked = decode_pick(text); !checked) return checked.status();
-  if (!recipe_.pick) return failure(Code::invalid, "A pick needs a scene.");
-  const Result<std::string> answer = recipe_.pick(text);
+  const Result<PickRequest> wanted = decode_pick(dumped(request));
+  if (!wanted) return wanted.status();
+  const Result<PickAnswer> answer = scene_.pick(*wanted);
   if (!answer) return answer.status();
-  Result<json> tree = parse_json(*answer);
-  if (!tree) return tree;
-  if (tree->value("hit", false) && tree->contains("position") && is_triple((*tree)["position"])) return tree;
-  return failure(Code::invalid, "The pick finds nothing there.");
+  if (!answer->hit) return failure(Code::invalid, "The pick finds nothing there.");
+  return parse_json(encode(*answer));
 }
 
 void Expander::use(const json& step, Scope& scope, const std::string& pointer) {
