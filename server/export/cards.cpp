@@ -75,12 +75,14 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
   }
 }
 
-std::string add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
-  return fmt::format(
-      R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
-      file.add_positions(mesh.places), file.add(std::span<const glm::vec3>(mesh.normals)),
-      file.add(std::span<const glm::vec2>(mesh.uvs)), file.add(std::span<const glm::vec4>(mesh.colours)),
-      file.add_triangles(mesh.triangles, mesh.places.size()), material);
+GltfJson add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
+  return {{"attributes",
+           {{"POSITION", file.add_positions(mesh.places)},
+            {"NORMAL", file.add(std::span<const glm::vec3>(mesh.normals))},
+            {"TEXCOORD_0", file.add(std::span<const glm::vec2>(mesh.uvs))},
+            {"COLOR_0", file.add(std::span<const glm::vec4>(mesh.colours))}}},
+          {"indices", file.add_triangles(mesh.triangles, mesh.places.size())},
+          {"material", material}};
 }
 
 /// What a file has beside skin: materials that nothing uses are left out, and numbers follow.
@@ -92,40 +94,42 @@ struct CardMaterials {
 };
 
 void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat, double width) {
-  std::string materials = fmt::format(R"({{"name":"skin",{}}})", dull_material);
-  if (used.eyes) materials += fmt::format(R"(,{{"name":"eyes",{}}})", wet_material);
+  GltfJson materials = GltfJson::array({material_of("skin", dull)});
+  if (used.eyes) materials.push_back(material_of("eyes", wet));
   if (used.cards) {
-    materials += R"(,{"name":"cards","alphaMode":"MASK","alphaCutoff":0.4,"doubleSided":true,)"
-                 R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8,"baseColorTexture":{"index":0}}})";
-    file.set("textures", fmt::format(R"([{{"source":{},"sampler":0}}])",
-                                     file.add_png(encode_png(card_texture(coat, width), true))));
-    file.set("samplers", R"([{"magFilter":9729,"minFilter":9987,"wrapS":33071,"wrapT":33071}])");
+    GltfJson& cards = materials.emplace_back(material_of("cards", 0.8));
+    cards.update({{"alphaMode", "MASK"}, {"alphaCutoff", 0.4}, {"doubleSided", true}});
+    cards["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    const int picture = file.add_png(encode_png(card_texture(coat, width), true));
+    file.set("textures", GltfJson::array({{{"source", picture}, {"sampler", 0}}}));
+    file.set_sampler(clamped);
   }
-  file.set("materials", "[" + materials + "]");
+  file.set("materials", std::move(materials));
 }
 
 /// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
 /// readers move those that two scenes share from one to the other.
-void set_scenes(GlbWriter& file, const std::string& body, const std::vector<std::string>& levels, glm::dvec3 centre) {
-  std::string scenes, nodes, meshes = R"({"name":"body","primitives":[)" + body + "]}";
-  int node_count = 0;
-  const auto add_node = [&](const std::string& name, std::size_t mesh) {
-    nodes += fmt::format(R"({}{{"name":"{}","mesh":{},"translation":{}}})", node_count > 0 ? "," : "", name, mesh,
-                         json_of(centre));
-    return node_count++;
+void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, glm::dvec3 centre) {
+  GltfJson scenes = GltfJson::array(), nodes = GltfJson::array(), meshes = GltfJson::array();
+  const auto add_mesh = [&](const std::string& name, GltfJson primitives) {
+    meshes.push_back({{"name", name}, {"primitives", std::move(primitives)}});
+    return meshes.size() - 1;
   };
+  const auto add_node = [&](const std::string& name, std::size_t mesh) {
+    nodes.push_back({{"name", name}, {"mesh", mesh}, {"translation", json_of(centre)}});
+    return nodes.size() - 1;
+  };
+  add_mesh("body", std::move(body));
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    std::string shown = std::to_string(add_node(fmt::format("body_LOD{}", k), 0));
-    if (!levels[k].empty()) {
-      shown += fmt::format(",{}", add_node(fmt::format("fur_LOD{}", k), k + 1));
-      meshes += fmt::format(R"(,{{"name":"fur_LOD{}","primitives":[{}]}})", k, levels[k]);
-    }
-    scenes += fmt::format(R"({}{{"name":"LOD{}","nodes":[{}]}})", k > 0 ? "," : "", k, shown);
+    GltfJson shown = GltfJson::array({add_node(fmt::format("body_LOD{}", k), 0)});
+    const std::string fur = fmt::format("fur_LOD{}", k);
+    if (!levels[k].is_null()) shown.push_back(add_node(fur, add_mesh(fur, GltfJson::array({levels[k]}))));
+    scenes.push_back({{"name", fmt::format("LOD{}", k)}, {"nodes", std::move(shown)}});
   }
-  file.set("scene", "0");
-  file.set("scenes", "[" + scenes + "]");
-  file.set("nodes", "[" + nodes + "]");
-  file.set("meshes", "[" + meshes + "]");
+  file.set("scene", 0);
+  file.set("scenes", std::move(scenes));
+  file.set("nodes", std::move(nodes));
+  file.set("meshes", std::move(meshes));
 }
 
 }  // namespace
@@ -137,10 +141,11 @@ Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& stran
   CardFile result;
   GlbWriter file;
   CardMaterials used{.eyes = !frame.eyes.empty()};
-  std::string body =
-      add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, CardMaterials::skin_number);
-  if (used.eyes) body += "," + add_eyes(file, frame.eyes, strands.size, CardMaterials::eye_number);
-  std::vector<std::string> levels;
+  GltfJson body = GltfJson::array();
+  body.push_back(
+      add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, CardMaterials::skin_number));
+  if (used.eyes) body.push_back(add_eyes(file, frame.eyes, strands.size, CardMaterials::eye_number));
+  std::vector<GltfJson> levels;
   for (int level = 0; level < card_levels; ++level) {
     const double distance = cell * std::pow(2.0, 0.5 * level);
     CardMesh mesh;
@@ -148,12 +153,12 @@ Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& stran
     for (const CardLine& clump : clumps)
       add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
     if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
-    levels.push_back(clumps.empty() ? "" : add_cards(file, mesh, used.card_number()));
+    levels.push_back(clumps.empty() ? GltfJson() : add_cards(file, mesh, used.card_number()));
     used.cards |= !clumps.empty();
   }
   result.triangles += scene.model.surface.mesh().triangles.size();
   set_materials(file, used, scene.settings.coat, overlap * cell);
-  set_scenes(file, body, levels, scene.model.surface.mesh().centre);
+  set_scenes(file, std::move(body), levels, scene.model.surface.mesh().centre);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
   result.glb = std::move(*glb);

@@ -72,14 +72,16 @@ struct Balls {
 
 }  // namespace
 
-std::string add_eyes(GlbWriter& file, const std::vector<FurEye>& eyes, double size, int material) {
+GltfJson add_eyes(GlbWriter& file, const std::vector<FurEye>& eyes, double size, int material) {
   if (eyes.empty()) return {};
   Balls balls;
   for (const FurEye& eye : eyes) balls.add(eye, size);
-  return fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
-                     file.add_positions(balls.places), file.add(std::span<const glm::vec3>(balls.normals)),
-                     file.add(std::span<const glm::vec4>(balls.colours)),
-                     file.add_triangles(balls.triangles, balls.places.size()), material);
+  return {{"attributes",
+           {{"POSITION", file.add_positions(balls.places)},
+            {"NORMAL", file.add(std::span<const glm::vec3>(balls.normals))},
+            {"COLOR_0", file.add(std::span<const glm::vec4>(balls.colours))}}},
+          {"indices", file.add_triangles(balls.triangles, balls.places.size())},
+          {"material", material}};
 }
 
 }  // namespace pelage

@@ -32,33 +32,29 @@ void append_chunk(std::string& bytes, std::uint32_t kind, const std::string& con
   bytes += content;
 }
 
-void append_item(std::string& list, std::string_view item) {
-  if (!list.empty()) list += ',';
-  list += item;
-}
-
 }  // namespace
 
-std::string json_of(glm::vec3 v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
-std::string json_of(glm::dvec3 v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
+GltfJson json_of(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
 int GlbWriter::add_view(const void* bytes, std::size_t size, int target) {
+  const int number = static_cast<int>(views_.size());
   is_full_ = is_full_ || binary_.size() + size + 3 > max_bytes_;
-  if (is_full_) return view_count_;  // finish() says so
+  if (is_full_) return number;  // finish() says so
   binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
-  std::string view = fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{})", binary_.size(), size);
-  if (target != no_target) view += fmt::format(R"(,"target":{})", target);
-  append_item(views_, view + "}");
+  GltfJson& view = views_.emplace_back(GltfJson{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}});
+  if (target != no_target) view["target"] = target;
   binary_.append(static_cast<const char*>(bytes), size);
-  return view_count_++;
+  return number;
+}
+
+int GlbWriter::add_accessor(int view, int component_type, std::size_t count, const char* type) {
+  accessors_.push_back({{"bufferView", view}, {"componentType", component_type}, {"count", count}, {"type", type}});
+  return static_cast<int>(accessors_.size()) - 1;
 }
 
 template <class Value>
-int GlbWriter::add_vertices(std::span<const Value> values, const char* type, std::string_view bounds) {
-  const int view = add_view(values.data(), values.size_bytes(), vertex_data);
-  append_item(accessors_, fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", view,
-                                      floats, values.size(), type, bounds));
-  return accessor_count_++;
+int GlbWriter::add_vertices(std::span<const Value> values, const char* type) {
+  return add_accessor(add_view(values.data(), values.size_bytes(), vertex_data), floats, values.size(), type);
 }
 
 int GlbWriter::add(std::span<const float> values) { return add_vertices(values, "SCALAR"); }
@@ -69,7 +65,9 @@ int GlbWriter::add(std::span<const glm::vec4> values) { return add_vertices(valu
 int GlbWriter::add_positions(std::span<const glm::vec3> values) {
   glm::vec3 low = values.front(), high = low;
   for (const glm::vec3& p : values) low = glm::min(low, p), high = glm::max(high, p);
-  return add_vertices(values, "VEC3", fmt::format(R"(,"min":{},"max":{})", json_of(low), json_of(high)));
+  const int number = add_vertices(values, "VEC3");
+  accessors_.back()["min"] = json_of(low), accessors_.back()["max"] = json_of(high);
+  return number;
 }
 
 int GlbWriter::add_triangles(std::span<const glm::uvec3> triangles, std::size_t vertices) {
@@ -81,19 +79,28 @@ int GlbWriter::add_triangles(std::span<const glm::uvec3> triangles, std::size_t 
   } else {
     view = add_view(triangles.data(), triangles.size_bytes(), index_data);
   }
-  append_item(accessors_, fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})", view,
-                                      few ? shorts : ints, 3 * triangles.size()));
-  return accessor_count_++;
+  return add_accessor(view, few ? shorts : ints, 3 * triangles.size(), "SCALAR");
 }
 
 int GlbWriter::add_png(std::string_view file) {
   const int view = add_view(file.data(), file.size(), no_target);
-  append_item(images_, fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", view));
-  return image_count_++;
+  images_.push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+  return static_cast<int>(images_.size()) - 1;
 }
 
-void GlbWriter::set(std::string_view name, std::string_view json) {
-  members_ += fmt::format(R"(,"{}":{})", name, json);
+void GlbWriter::set_sampler(int wrap) {
+  constexpr int linear = 9729, trilinear = 9987;
+  set("samplers",
+      GltfJson::array({{{"magFilter", linear}, {"minFilter", trilinear}, {"wrapS", wrap}, {"wrapT", wrap}}}));
+}
+
+void GlbWriter::set_scene(const char* name, GltfJson primitives, glm::dvec3 centre, GltfJson extras) {
+  GltfJson mesh = {{"primitives", std::move(primitives)}};
+  if (!extras.is_null()) mesh["extras"] = std::move(extras);
+  set("scene", 0);
+  set("scenes", GltfJson::array({{{"nodes", GltfJson::array({0})}}}));
+  set("nodes", GltfJson::array({{{"name", name}, {"mesh", 0}, {"translation", json_of(centre)}}}));
+  set("meshes", GltfJson::array({std::move(mesh)}));
 }
 
 Status GlbWriter::too_large() const {
@@ -103,11 +110,11 @@ Status GlbWriter::too_large() const {
 
 Result<std::string> GlbWriter::finish() const {
   if (is_full_) return too_large();
-  std::string json = R"({"asset":{"version":"2.0","generator":"Pelage"})" + members_;
-  if (image_count_ > 0) json += fmt::format(R"(,"images":[{}])", images_);
-  json += fmt::format(R"(,"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})", accessors_, views_,
-                      binary_.size());
-  json = padded(json, ' ');
+  GltfJson document = document_;
+  if (!images_.empty()) document["images"] = images_;
+  document["accessors"] = accessors_, document["bufferViews"] = views_;
+  document["buffers"] = GltfJson::array({{{"byteLength", binary_.size()}}});
+  const std::string json = padded(document.dump(), ' ');
   const std::string binary = padded(binary_, '\0');
   const std::uint64_t size = 28 + json.size() + binary.size();
   if (size > max_bytes_) return too_large();

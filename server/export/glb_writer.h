@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@
 #include "base/status.h"
 
 namespace pelage {
+
+using GltfJson = nlohmann::ordered_json;
 
 class GlbWriter {
  public:
@@ -30,8 +33,12 @@ class GlbWriter {
   /// Adds an image and returns its number.
   int add_png(std::string_view file);
 
-  /// A member of the file's object, as JSON text: "nodes", "meshes", "materials" and so on.
-  void set(std::string_view name, std::string_view json);
+  /// A member of the file's object: "nodes", "meshes", "materials" and so on.
+  void set(const std::string& name, GltfJson value) { document_[name] = std::move(value); }
+  /// The sampler of all textures: trilinear, and at the borders `wrap`.
+  void set_sampler(int wrap);
+  /// One scene with one node, which stands at `centre` and has a mesh of these primitives.
+  void set_scene(const char* name, GltfJson primitives, glm::dvec3 centre, GltfJson extras = {});
 
   /// The whole file. Buffers, views, accessors, images and asset are what was added. Refused (too_large) where it would
   /// be larger than it may be.
@@ -39,19 +46,21 @@ class GlbWriter {
 
  private:
   template <class Value>
-  int add_vertices(std::span<const Value> values, const char* type, std::string_view bounds = {});
+  int add_vertices(std::span<const Value> values, const char* type);
+  int add_accessor(int view, int component_type, std::size_t count, const char* type);
   int add_view(const void* bytes, std::size_t size, int target);
 
   Status too_large() const;
 
   std::uint64_t max_bytes_;
   bool is_full_ = false;
-  std::string binary_, views_, accessors_, images_, members_;
-  int view_count_ = 0, accessor_count_ = 0, image_count_ = 0;
+  std::string binary_;
+  GltfJson document_ = {{"asset", {{"version", "2.0"}, {"generator", "Pelage"}}}};
+  GltfJson views_ = GltfJson::array(), accessors_ = GltfJson::array(), images_ = GltfJson::array();
 };
 
-/// Each number in the fewest digits that give it again: "[1,2,3]".
-std::string json_of(glm::vec3 v);
-std::string json_of(glm::dvec3 v);
+GltfJson json_of(glm::dvec3 v);
+
+inline constexpr int clamped = 33071, repeated = 10497;  // GL's numbers, which glTF takes
 
 }  // namespace pelage

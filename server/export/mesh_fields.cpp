@@ -1,7 +1,5 @@
 #include "server/export/mesh_fields.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 
@@ -10,6 +8,7 @@
 #include "server/export/corner_mesh.h"
 #include "server/export/glb_writer.h"
 #include "server/export/layer_texture.h"
+#include "server/export/skin_part.h"
 #include "server/export/vertex_colours.h"
 
 namespace pelage {
@@ -57,18 +56,16 @@ std::string attribute_of(Field field) {
   return name;
 }
 
-/// Every field of numbers as an attribute.
-std::string add_fields(const SceneView& scene, const CornerMesh& shells, GlbWriter& file) {
-  std::string attributes;
+/// Adds every field of numbers to the attributes.
+void add_fields(const SceneView& scene, const CornerMesh& shells, GlbWriter& file, GltfJson& attributes) {
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (shape_of(field).channels != 1) continue;
     const float unit = field == Field::length ? static_cast<float>(scene.model.surface.mesh().size) : 1;
     const auto values = of_corners<float>(
         shells, [&](const CornerMesh::Corner& c) { return unit * scene.fields.number(field, c.vertex); });
-    attributes += fmt::format(R"(,"{}":{})", attribute_of(field), file.add(std::span(values)));
+    attributes[attribute_of(field)] = file.add(std::span(values));
   }
-  return attributes;
 }
 
 }  // namespace
@@ -89,25 +86,19 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const auto leans =
       of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return lean_vector(scene, c.vertex); });
   const auto weights = of_corners<float>(shells, [](const CornerMesh::Corner& c) { return c.weight; });
-  std::string attributes =
-      fmt::format(R"("POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{},"_DIRECTION":{},"_WEIGHT":{})",
-                  file.add_positions(positions), file.add(std::span(normals)), file.add(std::span(uvs)),
-                  file.add(std::span(fur)), file.add(std::span(leans)), file.add(std::span(weights)));
-  attributes += add_fields(scene, shells, file);
+  GltfJson attributes = {{"POSITION", file.add_positions(positions)}, {"NORMAL", file.add(std::span(normals))},
+                         {"TEXCOORD_0", file.add(std::span(uvs))},    {"COLOR_0", file.add(std::span(fur))},
+                         {"_DIRECTION", file.add(std::span(leans))},  {"_WEIGHT", file.add(std::span(weights))}};
+  add_fields(scene, shells, file, attributes);
   const int triangles = file.add_triangles(shells.triangles, shells.corners.size());
   const int atlas = file.add_png(encode_png(atlas_of(scene.settings.coat), true));
-  file.set("scene", "0");
-  file.set("scenes", R"([{"nodes":[0]}])");
-  file.set("nodes", fmt::format(R"([{{"name":"skin","mesh":0,"translation":{}}}])", json_of(mesh.centre)));
-  file.set(
-      "meshes",
-      fmt::format(
-          R"([{{"primitives":[{{"attributes":{{{}}},"indices":{},"material":0}}],"extras":{{"fur_layers":{},"atlas_columns":{}}}}}])",
-          attributes, triangles, atlas_columns * atlas_columns, atlas_columns));
-  file.set(
-      "materials",
-      R"([{"name":"skin","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9},"occlusionTexture":{"index":0,"strength":0}}])");
-  file.set("textures", fmt::format(R"([{{"source":{}}}])", atlas));
+  const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}, {"material", 0}};
+  const GltfJson layers = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
+  file.set_scene("skin", GltfJson::array({skin}), mesh.centre, layers);
+  GltfJson material = material_of("skin", dull);
+  material["occlusionTexture"] = {{"index", 0}, {"strength", 0}};
+  file.set("materials", GltfJson::array({material}));
+  file.set("textures", GltfJson::array({{{"source", atlas}}}));
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
   return MeshFile{std::move(*glb), shells.triangles.size()};

@@ -1,6 +1,5 @@
 #include "server/export/proxy_mesh.h"
 
-#include <fmt/format.h>
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -97,11 +96,8 @@ std::string glb_of(const ProxyMesh& mesh) {
   GlbWriter file;
   const int positions = file.add_positions(mesh.positions), normals = file.add(std::span(mesh.normals));
   const int triangles = file.add_triangles(mesh.triangles, mesh.positions.size());
-  file.set("scene", "0");
-  file.set("scenes", R"([{"nodes":[0]}])");
-  file.set("nodes", fmt::format(R"([{{"mesh":0,"translation":{}}}])", json_of(mesh.centre)));
-  file.set("meshes", fmt::format(R"([{{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{}}}]}}])",
-                                 positions, normals, triangles));
+  const GltfJson skin = {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", triangles}};
+  file.set_scene("skin", GltfJson::array({skin}), mesh.centre);
   return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
 }
 

@@ -40,14 +40,14 @@ class ShellFile {
   }
 
   void add_skin() {
-    add(primitives_, pelage::add_skin(file_, scene_, colours_, slices_, 0));
-    add(materials_, fmt::format(R"({{"name":"skin",{}}})", dull_material));
+    primitives_.push_back(pelage::add_skin(file_, scene_, colours_, slices_, 0));
+    materials_.push_back(material_of("skin", dull));
   }
 
   void add_eyes(const std::vector<FurEye>& eyes, int material) {
     if (eyes.empty()) return;
-    add(primitives_, pelage::add_eyes(file_, eyes, scene_.model.surface.mesh().size, material));
-    add(materials_, fmt::format(R"({{"name":"eyes",{}}})", wet_material));
+    primitives_.push_back(pelage::add_eyes(file_, eyes, scene_.model.surface.mesh().size, material));
+    materials_.push_back(material_of("eyes", wet));
   }
 
   void add_layer(int layer, int layers, const std::string& texture) {
@@ -63,43 +63,36 @@ class ShellFile {
       colours.emplace_back(glm::min(lit, 1.0f), corner.weight * density);
     }
     const int image = file_.add_png(texture);
-    add(textures_, fmt::format(R"({{"source":{},"sampler":0}})", image));
-    add(materials_,
-        fmt::format(R"({{"name":"fur {}","alphaMode":"BLEND",{}}})", layer + 1, fmt::format(textured, image)));
-    const int place = file_.add_positions(positions), colour = file_.add(std::span(std::as_const(colours)));
-    add(primitives_,
-        fmt::format(
-            R"({{"attributes":{{"POSITION":{},"NORMAL":{},"TEXCOORD_0":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
-            place, normals_, uvs_, colour, triangles_, layer + 1));
+    textures_.push_back({{"source", image}, {"sampler", 0}});
+    GltfJson& material = materials_.emplace_back(material_of(fmt::format("fur {}", layer + 1), 0.9));
+    material["alphaMode"] = "BLEND";
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", image}};
+    primitives_.push_back({{"attributes",
+                            {{"POSITION", file_.add_positions(positions)},
+                             {"NORMAL", normals_},
+                             {"TEXCOORD_0", uvs_},
+                             {"COLOR_0", file_.add(std::span(std::as_const(colours)))}}},
+                           {"indices", triangles_},
+                           {"material", layer + 1}});
   }
 
   Result<std::string> finish() {
-    file_.set("scene", "0");
-    file_.set("scenes", R"([{"nodes":[0]}])");
-    file_.set("nodes", fmt::format(R"([{{"name":"fur","mesh":0,"translation":{}}}])",
-                                   json_of(scene_.model.surface.mesh().centre)));
-    file_.set("meshes", "[{\"primitives\":[" + primitives_ + "]}]");
-    file_.set("materials", "[" + materials_ + "]");
+    file_.set_scene("fur", primitives_, scene_.model.surface.mesh().centre);
+    file_.set("materials", materials_);
     if (textures_.empty()) return file_.finish();
-    file_.set("textures", "[" + textures_ + "]");
-    file_.set("samplers",
-              "[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497}]");  // trilinear, repeated
+    file_.set("textures", textures_);
+    file_.set_sampler(repeated);
     return file_.finish();
   }
 
  private:
-  static constexpr const char* textured =
-      R"("pbrMetallicRoughness":{{"metallicFactor":0,"roughnessFactor":0.9,"baseColorTexture":{{"index":{}}}}})";
-
-  static void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : ",") + item; }
-
   const SceneView& scene_;
   const CornerMesh& shells_;
   const VertexColours& colours_;
   const Slices& slices_;
   GlbWriter file_;
   int normals_ = 0, uvs_ = 0, triangles_ = 0;
-  std::string primitives_, materials_, textures_;
+  GltfJson primitives_ = GltfJson::array(), materials_ = GltfJson::array(), textures_ = GltfJson::array();
 };
 
 /// Of each layer, as PNG: compressing them takes longer than all the rest.

@@ -1,7 +1,5 @@
 #include "server/export/skin_part.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,15 +14,21 @@ float light_at(const Slices& slices, double height) {
   return deepest_light + (1 - deepest_light) * std::exp(-shade * slices.depth_above[slice]);
 }
 
-std::string add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& colours, const Slices& slices,
-                     int material) {
+GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& colours, const Slices& slices,
+                  int material) {
   const Mesh& mesh = scene.model.surface.mesh();
   std::vector<glm::vec4> lit;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) lit.emplace_back(light_at(slices, 0) * colours.at(v, 0), 1);
-  return fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{},"COLOR_0":{}}},"indices":{},"material":{}}})",
-                     file.add_positions(places_at(scene, 0)), file.add(std::span(mesh.normals)),
-                     file.add(std::span(std::as_const(lit))), file.add_triangles(mesh.triangles, mesh.positions.size()),
-                     material);
+  return {{"attributes",
+           {{"POSITION", file.add_positions(places_at(scene, 0))},
+            {"NORMAL", file.add(std::span(mesh.normals))},
+            {"COLOR_0", file.add(std::span(std::as_const(lit)))}}},
+          {"indices", file.add_triangles(mesh.triangles, mesh.positions.size())},
+          {"material", material}};
+}
+
+GltfJson material_of(const std::string& name, double roughness) {
+  return {{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", roughness}}}};
 }
 
 }  // namespace pelage

@@ -1,8 +1,6 @@
 // The skin under baked fur.
 #pragma once
 
-#include <string>
-
 #include "renderer/coat/slices.h"
 #include "server/export/glb_writer.h"
 #include "server/export/vertex_colours.h"
@@ -13,12 +11,14 @@ namespace pelage {
 /// Returns the share of the light that reaches a height s in [0, 1] of the fur.
 float light_at(const Slices& slices, double height);
 
-/// Adds the whole mesh in the colour of the roots, darkened as the fur above shades it. Returns the primitive as JSON,
-/// with the material of that number.
-std::string add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& colours, const Slices& slices,
-                     int material);
+/// Adds the whole mesh in the colour of the roots, darkened as the fur above shades it. Returns the primitive with
+/// the material of that number.
+GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& colours, const Slices& slices,
+                  int material);
 
-inline constexpr const char* dull_material = R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.9})";
-inline constexpr const char* wet_material = R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.12})";
+inline constexpr double dull = 0.9, wet = 0.12;  // roughness of skin and eyes
+
+/// A material without metal, in the colours of its vertices.
+GltfJson material_of(const std::string& name, double roughness);
 
 }  // namespace pelage

@@ -80,7 +80,7 @@ ALLOWED = {
 # outside library -> folders that may include it
 ONLY_IN = {
     r"httplib\.h": ["server/http", "clients/cli/http"],
-    r"nlohmann/.*": ["protocol/json", "protocol/recipes", "clients/cli/recipe"],
+    r"nlohmann/.*": ["protocol/json", "protocol/recipes", "clients/cli/recipe", "server/export"],
     r"CLI/.*": ["server", "clients/cli/line", "clients/cli/help"],
     r"spdlog/.*": ["server/log"],
     r"zip\.h": ["server/import_worker", "clients/cli/pack"],
