@@ -19,7 +19,7 @@ case "${1:-}" in
 esac
 
 # The studio is built by node 18 or newer; one that is there with its npm, from wherever, will do.
-major=$(node --version 2>/dev/null | sed -n 's/^v\([0-9]*\).*/\1/p')
+major=$({ node --version 2>/dev/null || true; } | sed -n 's/^v\([0-9]*\).*/\1/p')
 if ! { [ "${major:-0}" -ge 18 ] && command -v npm >/dev/null; }; then wanted+=(nodejs npm); fi
 
 missing=()

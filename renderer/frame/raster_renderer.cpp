@@ -13,36 +13,18 @@
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/raster_aovs.h"
+#include "renderer/frame/standing_fur.h"
 #include "renderer/overlay/field_picture.h"
 #include "renderer/raster/changed.h"
 #include "renderer/raster/gpu/gpu_raster.h"
-#include "renderer/raster/model_copy.h"
 #include "renderer/raster/raster.h"
-#include "renderer/strands/grown_fur.h"
 #include "renderer/upload/blocks.h"
 
 namespace pelage {
 
 namespace {
 
-constexpr double max_strands = 2e6;            // that grow of a coat; fewer are wider
 constexpr std::size_t max_bytes = 512u << 20;  // that is grown of all models together, but for the drawn one
-
-/// `whole_coats`: how many coats of one strand on a tile of 1 the model's skin has room for.
-GrowRecipe recipe_of(const FurFrame& frame, bool has_colours, double whole_coats) {
-  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, has_colours)};
-  const double expected = whole_coats * frame.coat.count / (frame.coat.tile * frame.coat.tile);
-  recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
-  recipe.share = std::min(max_strands / std::max(expected, 1.0), 1.0);
-  recipe.widening = 1 / recipe.share;
-  return recipe;
-}
-
-double whole_coats_of(const FurModel& model) {
-  Coat coat;
-  coat.count = 1, coat.tile = 1;
-  return expected_strands(model, coat);
-}
 
 /// The frame as it is drawn, before its light is resized.
 FurFrame scaled(const FurFrame& frame) {
@@ -60,10 +42,8 @@ Area whole_area(const FurFrame& frame) {
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
-/// The share of a coat that is enough for drafts which keep no more of it: it grows in a third of the time.
-constexpr double thin_share = 0.34;
-
-/// Returns whether a frame is such a draft (keep_strands): by where the model's middle is, from outside of it.
+/// Returns whether a frame is a draft for which the thin share of its coat is enough (keep_strands): by where the
+/// model's middle is, from outside of it.
 bool keeps_thin_share(const FurFrame& frame) {
   constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
   const RasterQuality quality = quality_of(frame.knobs, winding(frame.coat));
@@ -86,70 +66,6 @@ FurFrame plate_of(const FurFrame& frame) {
 
 }  // namespace
 
-/// A model's fur as it stood when it was drawn last, or a share of its strands.
-struct RasterRenderer::Standing {
-  Standing(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
-      : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, room)) {}
-
-  const ModelCopy& copy;
-  double share_of_coat;
-  GrownFur fur;
-  std::unique_ptr<Raster> raster;
-  // What the fur was grown of:
-  std::optional<GrowRecipe> recipe;
-  std::uint64_t changes = 0;
-  std::vector<FurCurves> curves;
-  Bending bending = Bending::left;
-
-  void grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
-    wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
-    if (recipe == wanted && changes == copy.changes() && bending == how && std::ranges::equal(curves, with)) return;
-    fur.update(copy.model(), copy.fields(), wanted, threads, with, how);
-    recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
-  }
-  void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-    fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
-  }
-  std::size_t bytes() const { return fur.bytes() + raster->bytes(); }
-};
-
-/// What is kept of a model.
-struct RasterRenderer::Model {
-  Model(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room)
-      : copy(model, fields),
-        whole_coats(whole_coats_of(model)),
-        whole(copy, 1, threads, room),
-        thin(copy, thin_share, threads, room) {}
-
-  ModelCopy copy;
-  double whole_coats;
-  std::uint64_t used = 0;
-  Standing whole, thin;
-
-  GrowRecipe recipe_for(const FurFrame& frame) const { return recipe_of(frame, copy.model().has_colours, whole_coats); }
-  /// Of each vertex what the frame's overlay shows.
-  std::vector<glm::vec3> field_of(const FurFrame& frame) const {
-    const FurFields fields = copy.fields();
-    const FurModel& model = copy.model();
-    const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
-    const auto at = [](std::span<const float> painted, std::size_t v, float rest) {
-      return painted.empty() ? rest : painted[v];
-    };
-    std::vector<glm::vec3> field(model.positions.size());
-    for (std::size_t v = 0; v < field.size(); ++v)
-      field[v] = value.of({model.positions[v], model.normals[v], model.tangents[v], fields.direction[v],
-                           fields.length[v], at(fields.paint.density, v, 1), at(fields.paint.wetness, v, 0),
-                           at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
-    return field;
-  }
-  bool is_grown() const { return whole.recipe || thin.recipe; }
-  void drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-    whole.drop(threads, room), thin.drop(threads, room);
-  }
-  /// That a drop would free.
-  std::size_t grown_bytes() const { return whole.bytes() + thin.bytes(); }
-};
-
 RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
 RasterRenderer::~RasterRenderer() = default;
 
@@ -166,7 +82,7 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
   const DrawClock clock(times);
   if (!gpu_) return false;
   const auto can = [&](bool by_gpu) {
-    const Standing& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
+    const StandingFur& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
     return gpu_->can_draw(standing.copy.model(), standing.fur);
   };
   const bool as_it_was = standing_for(frame, growth).bending == Bending::left;  // so that nothing is bent twice
@@ -175,7 +91,7 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
-  return models_.try_emplace(model.id, std::make_unique<Model>(model, fields, threads_, room_))
+  return models_.try_emplace(model.id, std::make_unique<StandingModel>(model, fields, threads_, room_))
       .first->second->copy.bytes();
 }
 
@@ -201,7 +117,7 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
-void RasterRenderer::darken(const FurFrame& frame, Standing& standing, const Wanted& wanted,
+void RasterRenderer::darken(const FurFrame& frame, StandingFur& standing, const Wanted& wanted,
                             FloatImage& picture) const {
   if (!frame.ground || wanted.shown != RasterOutput::light) return;
   const RasterScene scene = scene_of(standing, frame, wanted);
@@ -212,27 +128,28 @@ void RasterRenderer::grow(const FurFrame& frame) {
   grown(scaled(frame), {RasterOutput::light, {}, nullptr, Growth::as_kept, has_gl()});
 }
 
-RasterRenderer::Standing& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
-  Model& own = *models_.at(frame.model);
+StandingFur& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
+  StandingModel& own = *models_.at(frame.model);
   return growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
 }
 
-RasterRenderer::Standing& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
-  Model& own = *models_.at(frame.model);
+StandingFur& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
+  StandingModel& own = *models_.at(frame.model);
   own.used = ++uses_;
-  Standing& standing = standing_for(frame, wanted.growth);
+  StandingFur& standing = standing_for(frame, wanted.growth);
   const Bending bending = wanted.by_gpu ? Bending::left : Bending::done;
   standing.grow(own.recipe_for(frame), frame.curves, bending, threads_);
   keep_within_bounds(own);
   return standing;
 }
 
-void RasterRenderer::keep_within_bounds(const Model& own) {
-  std::vector<Model*> others;
+void RasterRenderer::keep_within_bounds(const StandingModel& own) {
+  std::vector<StandingModel*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
     if (model.get() != &own && model->is_grown()) others.push_back(model.get()), bytes += model->grown_bytes();
-  std::sort(others.begin(), others.end(), [](const Model* a, const Model* b) { return a->used < b->used; });
+  std::sort(others.begin(), others.end(),
+            [](const StandingModel* a, const StandingModel* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
     if (gpu_) gpu_->forget();
@@ -240,7 +157,7 @@ void RasterRenderer::keep_within_bounds(const Model& own) {
   }
 }
 
-RasterScene RasterRenderer::scene_of(Standing& standing, const FurFrame& frame, const Wanted& wanted) const {
+RasterScene RasterRenderer::scene_of(StandingFur& standing, const FurFrame& frame, const Wanted& wanted) const {
   RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
                                                 quality_of(frame.knobs, winding(frame.coat)), wanted.shown);
   if (!wanted.by_gpu) standing.raster->fill_cells(scene);
@@ -272,7 +189,7 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
-    Standing& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
+    StandingFur& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
     const RasterScene scene = scene_of(standing, frame, wanted);
     if (!wanted.by_gpu) {
       standing.raster->draw_box(scene, boxes[i], picture, counts);
@@ -340,8 +257,8 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
   }
 }
 
-FloatImage RasterRenderer::draw_bare(Model& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
-                                     RasterOutput shown) const {
+FloatImage RasterRenderer::draw_bare(StandingModel& model, const FurFrame& frame,
+                                     std::span<const std::array<SkinLook, 3>> skin, RasterOutput shown) const {
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   Raster& raster = *model.whole.raster;
   const RasterScene scene = raster.bare_scene_of(model.copy.model(), skin, frame, shown);
@@ -355,7 +272,7 @@ Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTime
   try {
     FurFrame bare = frame;
     bare.eyes.clear(), bare.lights.clear(), bare.crop.reset();
-    Model& model = *models_.at(frame.model);
+    StandingModel& model = *models_.at(frame.model);
     const FurModel& shape = model.copy.model();
     const std::vector<std::array<SkinLook, 3>> skin(shape.triangles.size());
     return shape_picture(frame, shape, draw_bare(model, bare, skin, RasterOutput::normal),
@@ -368,7 +285,7 @@ Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTime
 Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTimes& times) {
   const DrawClock clock(times);
   try {
-    Model& model = *models_.at(frame.model);
+    StandingModel& model = *models_.at(frame.model);
     const Grower grower(model.copy.model(), model.copy.fields(), model.recipe_for(frame));
     std::vector<std::array<SkinLook, 3>> skin(model.copy.model().triangles.size());
     for_each_in_parallel(
@@ -409,7 +326,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   if (area.pixels() > 0)
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
-  Standing& standing = grown(drawn, wanted);
+  StandingFur& standing = grown(drawn, wanted);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;

@@ -49,6 +49,7 @@ test("a slider that is dragged is one step, tried in the picture meanwhile", asy
 
 test("a light is added, dragged around the model and taken away", async () => {
   await open("lights", "light");
+  await page.setViewportSize({width: 1280, height: 800});  // so that the handle has room to be dragged
   const first = (await settings()).lights;
   await page.getByRole("button", {name: "Add a light"}).click();
   await stepsAre(1);

@@ -75,7 +75,7 @@ test("a lost connection is said with what is kept, until it is mended", async ()
 test("the dial is chosen by keys, says what its stops take, and compares with the reference", async () => {
   const server = await serverWith();
   const {id} = await server.creature("dial");
-  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1024, height: 700}}});
+  const studio = await Studio.open(chrome, server.address, {scene: id, kept: {dial: {kind: "tier", tier: "interactive"}}});
   const {page} = studio;
   await studio.seen("rest");
   await page.getByRole("button", {name: /^Quality/}).focus();
@@ -111,7 +111,7 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
 test("the panel of files has no violation", async () => {
   const server = await serverWith();
   const {id} = await server.creature("axe");
-  const studio = await Studio.open(chrome, server.address, {scene: id, context: {viewport: {width: 1024, height: 700}}});
+  const studio = await Studio.open(chrome, server.address, {scene: id});
   await studio.seen();
   await studio.panel("Files");
   for (const group of ["New scene from a built-in model", "Maps of the groom"]) await studio.page.getByText(group).click();

@@ -138,7 +138,7 @@ test("checkpoints are named and gone to; a branch opens as a scene of its own", 
   await open("named", "history", three);
   await page.getByLabel("Name of the checkpoint").fill("soft");
   await button("Checkpoint").click();
-  await studio.settled(server, id, 4);
+  await page.locator(".step-revision", {hasText: "r4"}).waitFor();
   await more(2);
   await button("Checkpoint here").click();
   await page.getByLabel("Name of the checkpoint").last().fill("combed");

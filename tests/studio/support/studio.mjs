@@ -14,9 +14,9 @@ export async function browser(options = {}) {
 export class Studio {
   static async open(chrome, address, {scene = "", context: context_options = {}, kept = {}, before = () => {}} = {}) {
     const studio = new Studio();
-    studio.context = await chrome.newContext({viewport: {width: 1280, height: 800}, acceptDownloads: true, ...context_options});
+    studio.context = await chrome.newContext({viewport: {width: 1024, height: 700}, acceptDownloads: true, ...context_options});
     // Pictures that two busy cores draw soon, unless the test is about others.
-    const settings = {welcomed: true, dial: {kind: "tier", tier: "interactive"}, "trace-at-rest": false, ...kept};
+    const settings = {welcomed: true, dial: {kind: "tier", tier: "draft"}, "trace-at-rest": false, ...kept};
     await studio.context.addInitScript((initial) => {
       for (const [name, value] of Object.entries(initial)) if (localStorage.getItem(`pelage.${name}`) === null) localStorage.setItem(`pelage.${name}`, JSON.stringify(value));
       window.marks = {frame: [], part: [], ring: [], palette: [], proxy: []};

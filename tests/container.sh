@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Builds the container image with buildah and tries it: serve, groom, draw. The Debian 12 that it begins with is put
+# together here, so that no registry is asked. Needs root and minutes. usage: tests/container.sh [PICTURE]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+picture=${1:-}
+command -v buildah mmdebstrap >/dev/null || apt-get -qq install -y --no-install-recommends buildah mmdebstrap >/dev/null
+store=$(mktemp -d --suffix=-pelage-container)
+server=
+clean_up() {
+  [ -z "$server" ] || kill "$server" 2>/dev/null || true
+  build rm --all >/dev/null 2>&1 || true
+  rm -rf --one-file-system "$store"
+}
+trap clean_up EXIT
+build() { buildah --root "$store/images" --runroot "$store/run" --storage-driver vfs "$@"; }
+export BUILDAH_ISOLATION=chroot
+
+echo "container: a bare Debian 12"
+mmdebstrap --quiet --variant=minbase bookworm "$store/debian.tar"
+debian=$(build from scratch)
+build add -q "$debian" "$store/debian.tar" / >/dev/null
+build commit -q "$debian" docker.io/library/debian:12 >/dev/null
+echo "container: the image"
+build build --pull-never --ignorefile deploy/container/Containerfile.dockerignore -f deploy/container/Containerfile -t pelage .
+
+container=$(build from --pull-never localhost/pelage)
+data=$(build mount "$container")/data
+entry=$(build inspect --type container --format '{{join .OCIv1.Config.Entrypoint " "}}' "$container")
+echo "container: $entry"
+# Chroot has the network of the machine: a free port, where the image has its own 8080.
+build run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} --port-file /data/port &
+server=$!
+for _ in $(seq 200); do [ -s "$data/port" ] && break; sleep 0.1; done
+in_container() { build run --env "PELAGE_SERVER=http://127.0.0.1:$(cat "$data/port")" "$container" -- "$@"; }
+in_container pelage wait
+in_container pelage new --name fox
+in_container pelage run fox /usr/share/pelage/recipes/portrait_light.json
+in_container pelage frame fox -o /data/fox.png --width 640 --height 640 --quality detailed
+[ "$(stat -c %u "$data/fox.png")" != 0 ] || { echo "container: it runs as root" >&2; exit 1; }
+[ -z "$picture" ] || cp "$data/fox.png" "$picture"
+echo "container: built, served, groomed and drawn"
