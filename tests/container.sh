@@ -21,6 +21,10 @@ echo "container: a bare Debian 12"
 mmdebstrap --quiet --variant=minbase bookworm "$store/debian.tar"
 debian=$(build from scratch)
 build add -q "$debian" "$store/debian.tar" / >/dev/null
+if [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then  # what this machine's npm trusts
+  build add -q "$debian" "$NODE_EXTRA_CA_CERTS" /certificates.pem >/dev/null
+  build config --env NODE_EXTRA_CA_CERTS=/certificates.pem "$debian"
+fi
 build commit -q "$debian" docker.io/library/debian:12 >/dev/null
 echo "container: the image"
 build build --pull-never --ignorefile deploy/container/Containerfile.dockerignore -f deploy/container/Containerfile -t pelage .

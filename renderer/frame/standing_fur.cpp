@@ -56,9 +56,9 @@ std::vector<glm::vec3> StandingModel::field_of(const FurFrame& frame) const {
   };
   std::vector<glm::vec3> field(model.positions.size());
   for (std::size_t v = 0; v < field.size(); ++v)
-    field[v] = value.of({model.positions[v], model.normals[v], model.tangents[v], fields.direction[v],
-                         fields.length[v], at(fields.paint.density, v, 1), at(fields.paint.wetness, v, 0),
-                         at(fields.paint.mask, v, 1), static_cast<std::uint32_t>(v)});
+    field[v] = value.of({model.positions[v], model.normals[v], model.tangents[v], fields.direction[v], fields.length[v],
+                         at(fields.paint.density, v, 1), at(fields.paint.wetness, v, 0), at(fields.paint.mask, v, 1),
+                         static_cast<std::uint32_t>(v)});
   return field;
 }
 

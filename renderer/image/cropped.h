@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstddef>
 
+#include "renderer/image/image.h"
+
 namespace pelage {
 
 /// The pixels of a picture in memory (Image, Image16, FloatImage) from the left and the top; all of them are inside.

@@ -29,7 +29,7 @@ OPERATIONS = {
     "runCommands": "Scene.run", "undo": "Scene.undo", "redo": "Scene.redo", "revert": "Scene.revert", "amend": "Scene.amend",
     "branch": "Scene.branch", "readLog": "Scene.log", "events": "Scene.follow", "readSettings": "Scene.settings",
     "listFrames": "Scene.frames_under_way", "drawFrame": "Scene.frame", "getFrame": "Scene.frame_address",
-    "compare": "Scene.compare", "pick": "Scene.pick", "live": "Server.is_alive", "ready": "Server.is_ready",
+    "compare": "Scene.compare", "pick": "Scene.pick", "expandRecipe": "Scene.recipe_steps", "live": "Server.is_alive", "ready": "Server.is_ready",
     "metrics": "Server.metrics", "contract": "Server.contract", "home": "Server.studio_file", "studioFile": "Server.studio_file",
     "docs": "Server.docs_file", "docsFile": "Server.docs_file",
 }

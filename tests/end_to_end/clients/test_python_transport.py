@@ -281,7 +281,7 @@ class Streams(ScriptedTest):
 
 
 class RealRetries(unittest.TestCase):
-    def test_a_server_threst_pointarts_meanwhile(self):
+    def test_a_server_that_restarts_meanwhile(self):
         server = Server()
         self.addCleanup(server.close)
         client = pelage.Server(server.address, retries=10)
