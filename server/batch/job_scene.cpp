@@ -20,7 +20,7 @@ Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& jo
   ImportOptions options = job.options.value_or(ImportOptions());
   options.format = *format;
   NewScene empty;  // until it has its model
-  empty.name = "job", empty.model.triangles = 2;
+  empty.name = "job", empty.model = {.shape = Builtin::plane, .triangles = 2};
   auto scene = store.create(empty);
   if (!scene) return scene;
   const auto loaded = store.load_model(**scene, options, std::as_bytes(std::span(bytes)));

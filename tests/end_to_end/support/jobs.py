@@ -12,6 +12,7 @@ from support.server import BIN
 
 JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
        "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
+THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 class JobTest(unittest.TestCase):
@@ -21,7 +22,7 @@ class JobTest(unittest.TestCase):
 
     def job(self, **more):
         path = self.folder / "job.json"
-        path.write_text(json.dumps({**JOB, **more}))
+        path.write_text(json.dumps({**JOB, **more, "commands": [THIN_COAT, *more.get("commands", [])]}))
         return path
 
     def render(self, *arguments, code=0):

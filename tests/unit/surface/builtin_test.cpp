@@ -12,6 +12,7 @@
 
 #include "server/builtin/creature.h"
 #include "server/builtin/implicit.h"
+#include "server/builtin/last_creature.h"
 #include "server/builtin/remesh.h"
 
 namespace pelage::builtin_test {
@@ -147,6 +148,17 @@ TEST(Builtin, PlaneAndClothAreSheetsWithAboutTheWishedCount) {
 }
 
 TEST(Builtin, PlaneOfTwoTrianglesIsPossible) { EXPECT_EQ(triangle_count(make_builtin({Builtin::plane, 2})), 2u); }
+
+TEST(LastCreature, IsWhatWasAskedForAndIsMadeOnce) {
+  LastCreature last;
+  const auto coarse = last.builtin({Builtin::creature, 1000});
+  EXPECT_EQ(last.builtin({Builtin::creature, 1000}), coarse);
+  EXPECT_LT(triangle_count(*coarse), triangle_count(*last.builtin({Builtin::creature, 3000})));
+  EXPECT_EQ(triangle_count(*last.builtin({Builtin::plane, 2})), 2u);
+  const auto again = last.builtin({Builtin::creature, 1000});
+  EXPECT_NE(again, coarse);
+  EXPECT_EQ(again->positions, coarse->positions);
+}
 
 TEST(Builtin, SphereIsRoundAndEven) {
   const RawModel model = make_builtin({Builtin::sphere, 5000});

@@ -1,0 +1,23 @@
+// The creature that was made last: it takes a second to make, and scenes tend to begin with the same one.
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "server/builtin/builtin.h"
+
+namespace pelage {
+
+/// Thread-safe.
+class LastCreature {
+ public:
+  /// make_builtin, from memory where the last creature was such a one.
+  std::shared_ptr<const RawModel> builtin(const BuiltinModel& model);
+
+ private:
+  std::mutex mutex_;
+  int triangles_ = 0;
+  std::shared_ptr<const RawModel> creature_;
+};
+
+}  // namespace pelage
