@@ -15,6 +15,12 @@ BIN = pathlib.Path(os.environ.get("PELAGE_BIN", REPOSITORY / "build" / "release"
 sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
 
 
+def nightly(test):
+    """Marks a test that takes too long for each day: tests/nightly.sh runs it."""
+    test.nightly = True
+    return test
+
+
 def needs(found, what):
     """Skips the test without it, but fails in CI."""
     if not found:
@@ -55,7 +61,8 @@ class FarmTest(unittest.TestCase):
 
     def write_job(self, frames="1-12", **more):
         """A job of small frames of a built-in model; gives its file."""
-        job = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": frames, "output": "out/ball.####.png",
+        thin_coat = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
+        job = {"builtin": {"builtin": "sphere", "triangles": 500}, "commands": [thin_coat], "frames": frames, "output": "out/ball.####.png",
                "frame": {"width": 64, "height": 48, "quality": "draft"}, "turntable": {"degrees": 360}, **more}
         file = self.folder / "ball.json"
         file.write_text(json.dumps({name: value for name, value in job.items() if value is not None}))

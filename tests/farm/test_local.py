@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from support import BIN, FarmTest
+from support import BIN, FarmTest, nightly
 import pelage
 
 
@@ -187,6 +187,7 @@ class Local(FarmTest):
         self.farm("movie", folder, "-o", "ball.mp4")
         self.assertIn("frames 1-2", self.farm("sheet", folder, "-o", "ball.png").stdout)
 
+    @nightly
     def test_a_bar_on_a_terminal(self):
         job = self.write_job(frames="1-40")
         done = subprocess.run(["script", "-qec", f"{BIN}/pelage farm submit {job} --engine local", "/dev/null"], capture_output=True,

@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from support import REPOSITORY, FarmTest, needs
+from support import FarmTest, REPOSITORY, needs, nightly
 
 SLURM = REPOSITORY / "deploy" / "farm" / "slurm.sh"
 DEAD_SECONDS = 5  # without a sign of a node
@@ -123,6 +123,7 @@ class Slurm(FarmTest):
         self.assertIn(f"All {FRAMES} frames are there", self.farm("submit", folder).stdout)
         self.assertEqual(sorted(file.name for file in (folder / "out").iterdir()), [f"ball.{k:04}.png" for k in range(1, FRAMES + 1)])
 
+    @nightly
     def test_a_job_that_is_cancelled(self):
         """Slurm sends SIGTERM, as at a time limit: whole frames are left and nothing else."""
         job = self.write_job("1-200", frame={"width": 256, "height": 256, "quality": {"scale": 2}})

@@ -14,6 +14,7 @@ import unittest
 
 from PIL import Image
 
+from support.nightly import nightly
 from support.server import BIN, ServedTest, comb, flood, shared_folder
 
 
@@ -145,6 +146,7 @@ class Client(ServedTest):
         self.assertEqual(run.stderr, "")
         self.assertEqual(self.pelage("run", scene, "-", "--verbose", text=text).stdout.count("comb: touched"), 31)
 
+    @nightly
     def test_who_waits_at_a_terminal_sees_a_bar(self):
         steps = self.file("two.jsonl", "\n".join(2 * [json.dumps(flood([0, 1, 0]))]))
         with slow_server(seconds=1.8) as address:

@@ -79,6 +79,7 @@ class Tools(ServedTest):
         self.assertEqual(answer.status, 200, answer)
         self.check_steps(scene)
 
+    @nightly
     def test_spot(self):
         self.check_file(shared_folder() / "meshes" / "spot.glb", "format=glb&front=-z")
 

@@ -6,6 +6,7 @@ import tempfile
 import threading
 import unittest
 
+from support.nightly import nightly
 from support.pictures import png
 from support.server import ServedTest, comb, flood
 
@@ -64,6 +65,7 @@ class PastFrames(ServedTest):
                 self.assertEqual(then.body, now.body, request)
             self.assertEqual(then.headers["pelage-revision"], "1")
 
+    @nightly
     def test_traced(self):
         trace = {"quality": {"method": "strands", "trace": {"passes": 2, "strands": 2000}}, "overlay": "mask"}
         view = {**VIEW, **trace}

@@ -33,6 +33,7 @@ class Trade(ServedTest):
         with open(self.folder / "results.csv", newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
+    @nightly
     def test_report(self):
         run = self.trade()
         self.assertIn("index.html", run.stdout)

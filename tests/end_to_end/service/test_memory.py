@@ -7,6 +7,7 @@ import socket
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
+from support.nightly import nightly
 from support.server import Server, comb
 
 
@@ -20,6 +21,7 @@ class Memory(unittest.TestCase):
         self.server = Server(arguments=["--memory", "1M"])
         self.addCleanup(lambda: self.server.close())
 
+    @nightly
     def test_evicted_scenes_are_listed_and_opened_again(self):
         scenes = [self.server.new_scene("sphere", 2000) for _ in range(3)]
         for scene in scenes:
