@@ -164,7 +164,7 @@ template <class V>
 void members(V& v, Visited<V, ImportOptions>& c) {
   v.type("ImportOptions", "How a model file is read.");
   v.name(required("format"), c.format, json_names::model_formats, "Format of the file.");
-  v.name("up", c.up, json_names::axes, "The file's axis that points up. Unless given: z of stl, else y.");
+  v.name("up", c.up, json_names::axes, "The file's axis that points up. Unless given: z of stl and 3ds, else y.");
   v.name(
       "front", c.front, json_names::axes,
       "The file's axis that the model faces, on another line than `up`. Unless given it follows from joints that are "

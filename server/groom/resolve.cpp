@@ -283,7 +283,7 @@ struct CheckTool {
   Status has_uvs(std::string pointer) const {
     if (has_own_uvs(mesh)) return {};
     return failure(Code::invalid, "the model has no texture coordinates to read a picture by", std::move(pointer),
-                   "a model with texture coordinates; docs/maps.md says which have some");
+                   "a model with texture coordinates; docs/models.md says which have some");
   }
   template <Unplaced Other>
   Status operator()(const Other&) const {

@@ -180,7 +180,7 @@ Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const Ma
   if (request.encoding == MapEncoding::vertices) return make_list_file(mesh, fields, request);
   if (!has_own_uvs(mesh))
     return failure(Code::invalid, "the model has no texture coordinates to lay a map by", "",
-                   "a model with texture coordinates; docs/maps.md says which have some");
+                   "a model with texture coordinates; docs/models.md says which have some");
   DrawnMap map = draw_map(mesh, fields, request);
   const std::vector<ImageText> texts = texts_of(map.answer, mesh.size);
   if (request.format != MapFormat::png && request.format != MapFormat::png16) put_file_numbers(map);

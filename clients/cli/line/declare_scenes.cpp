@@ -23,7 +23,8 @@ void add_fur(CLI::App* command, Options& options) {
 /// Adds the options that say how a file is read.
 void add_import(CLI::App* command, Options& options) {
   command->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
-  command->add_option("--up", options.up, "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl, else y]");
+  command->add_option("--up", options.up,
+                      "Axis of the file that is up: x, -x, y, -y, z or -z [z of stl and 3ds, else y]");
   command->add_option("--front", options.front,
                       "Axis of the file that the model faces [as its joints say; else -y where z is up, z where y is]");
   command->add_option("--pose", options.pose, "NAME@SECONDS of an animation of the file that it stands in");

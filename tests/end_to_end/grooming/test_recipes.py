@@ -181,8 +181,8 @@ class Recipes(ServedTest):
 
     def test_one_recipe_makes_a_siamese_of_a_cat_and_a_koala(self):
         folder = RECIPES / "siamese"
-        for name, file in (("cat", "cat.obj"), ("koala", "koala_low.obj")):
-            scene = self.new("--file", shared_folder() / "meshes" / file)
+        for name, file, front in (("cat", "cat.obj", "-x"), ("koala", "koala_low.obj", "z")):
+            scene = self.new("--file", shared_folder() / "meshes" / file, f"--front={front}")
             self.pelage("subdivide", scene)
             self.pelage("run", scene, folder / "siamese.json", "--places", folder / f"{name}.places.json")
             self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["undo_steps"], 22, name)
