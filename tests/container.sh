@@ -31,7 +31,7 @@ build build --pull-never --ignorefile deploy/container/Containerfile.dockerignor
 
 container=$(build from --pull-never localhost/pelage)
 data=$(build mount "$container")/data
-entry=$(build inspect --type container --format '{{join .OCIv1.Config.Entrypoint " "}}' "$container")
+entry=$(build inspect --type container --format '{{range .OCIv1.Config.Entrypoint}}{{.}} {{end}}' "$container")
 echo "container: $entry"
 # Chroot has the network of the machine: a free port, where the image has its own 8080.
 build run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} --port-file /data/port &
