@@ -30,18 +30,17 @@ echo "container: the image"
 build build --pull-never --ignorefile deploy/container/Containerfile.dockerignore -f deploy/container/Containerfile -t pelage .
 
 container=$(build from --pull-never localhost/pelage)
-data=$(build mount "$container")/data
 entry=$(build inspect --type container --format '{{range .OCIv1.Config.Entrypoint}}{{.}} {{end}}' "$container")
 echo "container: $entry"
 # Chroot has the network of the machine: a free port, where the image has its own 8080.
-build run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} --port-file /data/port &
+build run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} >"$store/server.log" 2>&1 &
 server=$!
-for _ in $(seq 200); do [ -s "$data/port" ] && break; sleep 0.1; done
-in_container() { build run --env "PELAGE_SERVER=http://127.0.0.1:$(cat "$data/port")" "$container" -- "$@"; }
-in_container pelage wait
+for _ in $(seq 300); do grep -q 'http://' "$store/server.log" && break; sleep 0.1; done
+address=$(grep -o 'http://[0-9.:]*' "$store/server.log")
+in_container() { build run --env "PELAGE_SERVER=$address" "$container" -- "$@"; }
+[ "$(in_container id -u)" != 0 ] || { echo "container: it runs as root" >&2; exit 1; }
 in_container pelage new --name fox
 in_container pelage run fox /usr/share/pelage/recipes/portrait_light.json
-in_container pelage frame fox -o /data/fox.png --width 640 --height 640 --quality detailed
-[ "$(stat -c %u "$data/fox.png")" != 0 ] || { echo "container: it runs as root" >&2; exit 1; }
-[ -z "$picture" ] || cp "$data/fox.png" "$picture"
+in_container pelage frame fox -o - --width 640 --height 640 --quality detailed >"$store/fox.png"
+[ -z "$picture" ] || cp "$store/fox.png" "$picture"
 echo "container: built, served, groomed and drawn"

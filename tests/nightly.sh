@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for each change: all tests with all cases on each GL, that benchmarks build, the soak, many fuzzed
-# scenes, the Debian package in a bare system, clang-tidy over all sources, all suites under the sanitizers, and ten
+# scenes, the Debian package in a bare system, the container, clang-tidy over all sources, all suites under the sanitizers, and ten
 # minutes of the fuzzer.
 # usage: tests/nightly.sh [SEED]
 set -euo pipefail
@@ -17,6 +17,7 @@ ctest --preset tests -j "$jobs" --no-tests=error
 python3 tests/count.py build/tests/results
 tests/extremes/fuzz.sh 1000 "$seed"
 tests/package.sh
+tests/container.sh
 
 tests/tidy.sh
 tests/sanitizers.sh 600
