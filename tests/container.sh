@@ -9,12 +9,13 @@ command -v buildah mmdebstrap >/dev/null || apt-get -qq install -y --no-install-
 store=$(mktemp -d --suffix=-pelage-container)
 server=
 clean_up() {
-  [ -z "$server" ] || kill "$server" 2>/dev/null || true
+  [ -z "$server" ] || kill -- "-$server" 2>/dev/null || true  # buildah's helpers and the server are its group
   build rm --all >/dev/null 2>&1 || true
   rm -rf --one-file-system "$store"
 }
 trap clean_up EXIT
-build() { buildah --root "$store/images" --runroot "$store/run" --storage-driver vfs "$@"; }
+buildah=(buildah --root "$store/images" --runroot "$store/run" --storage-driver vfs)
+build() { "${buildah[@]}" "$@"; }
 export BUILDAH_ISOLATION=chroot
 
 echo "container: a bare Debian 12"
@@ -33,7 +34,7 @@ container=$(build from --pull-never localhost/pelage)
 entry=$(build inspect --type container --format '{{range .OCIv1.Config.Entrypoint}}{{.}} {{end}}' "$container")
 echo "container: $entry"
 # Chroot has the network of the machine: a free port, where the image has its own 8080.
-build run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} >"$store/server.log" 2>&1 &
+setsid "${buildah[@]}" run "$container" -- ${entry/0.0.0.0:8080/127.0.0.1:0} >"$store/server.log" 2>&1 &
 server=$!
 for _ in $(seq 300); do grep -q 'http://' "$store/server.log" && break; sleep 0.1; done
 address=$(grep -o 'http://[0-9.:]*' "$store/server.log")
