@@ -44,7 +44,10 @@ json Filler::fill(const json& value, const Scope& scope, const std::string& poin
     for (std::size_t k = 0; k < value.size(); ++k)
       copy.push_back(fill(value[k], scope, pointer + "/" + std::to_string(k)));
   } else {
-    for (const auto& [name, member] : value.items()) copy[name] = fill(member, scope, pointer + pointer_step(name));
+    for (const auto& [name, member] : value.items()) {
+      values_ += name.size() / bytes_per_value;
+      copy[name] = fill(member, scope, pointer + pointer_step(name));
+    }
   }
   return is_place(copy) ? place(copy, scope, pointer) : copy;
 }
@@ -63,6 +66,7 @@ void Filler::refuse(const Scope& scope, const std::string& pointer, const Status
 }
 
 json Filler::fill_text(const std::string& text, const Scope& scope, const std::string& pointer) {
+  values_ += text.size() / bytes_per_value;
   std::string filled;
   std::size_t at = 0;
   for (std::size_t begin; (begin = text.find("${", at)) != std::string::npos;) {

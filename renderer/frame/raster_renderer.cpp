@@ -13,7 +13,7 @@
 #include "renderer/frame/areas.h"
 #include "renderer/frame/draw_clock.h"
 #include "renderer/frame/raster_aovs.h"
-#include "renderer/frame/standing_fur.h"
+#include "renderer/frame/raster_fur.h"
 #include "renderer/overlay/field_picture.h"
 #include "renderer/raster/changed.h"
 #include "renderer/raster/gpu/gpu_raster.h"
@@ -82,7 +82,7 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
   const DrawClock clock(times);
   if (!gpu_) return false;
   const auto can = [&](bool by_gpu) {
-    const StandingFur& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
+    const RasterFur& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
     return gpu_->can_draw(standing.copy.model(), standing.fur);
   };
   const bool as_it_was = standing_for(frame, growth).bending == Bending::left;  // so that nothing is bent twice
@@ -91,7 +91,7 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
 
 std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
   assert(!has(model.id));
-  return models_.try_emplace(model.id, std::make_unique<StandingModel>(model, fields, threads_, room_))
+  return models_.try_emplace(model.id, std::make_unique<RasterModel>(model, fields, threads_, room_))
       .first->second->copy.bytes();
 }
 
@@ -117,7 +117,7 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
-void RasterRenderer::darken(const FurFrame& frame, StandingFur& standing, const Wanted& wanted,
+void RasterRenderer::darken(const FurFrame& frame, RasterFur& standing, const Wanted& wanted,
                             FloatImage& picture) const {
   if (!frame.ground || wanted.shown != RasterOutput::light) return;
   const RasterScene scene = scene_of(standing, frame, wanted);
@@ -128,28 +128,27 @@ void RasterRenderer::grow(const FurFrame& frame) {
   grown(scaled(frame), {RasterOutput::light, {}, nullptr, Growth::as_kept, has_gl()});
 }
 
-StandingFur& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
-  StandingModel& own = *models_.at(frame.model);
+RasterFur& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
+  RasterModel& own = *models_.at(frame.model);
   return growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
 }
 
-StandingFur& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
-  StandingModel& own = *models_.at(frame.model);
+RasterFur& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
+  RasterModel& own = *models_.at(frame.model);
   own.used = ++uses_;
-  StandingFur& standing = standing_for(frame, wanted.growth);
+  RasterFur& standing = standing_for(frame, wanted.growth);
   const Bending bending = wanted.by_gpu ? Bending::left : Bending::done;
   standing.grow(own.recipe_for(frame), frame.curves, bending, threads_);
   keep_within_bounds(own);
   return standing;
 }
 
-void RasterRenderer::keep_within_bounds(const StandingModel& own) {
-  std::vector<StandingModel*> others;
+void RasterRenderer::keep_within_bounds(const RasterModel& own) {
+  std::vector<RasterModel*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
     if (model.get() != &own && model->is_grown()) others.push_back(model.get()), bytes += model->grown_bytes();
-  std::sort(others.begin(), others.end(),
-            [](const StandingModel* a, const StandingModel* b) { return a->used < b->used; });
+  std::sort(others.begin(), others.end(), [](const RasterModel* a, const RasterModel* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
     if (gpu_) gpu_->forget();
@@ -157,7 +156,7 @@ void RasterRenderer::keep_within_bounds(const StandingModel& own) {
   }
 }
 
-RasterScene RasterRenderer::scene_of(StandingFur& standing, const FurFrame& frame, const Wanted& wanted) const {
+RasterScene RasterRenderer::scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const {
   RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
                                                 quality_of(frame.knobs, winding(frame.coat)), wanted.shown);
   if (!wanted.by_gpu) standing.raster->fill_cells(scene);
@@ -189,7 +188,7 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
-    StandingFur& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
+    RasterFur& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
     const RasterScene scene = scene_of(standing, frame, wanted);
     if (!wanted.by_gpu) {
       standing.raster->draw_box(scene, boxes[i], picture, counts);
@@ -257,7 +256,7 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
   }
 }
 
-FloatImage RasterRenderer::draw_bare(StandingModel& model, const FurFrame& frame,
+FloatImage RasterRenderer::draw_bare(RasterModel& model, const FurFrame& frame,
                                      std::span<const std::array<SkinLook, 3>> skin, RasterOutput shown) const {
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   Raster& raster = *model.whole.raster;
@@ -272,7 +271,7 @@ Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTime
   try {
     FurFrame bare = frame;
     bare.eyes.clear(), bare.lights.clear(), bare.crop.reset();
-    StandingModel& model = *models_.at(frame.model);
+    RasterModel& model = *models_.at(frame.model);
     const FurModel& shape = model.copy.model();
     const std::vector<std::array<SkinLook, 3>> skin(shape.triangles.size());
     return shape_picture(frame, shape, draw_bare(model, bare, skin, RasterOutput::normal),
@@ -285,7 +284,7 @@ Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTime
 Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTimes& times) {
   const DrawClock clock(times);
   try {
-    StandingModel& model = *models_.at(frame.model);
+    RasterModel& model = *models_.at(frame.model);
     const Grower grower(model.copy.model(), model.copy.fields(), model.recipe_for(frame));
     std::vector<std::array<SkinLook, 3>> skin(model.copy.model().triangles.size());
     for_each_in_parallel(
@@ -326,7 +325,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   if (area.pixels() > 0)
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
-  StandingFur& standing = grown(drawn, wanted);
+  RasterFur& standing = grown(drawn, wanted);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;

@@ -31,8 +31,8 @@ inline Status no_memory_for_frame() { return failure(Code::too_large, "no memory
 struct Gl;
 class GpuRaster;
 class RasterRoom;
-struct StandingFur;
-struct StandingModel;
+struct RasterFur;
+struct RasterModel;
 enum class RasterOutput;
 struct RasterScene;
 struct SkinLook;
@@ -87,12 +87,12 @@ class RasterRenderer {
     Growth growth = Growth::as_kept;
     bool by_gpu = false;
   };
-  StandingFur& standing_for(const FurFrame& frame, Growth growth);
+  RasterFur& standing_for(const FurFrame& frame, Growth growth);
   /// Grows what has changed, as `wanted` asks. Drops what is cached of other models if all of it takes too much memory,
   /// the longest unused first.
-  StandingFur& grown(const FurFrame& frame, const Wanted& wanted);
-  void keep_within_bounds(const StandingModel& own);
-  RasterScene scene_of(StandingFur& standing, const FurFrame& frame, const Wanted& wanted) const;
+  RasterFur& grown(const FurFrame& frame, const Wanted& wanted);
+  void keep_within_bounds(const RasterModel& own);
+  RasterScene scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const;
   /// Draws an area of a frame that has the size of its light into a picture: by the GPU, with its ground, where it is
   /// wanted and can, which `wanted` says afterwards. Fails with conflict when it is given up, and with unavailable when
   /// the GL was lost.
@@ -108,10 +108,10 @@ class RasterRenderer {
   /// short.
   Result<std::optional<Image>> draw_on_gpu(const FurFrame& frame, DrawTimes& times);
   /// What the ground is seen of, where there is one.
-  void darken(const FurFrame& frame, StandingFur& standing, const Wanted& wanted, FloatImage& picture) const;
+  void darken(const FurFrame& frame, RasterFur& standing, const Wanted& wanted, FloatImage& picture) const;
   Result<FloatImage> draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);
   /// The skin and the eyes alone, in light that nothing stands in the way of.
-  FloatImage draw_bare(StandingModel& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
+  FloatImage draw_bare(RasterModel& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                        RasterOutput shown) const;
   /// What of a view's light is not as it was when it was shown.
   TileMask changed_tiles(const FurFrame& frame, const ShownFrame& shown);
@@ -123,7 +123,7 @@ class RasterRenderer {
   int threads_;
   std::unique_ptr<GpuRaster> gpu_;  // null: the CPU draws
   std::shared_ptr<RasterRoom> room_;
-  std::map<std::uint64_t, std::unique_ptr<StandingModel>> models_;
+  std::map<std::uint64_t, std::unique_ptr<RasterModel>> models_;
   std::uint64_t uses_ = 0;
   ViewCache views_;
 };

@@ -24,7 +24,7 @@ Result<RecipeRequest> request_of(const Options& options, const std::string& text
   if (!options.places.empty()) {
     const auto places = read(options.places);
     if (!places) return places.status();
-    source.places = *places;
+    source.places = *places, source.places_file = options.places;
   }
   return gather_recipe(source, read);
 }

@@ -5,6 +5,7 @@
 
 #include "base/limits.h"
 #include "protocol/json/parse.h"
+#include "protocol/recipes/fill.h"
 #include "protocol/recipes/recipe.h"
 #include "protocol/recipes/recipe_files.h"
 
@@ -85,10 +86,12 @@ Result<RecipeRequest> gather_recipe(const RecipeSource& source,
                                     const std::function<Result<std::string>(const std::string& file)>& read) {
   const Result<json> document = parsed(source.file, source.text);
   if (!document) return document.status();
+  const Result<json> places = parsed(source.places_file, source.places.empty() ? "{}" : source.places);
+  if (!places) return places.status();
   Gatherer included(read);
   if (Status bad = included.add_included(source.file, *document); !bad.ok()) return bad;
-  RecipeRequest request{source.file, source.text, included.files().dump(), values_of(source.variables).dump(),
-                        source.places};
+  RecipeRequest request{source.file, source.text, json_parts::dumped(included.files()),
+                        json_parts::dumped(values_of(source.variables)), source.places};
   const std::size_t bytes = request.recipe.size() + request.files.size();
   if (bytes > limits::recipe_bytes)
     return failure(Code::too_large,

@@ -20,6 +20,7 @@ struct RecipeSource {
   std::string file, text;
   std::vector<std::pair<std::string, std::string>> variables = {};  // values are JSON, a number such as .5, or text
   std::string places = {};                                          // JSON; "" for none
+  std::string places_file = {};                                     // names them in refusals
 };
 
 /// The recipe with all that it includes, whose texts `read` gives. Refuses what is no JSON, and more than 64 files or

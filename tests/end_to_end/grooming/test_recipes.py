@@ -174,6 +174,7 @@ class Recipes(ServedTest):
             {"op": "length", "value": "${tall}", "flood": True, "brush": {"strength": 1}}]})
         self.pelage("run", scene, recipe, "--places", places)
         self.assertAlmostEqual(self.length_at(scene, [0, 9, 0.001]), 0.3, places=5)
+        self.assertIn("broken.json", self.pelage("run", scene, recipe, "--places", self.file("broken.json", "{"), code=3).stderr)
         wrong = self.file("wrong.json", {"tall": [1, 2]})
         refused = self.pelage("run", scene, recipe, "--places", wrong, code=3).stderr
         self.assertIn("wrong.json", refused)

@@ -156,6 +156,12 @@ TEST(Recipe, CountsTheBytesOfTexts) {
       {{"main.json", R"({"variables": {"long": ")" + std::string(10'000, 'a') + R"("}, "steps": [)" + uses + "]}"}});
   ASSERT_FALSE(steps.ok());
   EXPECT_EQ(steps.status().limit, "at most 1000000 values");
+  std::string list = "1";
+  for (int k = 1; k < 3000; ++k) list += ",1";
+  const auto keys = filled({{"main.json", R"({"steps": [{"for": {"k": [)" + list + R"(]}, "steps": [{"op": "x", ")" +
+                                              std::string(10'000, 'k') + R"(": 1}]}]})"}});
+  ASSERT_FALSE(keys.ok()) << "names count as texts do";
+  EXPECT_EQ(keys.status().limit, "at most 1000000 values");
 }
 
 TEST(Recipe, RefusesWhatGrowsWithoutEnd) {

@@ -1,4 +1,4 @@
-#include "renderer/frame/standing_fur.h"
+#include "renderer/frame/raster_fur.h"
 
 #include <algorithm>
 
@@ -20,25 +20,25 @@ double whole_coats_of(const FurModel& model) {
 
 }  // namespace
 
-void StandingFur::grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
+void RasterFur::grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
   wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
   if (recipe == wanted && changes == copy.changes() && bending == how && std::ranges::equal(curves, with)) return;
   fur.update(copy.model(), copy.fields(), wanted, threads, with, how);
   recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
 }
 
-void StandingFur::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
+void RasterFur::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
   fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
 }
 
-StandingModel::StandingModel(const FurModel& model, const FurFields& fields, int threads,
-                             const std::shared_ptr<RasterRoom>& room)
+RasterModel::RasterModel(const FurModel& model, const FurFields& fields, int threads,
+                         const std::shared_ptr<RasterRoom>& room)
     : copy(model, fields),
       whole_coats(whole_coats_of(model)),
       whole(copy, 1, threads, room),
       thin(copy, thin_share, threads, room) {}
 
-GrowRecipe StandingModel::recipe_for(const FurFrame& frame) const {
+GrowRecipe RasterModel::recipe_for(const FurFrame& frame) const {
   GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, copy.model().has_colours)};
   const double expected = whole_coats * frame.coat.count / (frame.coat.tile * frame.coat.tile);
   recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
@@ -47,7 +47,7 @@ GrowRecipe StandingModel::recipe_for(const FurFrame& frame) const {
   return recipe;
 }
 
-std::vector<glm::vec3> StandingModel::field_of(const FurFrame& frame) const {
+std::vector<glm::vec3> RasterModel::field_of(const FurFrame& frame) const {
   const FurFields fields = copy.fields();
   const FurModel& model = copy.model();
   const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
@@ -62,7 +62,7 @@ std::vector<glm::vec3> StandingModel::field_of(const FurFrame& frame) const {
   return field;
 }
 
-void StandingModel::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
+void RasterModel::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
   whole.drop(threads, room), thin.drop(threads, room);
 }
 

@@ -17,8 +17,8 @@ namespace pelage {
 inline constexpr double thin_share = 0.34;
 
 /// A model's fur as it stood when it was drawn last, or a share of its strands.
-struct StandingFur {
-  StandingFur(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
+struct RasterFur {
+  RasterFur(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
       : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, room)) {}
 
   const ModelCopy& copy;
@@ -38,13 +38,13 @@ struct StandingFur {
 };
 
 /// What is kept of a model.
-struct StandingModel {
-  StandingModel(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room);
+struct RasterModel {
+  RasterModel(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room);
 
   ModelCopy copy;
   double whole_coats;  // how many coats of one strand on a tile of 1 its skin has room for
   std::uint64_t used = 0;
-  StandingFur whole, thin;
+  RasterFur whole, thin;
 
   GrowRecipe recipe_for(const FurFrame& frame) const;
   /// Of each vertex what the frame's overlay shows.
