@@ -21,7 +21,7 @@ say "1/4 packages"
 deploy/packages.sh demo
 say "2/4 build (a few minutes the first time)"
 cmake --preset release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-cmake --build --preset release -j "$(nproc)" --target pelaged pelage pelage-import pelage-render
+cmake --build --preset release -j "$(nproc)" --target pelaged pelage pelage-import
 bin=build/release/bin
 out=out
 mkdir -p $out

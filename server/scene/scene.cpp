@@ -210,7 +210,7 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);
-  Result<Step> step = retarget ? with_source(*retarget, past.options.sources) : with_rest(std::move(*resolved), past);
+  Result<Step> step = retarget ? with_source(*retarget, past.options.sources) : with_baseline(std::move(*resolved), past);
   if (!step) return step;
   auto picture = past.pictures.find(step->command, present_->model->surface.mesh().positions.size());
   if (!picture) return picture.status();
@@ -237,7 +237,7 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
 }
 
 /// Finds the baseline of an erase.
-Result<Step> Scene::with_rest(Command command, const Past& past) const {
+Result<Step> Scene::with_baseline(Command command, const Past& past) const {
   Step step{std::move(command), nullptr};
   const auto* erase = std::get_if<Erase>(&step.command);
   const auto* checkpoint = std::get_if<Checkpoint>(&step.command);

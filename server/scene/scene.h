@@ -201,7 +201,7 @@ class Scene {
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write);
-  Result<Step> with_rest(Command command, const Past& past) const;
+  Result<Step> with_baseline(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
 

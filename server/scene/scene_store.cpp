@@ -10,7 +10,7 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
-#include "server/builtin/last_creature.h"
+#include "server/builtin/builtin_cache.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
 #include "server/scene/follow_guides.h"
@@ -69,7 +69,7 @@ struct SceneStore::Impl {
   std::string worker;
   std::size_t undo_bytes = 0;  // of each scene
   std::atomic<std::uint64_t> last_model{0};
-  LastCreature builtins;
+  BuiltinCache builtins;
   OpenScenes scenes;
 
   explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return opened(id); }) {}
@@ -158,7 +158,7 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
 
 Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const std::optional<KeyedRequest>& keyed) {
   if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
-  const std::shared_ptr<const RawModel> raw = impl_->builtins.builtin(request.model);
+  const std::shared_ptr<const RawModel> raw = impl_->builtins.model(request.model);
   StoredModel how{.name = json_names::word_of(json_names::builtins, request.model.shape),
                   .raw = encode_raw_model(*raw),
                   .fur_patches = request.fur_patches};

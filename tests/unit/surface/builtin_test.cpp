@@ -12,7 +12,7 @@
 
 #include "server/builtin/creature.h"
 #include "server/builtin/implicit.h"
-#include "server/builtin/last_creature.h"
+#include "server/builtin/builtin_cache.h"
 #include "server/builtin/remesh.h"
 
 namespace pelage::builtin_test {
@@ -149,13 +149,13 @@ TEST(Builtin, PlaneAndClothAreSheetsWithAboutTheWishedCount) {
 
 TEST(Builtin, PlaneOfTwoTrianglesIsPossible) { EXPECT_EQ(triangle_count(make_builtin({Builtin::plane, 2})), 2u); }
 
-TEST(LastCreature, IsWhatWasAskedForAndIsMadeOnce) {
-  LastCreature last;
-  const auto coarse = last.builtin({Builtin::creature, 1000});
-  EXPECT_EQ(last.builtin({Builtin::creature, 1000}), coarse);
-  EXPECT_LT(triangle_count(*coarse), triangle_count(*last.builtin({Builtin::creature, 3000})));
-  EXPECT_EQ(triangle_count(*last.builtin({Builtin::plane, 2})), 2u);
-  const auto again = last.builtin({Builtin::creature, 1000});
+TEST(BuiltinCache, IsWhatWasAskedForAndIsMadeOnce) {
+  BuiltinCache cache;
+  const auto coarse = cache.model({Builtin::creature, 1000});
+  EXPECT_EQ(cache.model({Builtin::creature, 1000}), coarse);
+  EXPECT_LT(triangle_count(*coarse), triangle_count(*cache.model({Builtin::creature, 3000})));
+  EXPECT_EQ(triangle_count(*cache.model({Builtin::plane, 2})), 2u);
+  const auto again = cache.model({Builtin::creature, 1000});
   EXPECT_NE(again, coarse);
   EXPECT_EQ(again->positions, coarse->positions);
 }

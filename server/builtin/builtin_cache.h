@@ -1,4 +1,4 @@
-// The creature that was made last: it takes a second to make, and scenes tend to begin with the same one.
+// Remembers the creature that was made last: it takes a second to make, and scenes tend to begin with the same one.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 namespace pelage {
 
 /// Thread-safe.
-class LastCreature {
+class BuiltinCache {
  public:
   /// make_builtin, from memory where the last creature was such a one.
-  std::shared_ptr<const RawModel> builtin(const BuiltinModel& model);
+  std::shared_ptr<const RawModel> model(const BuiltinModel& wanted);
 
  private:
   std::mutex mutex_;
