@@ -68,6 +68,7 @@ struct ImportOptions {
 /// How fine a mesh for clients is to be.
 struct MeshRequest {
   int triangles = 20'000;  // at most, where the model can be made simpler; [100, 200000]
+  bool fur = false;        // whether each vertex says where its strand stands, too
 };
 
 /// Splits the triangles of the field mesh in four at the middles of their edges; the shape stays. `masked` splits only

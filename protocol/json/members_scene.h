@@ -189,6 +189,10 @@ void members(V& v, Visited<V, MeshRequest>& c) {
   v.type("MeshRequest", "How fine a mesh is wanted.");
   v.integer("triangles", c.triangles, {100, limits::proxy_triangles},
             "Largest count of triangles; more come where the model cannot be made simpler.");
+  v.boolean("fur", c.fur,
+            "Whether each vertex also says where the strand on it stands now, by the fields and the coat's lean curve: "
+            "the attributes _FUR_MIDDLE and _FUR_TIP lead from the vertex to half of the strand's length and to its "
+            "tip. They are 0 where the skin is bald.");
 }
 
 template <class V>

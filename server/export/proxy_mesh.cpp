@@ -8,6 +8,7 @@
 
 #include "base/limits.h"
 #include "server/export/glb_writer.h"
+#include "server/groom/standing_fur.h"
 
 namespace pelage {
 
@@ -72,6 +73,7 @@ void copy_used(const Mesh& mesh, ProxyMesh& proxy) {
         numbers[vertex] = static_cast<std::uint32_t>(proxy.positions.size());
         proxy.positions.emplace_back(glm::dvec3(mesh.positions[vertex]) * mesh.size);
         proxy.normals.push_back(mesh.normals[vertex]);
+        proxy.vertices.push_back(vertex);
       }
       triangle[k] = numbers[vertex];
     }
@@ -85,18 +87,37 @@ Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles) {
     return failure(Code::invalid, "The model is too small for a mesh with 32-bit coordinates.", "",
                    "a size of at least 1e-30");
   }
-  ProxyMesh proxy{mesh.centre, {}, {}, {}};
+  ProxyMesh proxy;
+  proxy.centre = mesh.centre;
   if (mesh.triangles.size() > triangles) proxy.triangles = fewer_triangles(mesh, triangles);
   if (proxy.triangles.empty()) proxy.triangles = mesh.triangles;
   copy_used(mesh, proxy);
   return proxy;
 }
 
-std::string glb_of(const ProxyMesh& mesh) {
+ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
+  constexpr std::size_t middle = UnitStrand::places / 2 - 1, tip = UnitStrand::places - 1;
+  ProxyFur fur;
+  for (const std::uint32_t vertex : proxy.vertices) {
+    const UnitStrand strand = strand_at(vertex, mesh, fields, coat);
+    const double length = fields.length().empty() ? 0 : mesh.size * double{fields.length()[vertex]};
+    fur.middles.emplace_back(length * strand.offsets[middle]);
+    fur.tips.emplace_back(length * strand.offsets[tip]);
+  }
+  return fur;
+}
+
+std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur) {
   GlbWriter file;
-  const int positions = file.add_positions(mesh.positions), normals = file.add(std::span(mesh.normals));
+  GltfJson attributes;
+  attributes["POSITION"] = file.add_positions(mesh.positions);
+  attributes["NORMAL"] = file.add(std::span(mesh.normals));
   const int triangles = file.add_triangles(mesh.triangles, mesh.positions.size());
-  const GltfJson skin = {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", triangles}};
+  if (fur != nullptr) {
+    attributes["_FUR_MIDDLE"] = file.add(std::span(fur->middles));
+    attributes["_FUR_TIP"] = file.add(std::span(fur->tips));
+  }
+  const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}};
   file.set_scene("skin", GltfJson::array({skin}), mesh.centre);
   return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
 }

@@ -7,15 +7,18 @@
 #include <vector>
 
 #include "base/status.h"
+#include "protocol/commands/coat.h"
+#include "server/fields/field_set.h"
 #include "server/surface/mesh.h"
 
 namespace pelage {
 
 /// Triangles in the model's unit, relative to the model's centre so that 32 bits suffice far from the origin.
 struct ProxyMesh {
-  glm::dvec3 centre{0};              // model coordinates
-  std::vector<glm::vec3> positions;  // model coordinates minus the centre; each is used
-  std::vector<glm::vec3> normals;    // of each position, unit
+  glm::dvec3 centre{0};                 // model coordinates
+  std::vector<glm::vec3> positions;     // model coordinates minus the centre; each is used
+  std::vector<glm::vec3> normals;       // of each position, unit
+  std::vector<std::uint32_t> vertices;  // of each position: the vertex of the mesh that it is
   std::vector<glm::uvec3> triangles;
 };
 
@@ -25,8 +28,15 @@ struct ProxyMesh {
 /// a triangle of the mesh. Refused (invalid) below limits::proxy_size.
 Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles);
 
+/// Where the strand on each position stands: from the root to half of its length and to its tip, in the model's unit.
+struct ProxyFur {
+  std::vector<glm::vec3> middles, tips;
+};
+ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
+
 /// A binary glTF 2.0 file: one mesh with POSITION, NORMAL and indices (16 bits where they suffice), on one node whose
-/// translation is the centre. There is a triangle at least.
-std::string glb_of(const ProxyMesh& mesh);
+/// translation is the centre. With fur the mesh has the attributes _FUR_MIDDLE and _FUR_TIP as well. There is a
+/// triangle at least.
+std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur = nullptr);
 
 }  // namespace pelage

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-
-#include "server/export/proxy_mesh.h"
-
+#include <utility>
 namespace pelage {
 
 namespace {
@@ -22,8 +20,10 @@ std::uint64_t MeshCache::new_process_stamp() {
   return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
 }
 
-std::string MeshCache::etag_of(const SceneModel& model, int triangles) const {
-  return fmt::format("\"{:x}.{}.{}\"", process_stamp_, model.id, kept_triangles(model, triangles));
+std::string MeshCache::etag_of(const SceneSnapshot& scene, const MeshRequest& wanted) const {
+  const std::string fur = wanted.fur ? fmt::format(".{}", scene.revision) : "";
+  return fmt::format("\"{:x}.{}.{}{}\"", process_stamp_, scene.model->id,
+                     kept_triangles(*scene.model, wanted.triangles), fur);
 }
 
 std::shared_ptr<MeshCache::Entry> MeshCache::entry_of(const std::shared_ptr<const SceneModel>& model,
@@ -42,16 +42,16 @@ std::shared_ptr<MeshCache::Entry> MeshCache::entry_of(const std::shared_ptr<cons
   return entries_.front();
 }
 
-Result<MeshCache::File> MeshCache::mesh(const std::shared_ptr<const SceneModel>& model, int triangles) {
+Result<MeshCache::MeshPtr> MeshCache::mesh(const std::shared_ptr<const SceneModel>& model, int triangles) {
   const std::shared_ptr<Entry> entry = entry_of(model, kept_triangles(*model, triangles));
   const std::lock_guard lock(entry->making);
-  if (entry->file) return entry->file;
+  if (entry->mesh) return entry->mesh;
   const auto pass = simplifying_.enter();
   if (!pass) return failure(Code::unavailable, "Too many meshes are being made.", "", "4 at a time");
-  const Result<ProxyMesh> proxy = simplify(model->surface.mesh(), entry->triangles);
+  Result<ProxyMesh> proxy = simplify(model->surface.mesh(), entry->triangles);
   if (!proxy) return proxy.status();
-  entry->file = std::make_shared<const std::string>(glb_of(*proxy));
-  return entry->file;
+  entry->mesh = std::make_shared<const ProxyMesh>(std::move(*proxy));
+  return entry->mesh;
 }
 
 }  // namespace pelage

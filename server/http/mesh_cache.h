@@ -1,4 +1,4 @@
-// The meshes that clients asked for last.
+// The simplified meshes that clients asked for last.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/status.h"
+#include "server/export/proxy_mesh.h"
 #include "server/http/guard.h"
 #include "server/scene/scene.h"
 
@@ -19,22 +20,23 @@ namespace pelage {
 /// (seen at the next call) or `max_entries` others were asked for since.
 class MeshCache {
  public:
-  using File = std::shared_ptr<const std::string>;
+  using MeshPtr = std::shared_ptr<const ProxyMesh>;
 
-  /// A strong entity tag, with its quotes: unique for the model, the triangles and the process.
-  std::string etag_of(const SceneModel& model, int triangles) const;
+  /// A strong entity tag, with its quotes: unique for the model, the triangles and the process; with fur for the
+  /// revision, too.
+  std::string etag_of(const SceneSnapshot& scene, const MeshRequest& wanted) const;
 
-  /// The GLB of a mesh with at most so many triangles. Refused as simplify refuses; unavailable while too many other
-  /// meshes are made.
-  Result<File> mesh(const std::shared_ptr<const SceneModel>& model, int triangles);
+  /// A mesh with at most so many triangles. Refused as simplify refuses; unavailable while too many other meshes are
+  /// made.
+  Result<MeshPtr> mesh(const std::shared_ptr<const SceneModel>& model, int triangles);
 
  private:
   struct Entry {
     std::weak_ptr<const SceneModel> model;
     std::uint64_t model_id;
     std::size_t triangles;
-    std::mutex making = {};  // held while `file` is made
-    File file = {};
+    std::mutex making = {};  // held while `mesh` is made
+    MeshPtr mesh = {};
 
     Entry(std::weak_ptr<const SceneModel> of, std::uint64_t id, std::size_t wanted)
         : model(std::move(of)), model_id(id), triangles(wanted) {}

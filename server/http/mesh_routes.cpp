@@ -9,28 +9,28 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-void send_file(const MeshCache::File& file, Response& response) {
-  response.set_content_provider(file->size(), "model/gltf-binary",
-                                [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-                                  return sink.write(file->data() + offset, length);
-                                });
+std::string file_of(const ProxyMesh& mesh, const SceneSnapshot& scene, const MeshRequest& wanted) {
+  if (!wanted.fur) return glb_of(mesh);
+  const ProxyFur fur = fur_on(mesh, scene.model->surface.mesh(), *scene.fields, scene.settings->coat);
+  return glb_of(mesh, &fur);
 }
 
 void get_mesh(Service& service, const Scene& scene, const Request& request, Response& response) {
   const auto wanted = decode_mesh_query(query_of(request));
   if (!wanted) return reply_problem(response, wanted.status());
-  const std::shared_ptr<const SceneModel> model = scene.model();
-  const std::string etag = service.meshes.etag_of(*model, wanted->triangles);
+  const SnapshotPtr now = scene.snapshot();
+  const std::string etag = service.meshes.etag_of(*now, *wanted);
   if (!none_match_names(request, etag)) {
-    const Result<MeshCache::File> file = service.meshes.mesh(model, wanted->triangles);
-    if (!file) return reply_problem(response, file.status());
-    send_file(*file, response);
+    const Result<MeshCache::MeshPtr> mesh = service.meshes.mesh(now->model, wanted->triangles);
+    if (!mesh) return reply_problem(response, mesh.status());
+    response.set_content(file_of(**mesh, *now, *wanted), "model/gltf-binary");
     response.status = 200;
   } else {
     response.status = 304;
   }
   response.set_header("ETag", etag);
   response.set_header("Cache-Control", "no-cache");
+  if (wanted->fur) response.set_header("Pelage-Revision", std::to_string(now->revision));
 }
 
 }  // namespace

@@ -210,7 +210,8 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
   const auto* retarget = std::get_if<Retarget>(&*resolved);
-  Result<Step> step = retarget ? with_source(*retarget, past.options.sources) : with_baseline(std::move(*resolved), past);
+  Result<Step> step =
+      retarget ? with_source(*retarget, past.options.sources) : with_baseline(std::move(*resolved), past);
   if (!step) return step;
   auto picture = past.pictures.find(step->command, present_->model->surface.mesh().positions.size());
   if (!picture) return picture.status();

@@ -19,6 +19,10 @@ class Glb:
         self.triangles = self.read(2, kind).reshape(-1, 3)
         self.places = self.positions.astype(float) + self.json["nodes"][0]["translation"]
 
+    def fur(self):
+        attributes = self.json["meshes"][0]["primitives"][0]["attributes"]
+        return [self.read(attributes[name], "<f4").reshape(-1, 3) for name in ("_FUR_MIDDLE", "_FUR_TIP")]
+
     def read(self, accessor, kind):
         view = self.json["bufferViews"][self.json["accessors"][accessor]["bufferView"]]
         begin = view.get("byteOffset", 0)
@@ -89,6 +93,28 @@ class ProxyMesh(ServedTest):
         self.assertEqual(glb.places.min(axis=0).tolist(), [1e9, 0, 0])
         self.assertEqual(scene.post("subdivide", {}).status, 200)
         self.assertNotEqual(self.mesh(scene, "?triangles=500").headers["etag"], changed.headers["etag"])
+
+    def test_with_fur_it_says_where_strands_stand_and_its_tag_follows_the_groom(self):
+        scene = self.server.new_scene("sphere", 5000)
+        bare, furred = self.mesh(scene, "?triangles=500"), self.mesh(scene, "?triangles=500&fur=true")
+        self.assertNotEqual(bare.headers["etag"], furred.headers["etag"])
+        outwards, forwards = [], []
+        for lean in (0, 1):
+            commands = [{"op": "length", "flood": True, "value": 0.5, "units": "world"},
+                        {"op": "comb", "flood": True, "direction": [1, 0, 0], "lean": lean}]
+            self.assertEqual(scene.run({"commands": commands}).status, 200)
+            answer = self.mesh(scene, "?triangles=500&fur=true", headers={"If-None-Match": furred.headers["etag"]})
+            self.assertEqual(answer.headers["pelage-revision"], str(scene.info()["revision"]))
+            glb = Glb(answer.body)
+            middles, tips = glb.fur()
+            self.assertLess(numpy.linalg.norm(tips, axis=1).max(), 0.5001)
+            self.assertLess(numpy.linalg.norm(middles, axis=1).max(), 0.2501)
+            outwards.append((tips * glb.normals).sum(axis=1).mean())
+            forwards.append(tips[:, 0].mean())
+        self.assertGreater(outwards[0], outwards[1] + 0.05)
+        self.assertGreater(forwards[1], forwards[0] + 0.05)
+        self.assertEqual(scene.run({"op": "length", "flood": True, "value": 0, "brush": {"strength": 1}}).status, 200)
+        self.assertEqual(max(numpy.abs(part).max() for part in Glb(self.mesh(scene, "?triangles=500&fur=true").body).fur()), 0)
 
     def test_a_model_with_few_triangles_has_one_mesh(self):
         scene = self.server.new_scene("plane", 50)

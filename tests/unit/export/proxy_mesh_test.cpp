@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "base/limits.h"
 #include "server/builtin/builtin.h"
+#include "server/groom/standing_fur.h"
 #include "tests/support/glb_file.h"
 #include "tests/unit/surface/shapes.h"
 
@@ -180,6 +182,31 @@ TEST(ProxyMesh, SimplifiesRandomTriangles) {  // the library ends the process wh
     }
     file_of(mesh, below(2 * triangles));
     ASSERT_FALSE(HasFailure()) << "turn " << turn;
+  }
+}
+
+TEST(ProxyMesh, FurStandsWhereABrushReachesItsTips) {
+  const Surface surface(*shapes::prepared(moved(shapes::ball(20), {3, 4, 5}, 7)));
+  const Mesh& mesh = surface.mesh();
+  FieldSet fields(static_cast<std::uint32_t>(mesh.positions.size()));
+  for (std::uint32_t v = 0; v < fields.size(); ++v) {
+    fields.set(Field::length, v, glm::vec4(v % 3 == 0 ? 0.f : .2f));
+    fields.set(Field::direction, v, glm::vec4(.4f, -.3f, 0, 0));
+  }
+  const ProxyMesh proxy = *simplify(mesh, mesh.triangles.size());
+  const ProxyFur fur = fur_on(proxy, mesh, fields, {});
+  const GlbFile file(glb_of(proxy, &fur));
+  const auto positions = file.vectors("POSITION"), tips = file.vectors("_FUR_TIP"),
+             middles = file.vectors("_FUR_MIDDLE");
+  const Coat coat;
+  const StandingFur standing(surface, fields, coat);
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const glm::dvec3 tip = mesh.to_internal(glm::dvec3(positions[k] + tips[k]) + file.translation());
+    const auto reached = standing.within(tip, 1e-5);
+    const auto own = [&](const auto& one) { return one.vertex == proxy.vertices[k]; };
+    ASSERT_TRUE(std::any_of(reached.begin(), reached.end(), own)) << k;
+    EXPECT_EQ(glm::length(tips[k]) > 0, proxy.vertices[k] % 3 != 0);
+    EXPECT_LE(glm::length(middles[k]), .1001 * mesh.size);
   }
 }
 

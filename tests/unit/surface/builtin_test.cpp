@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "server/builtin/builtin_cache.h"
 #include "server/builtin/creature.h"
 #include "server/builtin/implicit.h"
-#include "server/builtin/builtin_cache.h"
 #include "server/builtin/remesh.h"
 
 namespace pelage::builtin_test {
