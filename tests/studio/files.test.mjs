@@ -200,7 +200,7 @@ test("pictures have the size that was asked for; maps and the log come too", asy
   };
   await studio.seen("rest");
   const seen = await taken("Download PNG");
-  const pixels = await studio.page.evaluate(() => { const {width, height} = document.querySelector("canvas.picture"); return [width, height]; });
+  const pixels = await studio.page.evaluate(() => { const {width, height} = document.querySelector("canvas.picture[data-front]"); return [width, height]; });
   assert.deepEqual([seen.bytes.readUInt32BE(16), seen.bytes.readUInt32BE(20)], pixels);
   await studio.page.getByLabel("Size", {exact: true}).first().selectOption("2x");
   const picture = await taken("PNG");

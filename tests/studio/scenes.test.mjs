@@ -28,7 +28,7 @@ const open = (name) => row(name).evaluate((button) => button.click());
 
 /** The colour in the middle of the picture, as red, green, blue. */
 const middle = () => studio.page.evaluate(() => {
-  const picture = document.querySelector("canvas.picture"), copy = document.createElement("canvas");
+  const picture = document.querySelector("canvas.picture[data-front]"), copy = document.createElement("canvas");
   [copy.width, copy.height] = [picture.width, picture.height];
   copy.getContext("2d").drawImage(picture, 0, 0);
   return [...copy.getContext("2d").getImageData(picture.width / 2, picture.height / 2, 1, 1).data];

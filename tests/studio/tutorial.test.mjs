@@ -12,7 +12,7 @@ start();
 /** Tracing on or off, in the card of the dial. */
 async function trace(studio, on) {
   await studio.page.locator(".dial-button").click();
-  await studio.page.getByLabel("Trace strands once the picture rests").setChecked(on);
+  await studio.page.getByLabel(/Go on to Final/).setChecked(on);
   await studio.page.keyboard.press("Escape");
 }
 
@@ -39,7 +39,7 @@ async function greys(studio, [x, y], half) {
   await studio.page.waitForTimeout(400);
   await studio.seen("rest");
   return studio.page.evaluate(([x, y, half]) => {
-    const picture = document.querySelector("canvas.picture"), side = 2 * half * picture.height;
+    const picture = document.querySelector("canvas.picture[data-front]"), side = 2 * half * picture.height;
     const pen = Object.assign(document.createElement("canvas"), {width: 128, height: 128}).getContext("2d");
     pen.drawImage(picture, x * picture.width - side / 2, y * picture.height - side / 2, side, side, 0, 0, 128, 128);
     const {data} = pen.getImageData(0, 0, 128, 128);

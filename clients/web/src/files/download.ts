@@ -10,7 +10,7 @@ import {orbit, pinholeOf} from "../view/camera";
 import {pending, shown} from "../view/frames";
 import {dial, plain_request, rest_quality, shared_request} from "../view/quality";
 import {traceToEnd} from "../view/trace";
-import {viewport_size} from "../view/viewport";
+import {viewport_size} from "../view/surface";
 
 /** What is made now; `share` null where nobody knows how far it is. */
 export interface Making { says: string; share: number | null; stop: AbortController }

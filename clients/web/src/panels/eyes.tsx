@@ -8,10 +8,10 @@ import {scene, settings} from "../scene/session";
 import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
 import {orbit, pinholeOf} from "../view/camera";
-import {mirrored} from "../view/mirror";
+import {imagesOnSkin} from "../view/mirror";
 import type {Hit} from "../view/proxy";
 import {scale, subtract, unit} from "../view/vector";
-import {place_request, proxy} from "../view/viewport";
+import {place_request, proxy} from "../view/surface";
 
 type Eye = Settings["eyes"][number];
 
@@ -34,7 +34,7 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
 
 function place(now: Eye[], took: (index: number) => void) {
   place_request.value = {says: "Press where the eye is to be.", take: (hit) => {
-    const pair = proxy.value ? mirrored(hit, settings.value?.symmetry, proxy.value) : [];
+    const pair = proxy.value ? imagesOnSkin(hit, settings.value?.symmetry, proxy.value) : [];
     const next = [...now, eyeAt(hit, now[now.length - 1]), ...pair.map((image) => eyeAt(image, now[now.length - 1]))].slice(0, maxEyes());
     took(now.length);
     eyes.set(next, true);

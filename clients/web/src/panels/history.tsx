@@ -3,7 +3,7 @@ import {signal} from "@preact/signals";
 import {kept, author} from "../api/identity";
 import {log_read, scene, settings} from "../scene/session";
 import {checkpoints, commandsIn, first_revision, present, steps, touchedBy, type Step} from "../scene/steps";
-import {layerOf, stepWords, vertices} from "../scene/step_words";
+import {layerOf, shareOfFur, stepWords} from "../scene/step_words";
 import {goTo} from "../scene/travel";
 import {Icon} from "../tools/icons";
 import {CopyDialog} from "./copy_dialog";
@@ -57,7 +57,7 @@ function about(row: Row): string {
   if (row.replays.length) return `${by(step)}${row.replays.length === 1 ? "1 step" : `${row.replays.length} steps`} ran again`;
   const {count, exact} = touchedBy(step);
   const layer = layerOf(step);
-  const changed = step.kind !== "revert" && count === 0 ? "setting" : vertices(count, exact);
+  const changed = step.kind !== "revert" && count === 0 ? "setting" : shareOfFur(count, exact);
   return `${by(step)}${changed}${layer ? `, in ${layer}` : ""}`;
 }
 
@@ -74,13 +74,12 @@ function StepRow({row, here, names}: {row: Row; here: boolean; names: string[]})
   const live = step.in_effect || row.replays.some(({in_effect}) => in_effect);
   const kind = `step${live ? "" : " step-out"}${row.inner ? " step-inner" : ""}${here ? " step-here" : ""}`;
   return (
-    <li class={kind}>
+    <li class={kind} data-revision={to}>
       <div class="step-line">
-        <button type="button" class="step-go" aria-current={here ? "step" : undefined} title={here ? "The scene is here" : `Go to revision ${to}`} onClick={() => void goTo(to)}>
+        <button type="button" class="step-go" aria-current={here ? "step" : undefined} title={here ? "The groom is as it was here" : "Go back to here; nothing is lost"} onClick={() => void goTo(to)}>
           <StepIcon step={step} amended={amended} />
           <span class="step-words"><span class="step-name">{name}</span><small>{about(row)}{!live && <span class="hidden">, not in effect</span>}</small></span>
           {names.map((one) => <span key={one} class="tag">{one}</span>)}
-          <small class="step-revision">r{to}</small>
         </button>
         <button type="button" class="quiet step-more" aria-expanded={open} aria-label={`${amended ? "Steps of" : "More of"} ${name}, revision ${to}`} onClick={toggle}>
           <Icon sign={amended ? "fold" : "more"} /></button>
@@ -99,10 +98,10 @@ function FirstRow() {
   const first = first_revision.value;
   const here = present.value === null;
   return (
-    <li class={`step${here ? " step-here" : ""}`}>
+    <li class={`step${here ? " step-here" : ""}`} data-revision={first}>
       <div class="step-line">
         <button type="button" class="step-go" aria-current={here ? "step" : undefined} onClick={() => void goTo(first)}>
-          <Icon sign="coat" /><span class="step-words"><span class="step-name">First groom</span></span><small class="step-revision">r{first}</small>
+          <Icon sign="coat" /><span class="step-words"><span class="step-name">First groom</span></span>
         </button>
       </div>
     </li>

@@ -50,7 +50,7 @@ function Row({of}: {of: Scene}) {
   return (
     <li class="scene-row" aria-current={open ? "true" : undefined}>
       <button type="button" class="quiet scene-open" disabled={open} onClick={guarded(() => openScene(of.id))}>
-        <span>{now.name}</span><small>{now.model}, {now.triangles.toLocaleString()} triangles, r{now.revision}</small>
+        <span>{now.name}</span><small>{now.model}, {now.triangles.toLocaleString()} triangles</small>
       </button>
       <div class="scene-acts">
         <button type="button" class="quiet" aria-label={`Branch ${of.name}`} onClick={guarded(() => branch(of))}>Branch</button>

@@ -18,7 +18,7 @@ async function branchAt(step: Step) {
   const open = scene.value;
   if (!open) return;
   try {
-    const made = await branchScene(open.id, {name: `${open.name.slice(0, 150)} r${step.last}`, revision: step.last});
+    const made = await branchScene(open.id, {name: `${open.name.slice(0, 150)}, ${stepWords(step)}`, revision: step.last});
     await listScenes();
     await openScene(made.id);
     say(`This is ${made.name}, a scene of its own.`);

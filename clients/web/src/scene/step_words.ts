@@ -1,6 +1,8 @@
 // A step in a few words.
 import type {Command} from "../api/types";
+import {toolNames} from "../tools/artist_words";
 import {words} from "../tools/schema";
+import {scene} from "./session";
 import {commandsIn, type Step} from "./steps";
 
 const named: Partial<Record<Command["op"], (command: Command) => string>> = {
@@ -10,7 +12,7 @@ const named: Partial<Record<Command["op"], (command: Command) => string>> = {
   checkpoint: (command) => `Checkpoint “${String(command["name"])}”`,
   edit_layer: (command) => layerWords(command),
   blow: (command) => (command["blower"] ? `Blow with ${String(command["blower"])}` : "Blow"),
-  attract: (command) => (command["attractor"] ? `Attract to ${String(command["attractor"])}` : "Attract"),
+  attract: (command) => (command["attractor"] ? `Pull to ${String(command["attractor"])}` : "Pull"),
 };
 
 const shapes = ["vertices", "box", "sphere", "part", "picture"];
@@ -27,7 +29,7 @@ function layerWords(command: Command): string {
 }
 
 export function commandWords(command: Command): string {
-  const name = named[command.op]?.(command) ?? words(command.op.replace(/^set_/, ""));
+  const name = named[command.op]?.(command) ?? toolNames[command.op] ?? words(command.op.replace(/^set_/, ""));
   const inverted = (command["brush"] as {invert?: boolean} | undefined)?.invert ? ", inverted" : "";
   return name + (command["flood"] ? " everywhere" : "") + inverted;
 }
@@ -43,6 +45,13 @@ export function stepWords(step: Step): string {
 }
 
 export const layerOf = (step: Step) => String(commandsIn(step.entries[0]!)[0]?.["edit_layer"] ?? "");
+/** How much of the animal a step changed, in words; the exact count stands in the step's details. */
+export function shareOfFur(count: number, exact: boolean): string {
+  const share = count / Math.max(1, scene.value?.vertices ?? 1);
+  if (share > 0.99) return "all of the fur";
+  const percent = share < 0.01 ? "less than 1%" : `${Math.round(100 * share)}%`;
+  return `${exact ? "" : share < 0.01 ? "" : "at least "}${percent} of the fur`;
+}
 /** A count; "+" behind one of which only the least is known. */
 export const amount = (count: number, exact = true) => `${count.toLocaleString("en")}${exact ? "" : "+"}`;
 export const vertices = (count: number, exact = true) => `${amount(count, exact)} ${count === 1 ? "vertex" : "vertices"}`;

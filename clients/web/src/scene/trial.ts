@@ -8,7 +8,7 @@ import {isStale, trialName} from "./scratch";
 import {revision, run, scene} from "./session";
 
 /** The copy to draw in place of the scene; null while nothing is tried. */
-export const trial = signal<{scene: string; revision: number} | null>(null);
+export const trial = signal<{scene: string; revision: number; of: string} | null>(null);
 
 const pause = 60;           // ms from one command to the next
 const keep = 15000;         // ms that a copy waits for the next try
@@ -40,7 +40,7 @@ class Copy {
       for (let command = this.waiting; command; command = this.waiting) {
         this.waiting = null;
         const answer = await api.change(id, "commands", command, `${page_id}-trial-${++serial}`);
-        if (trying && open === this) trial.value = {scene: id, revision: answer.revision};
+        if (trying && open === this) trial.value = {scene: id, revision: answer.revision, of: this.of};
         await new Promise((wake) => setTimeout(wake, pause));
       }
     } catch {

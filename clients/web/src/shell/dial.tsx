@@ -2,11 +2,13 @@
 import type {ComponentChildren} from "preact";
 import {useId, useRef} from "preact/hooks";
 import {kept} from "../api/identity";
+import type {Tier} from "../api/types";
 import {scene} from "../scene/session";
 import {NumberField, shownNumber} from "../tools/number_field";
-import {schemas, words, type Range} from "../tools/schema";
-import {durationOf, measured, stopOf, type Measure, type Stop} from "../view/measured";
+import {schemas, type Range} from "../tools/schema";
+import {durationOf, measured, stopNames, stopOf, type Measure, type Stop} from "../view/measured";
 import {dial, trace_at_rest} from "../view/quality";
+import {dial_pictures, drawDialPictures} from "./dial_pictures";
 import {dialog} from "./places";
 
 const budget_ms = kept("dial-budget", 500);
@@ -14,17 +16,17 @@ const max_error = kept("dial-error", 0.05);
 
 const tiers = ["draft", "interactive", "detailed", "reference"] as const;
 const says: Record<Stop, string> = {
-  draft: "Coarse and quick", interactive: "For grooming", detailed: "Sharp, with shadows", reference: "Every strand, traced",
-  budget: "The best within it", error: "The quickest within it",
+  draft: "Coarse and quick, while you block out", interactive: "Sharp enough to comb by", detailed: "Fine hair and soft shadows, to judge colour", reference: "Every strand traced, to show others",
+  budget: "The best picture within", error: "The quickest picture within",
 };
 
-/** "about 60 ms, error .02" */
-function measureWords(measure: Measure | undefined): string {
-  if (!measure) return "not drawn yet";
-  const parts = measure.milliseconds === null ? [] : [`about ${durationOf(measure.milliseconds)}`];
-  if (measure.error !== null) parts.push(`error ${measure.error.toFixed(3)}`);
-  if (measure.noise !== null) parts.push(`noise ${measure.noise.toFixed(3)} after ${Math.round(measure.samples)} samples`);
-  return parts.join(", ") || "not drawn yet";
+/** "about 60 ms" */
+const secondsWords = (measure: Measure | undefined) => (measure?.milliseconds == null ? "" : `about ${durationOf(measure.milliseconds)}`);
+
+/** "error .02", "noise .01 after 300 samples" */
+function errorWords(measure: Measure | undefined): string {
+  if (measure?.noise != null) return `noise ${measure.noise.toFixed(3)} after ${Math.round(measure.samples)} samples`;
+  return measure?.error == null ? "not drawn yet" : `error ${measure.error.toFixed(3)}`;
 }
 
 function choose(stop: Stop) {
@@ -36,12 +38,14 @@ function choose(stop: Stop) {
 function StopRow({stop, name, children}: {stop: Stop; name: string; children?: ComponentChildren}) {
   const id = useId();
   const chosen = stopOf(dial.value) === stop;
+  const picture = dial_pictures.value[stop as Tier];
   return (
     <div class="dial-stop" data-chosen={chosen ? "" : undefined}>
       <input type="radio" name={name} id={id} checked={chosen} onChange={() => choose(stop)} aria-describedby={`${id}m`} />
-      <label for={id}><b>{stop === "budget" ? "Time" : stop === "error" ? "Error" : words(stop)}</b> <span>{says[stop]}</span></label>
+      {children ? null : picture ? <img src={picture} alt="" width="76" height="56" /> : <span class="dial-blank" aria-hidden="true" />}
+      <label for={id}><b>{stopNames[stop]}</b> <span>{says[stop]}</span></label>
       {children}
-      <small id={`${id}m`}>{measureWords(measured.value[stop])}</small>
+      <small id={`${id}m`}>{secondsWords(measured.value[stop])}</small>
     </div>
   );
 }
@@ -63,37 +67,55 @@ function limitsOf(name: string): Range {
   return typeof member === "object" ? member : {};
 }
 
+/** For those who measure: budgets, and how far each quality is from the truth. */
+function Numbers({name}: {name: string}) {
+  return (
+    <details class="group">
+      <summary>By numbers</summary>
+      <StopRow stop="budget" name={name}><Limit stop="budget" value={budget_ms.value} set={(to) => { budget_ms.value = to; }} unit="ms" /></StopRow>
+      <StopRow stop="error" name={name}><Limit stop="error" value={max_error.value} set={(to) => { max_error.value = to; }} unit="FLIP" /></StopRow>
+      <dl class="dial-errors">{tiers.map((tier) => <div key={tier}><dt>{stopNames[tier]}</dt><dd>{errorWords(measured.value[tier])}</dd></div>)}</dl>
+      <p class="help">Times are those of the newest pictures here. Error is the server's estimate: mean FLIP over the fur against the same strands, traced.</p>
+    </details>
+  );
+}
+
 function Card({close}: {close: () => void}) {
   const name = useId();
   return (
     <>
       <fieldset>
-        <legend>Quality at rest, from fast to true</legend>
+        <legend>What the picture is for</legend>
         {tiers.map((tier) => <StopRow key={tier} stop={tier} name={name} />)}
-        <StopRow stop="budget" name={name}><Limit stop="budget" value={budget_ms.value} set={(to) => { budget_ms.value = to; }} unit="ms" /></StopRow>
-        <StopRow stop="error" name={name}><Limit stop="error" value={max_error.value} set={(to) => { max_error.value = to; }} unit="FLIP" /></StopRow>
+        <Numbers name={name} />
       </fieldset>
-      <p class="help">Times are those of the newest pictures here. Error is the server's estimate: mean FLIP over the fur against the same strands, traced.</p>
-      <label class="dial-trace"><input type="checkbox" checked={trace_at_rest.value} onChange={(event) => { trace_at_rest.value = event.currentTarget.checked; }} /> Trace strands once the picture rests</label>
-      <button type="button" class="wide" disabled={!scene.value} onClick={() => { close(); dialog.value = "reference"; }}>Compare with the reference</button>
+      <label class="dial-trace"><input type="checkbox" checked={trace_at_rest.value} onChange={(event) => { trace_at_rest.value = event.currentTarget.checked; }} /> Go on to Final by itself when nothing moves</label>
+      <button type="button" class="wide" disabled={!scene.value} onClick={() => { close(); dialog.value = "reference"; }}>Compare with Final</button>
     </>
   );
 }
 
 export function DialControl() {
   const card = useRef<HTMLDivElement>(null);
+  const drawing = useRef(new AbortController());
+  const toggled = (event: ToggleEvent) => {
+    drawing.current.abort();
+    if (event.newState !== "open") return;
+    drawing.current = new AbortController();
+    void drawDialPictures(drawing.current.signal);
+  };
   const id = useId();
   const stop = stopOf(dial.value);
   const measure = measured.value[stop];
-  const name = stop === "budget" ? `${shownNumber(budget_ms.value)} ms` : stop === "error" ? `error ${shownNumber(max_error.value)}` : words(stop);
+  const name = stop === "budget" ? `${shownNumber(budget_ms.value)} ms` : stop === "error" ? `error ${shownNumber(max_error.value)}` : stopNames[stop];
   const time = measure?.milliseconds != null ? ` ${durationOf(measure.milliseconds)}` : "";
   return (
     <>
-      <button type="button" class="dial-button" popovertarget={id} title="Quality at rest, from fast to true" aria-label={`Quality: ${name}${time}`}>
+      <button type="button" class="dial-button" popovertarget={id} title="What the picture is drawn for, from quick to true" aria-label={`Quality: ${name}${time}`}>
         <span class="dial-scale" data-stop={stop} aria-hidden="true"><i /><i /><i /><i /></span>
         <b>{name}</b>{time && <small>{time}</small>}
       </button>
-      <div class="dial-card" id={id} ref={card} popover="auto" role="group" aria-label="Quality"><Card close={() => card.current?.hidePopover()} /></div>
+      <div class="dial-card" id={id} ref={card} popover="auto" role="group" aria-label="Quality" onToggle={toggled}><Card close={() => card.current?.hidePopover()} /></div>
     </>
   );
 }

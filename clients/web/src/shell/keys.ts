@@ -4,7 +4,7 @@ import {redo, run, scene, settings, undo} from "../scene/session";
 import {brush, current, inverting, setBrush, smoothing} from "../tools/state";
 import {invertMask, toggleMask} from "../panels/mask";
 import {tools} from "../tools/catalogue";
-import {place_request} from "../view/viewport";
+import {place_request} from "../view/surface";
 import {focus, moveTo} from "../view/views";
 import {dialog, panel} from "./places";
 

@@ -1,10 +1,12 @@
 // The tools of the contract: each command that takes a stroke is one.
 import {computed} from "@preact/signals";
 import type {Op} from "../api/types";
-import {alternatives, membersOf, resolved, schemas, type Member} from "./schema";
+import {toolNames, toolWords} from "./artist_words";
+import {alternatives, membersOf, plain, resolved, schemas, words, type Member} from "./schema";
 
 export interface Tool {
   op: Op;
+  name: string;
   /** One line: what it does. */
   says: string;
   members: Member[];
@@ -19,6 +21,9 @@ const by_hand: Partial<Record<Op, string[]>> = {
   blow: ["source", "direction", "blower"], attract: ["point", "attractor"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],
 };
 
+/** The rest is for those who write commands. */
+const firstSentence = (text: string) => `${plain(text).split(/[;.](?:\s|$)/)[0]!}.`;
+
 /** In the order of the contract. */
 export const tools = computed<Tool[]>(() => {
   const mapping = schemas.value["Command"]?.discriminator?.mapping ?? {};
@@ -26,12 +31,14 @@ export const tools = computed<Tool[]>(() => {
     const schema = resolved({$ref: ref});
     if (!schema.properties?.["stroke"]) return [];
     const without = [...not_for_forms, ...(by_hand[op as Op] ?? [])];
-    return [{op: op as Op, says: schema.description ?? "", members: membersOf(schema, without),
+    return [{op: op as Op, name: toolNames[op as Op] ?? words(op), says: toolWords[op as Op] ?? firstSentence(schema.description ?? ""), members: membersOf(schema, without),
              alternatives: alternatives(schema), floods: "flood" in schema.properties}];
   });
 });
 
 export const brush_members = computed<Member[]>(() => membersOf(schemas.value["Brush"] ?? {}, ["falloff_points", "invert"]));
+/** Tools that have a strength of their own take it from the brush: there is one Strength. */
+export const ownStrength = (tool: Tool | undefined) => tool?.members.some(({name}) => name === "strength") ?? false;
 export const toolOf = (op: Op) => tools.value.find((tool) => tool.op === op);
 export const schemaOf = (op: Op) => {
   const ref = schemas.value["Command"]?.discriminator?.mapping[op];

@@ -9,7 +9,8 @@ import {placeGuide} from "./guides";
 import {brushOf, commandOf, inverting, worldRadius} from "./state";
 import {Stroke, type StrokeSample} from "./stroke";
 
-export interface Press { hit: Hit; projection: Projection; orbit: Orbit; time: number }
+/** `hit` is what the hand touches, `skin` what lies under it, if any. */
+export interface Press { hit: Hit; skin: Hit | null; projection: Projection; orbit: Orbit; time: number }
 export interface HandOptions { sent: () => void; changed: () => void }
 
 /** A tool between pointer down and up. */
@@ -89,14 +90,14 @@ class PullHold implements Hold {
 /** The line that is drawn on the body becomes a guide, or a key with its direction. */
 class GuideHold implements Hold {
   private readonly points: Vector[];
-  constructor(private readonly op: "flow" | "interpolate", press: Press, private readonly cast: (x: number, y: number) => Hit | null,
+  constructor(private readonly op: "flow" | "interpolate", press: Press, private readonly skinAt: (x: number, y: number) => Hit | null,
               private readonly options: HandOptions) {
-    this.points = [press.hit.point];
+    this.points = press.skin ? [press.skin.point] : [];
   }
 
   move(events: PointerEvent[]) {
     const event = events[events.length - 1]!;
-    const hit = this.cast(event.offsetX, event.offsetY);
+    const hit = this.skinAt(event.offsetX, event.offsetY);
     if (hit) this.points.push(hit.point);
   }
 
@@ -115,9 +116,9 @@ function blowCommand(press: Press): Command {
   return commandOf("blow", {source, direction: subtract(press.hit.point, source)});
 }
 
-export function takeUp(op: Op, event: PointerEvent, press: Press, cast: (x: number, y: number) => Hit | null, options: HandOptions): Hold {
+export function takeUp(op: Op, event: PointerEvent, press: Press, skinAt: (x: number, y: number) => Hit | null, options: HandOptions): Hold {
   if (op === "attract") return new PullHold(press, options);
-  if (op === "flow" || op === "interpolate") return new GuideHold(op, press, cast, options);
+  if (op === "flow" || op === "interpolate") return new GuideHold(op, press, skinAt, options);
   const command = op === "blow" ? blowCommand(press) : commandOf(op);
-  return new BrushHold(event, press, {...command, brush: brushOf(inverting.value)}, options);
+  return new BrushHold(event, press, {...command, brush: brushOf(op, inverting.value)}, options);
 }

@@ -5,7 +5,6 @@ import {mark} from "../scene/marks";
 import {current, in_hand} from "./state";
 import {tools, type Tool} from "./catalogue";
 import {ToolIcon} from "./icons";
-import {plain, words} from "./schema";
 import {shortcutOf} from "../shell/keys";
 
 /** A tool that the contract gets later comes last, with paint. */
@@ -18,13 +17,13 @@ const groups: {label: string; of: Op[]}[] = [
 ];
 const groupOf = (op: Op) => groups.find(({of}) => of.includes(op)) ?? groups[groups.length - 1]!;
 
-function ToolButton({tool: {op, says}}: {tool: Tool}) {
+function ToolButton({tool: {op, name, says}}: {tool: Tool}) {
   const key = shortcutOf(op);
   return (
     <button type="button" class="tool" aria-pressed={current.value === op} data-tool={op}
             data-held={in_hand.value === op && current.value !== op ? "" : undefined}
-            title={`${words(op)}${key ? ` (${key})` : ""}. ${plain(says)}`} aria-label={words(op)} onClick={() => { current.value = op; }}>
-      <ToolIcon op={op} /><span>{words(op)}</span>
+            title={`${name}${key ? ` (${key})` : ""}. ${says}`} aria-label={name} onClick={() => { current.value = op; }}>
+      <ToolIcon op={op} /><span>{name}</span>
     </button>
   );
 }

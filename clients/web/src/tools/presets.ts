@@ -9,7 +9,7 @@ export const presets: Partial<Record<Op, Preset[]>> = {
     {name: "Brush up", values: {lean: 0.35}, brush: {strength: 0.6}},
     {name: "Turn only", values: {keep_inclination: true}, brush: {strength: 0.8}},
   ],
-  blow: [{name: "Breeze", values: {strength: 0.3}}, {name: "Dryer", values: {strength: 0.8, lean: 0.8}, brush: {radius: 0.12}}],
+  blow: [{name: "Breeze", values: {}, brush: {strength: 0.3}}, {name: "Dryer", values: {lean: 0.8}, brush: {radius: 0.12, strength: 0.8}}],
   length: [
     {name: "Short", values: {value: 0.012}}, {name: "Long", values: {value: 0.06}},
     {name: "Grow", values: {mode: "scale", value: 1.15}}, {name: "Even out", values: {mode: "average"}},
@@ -21,5 +21,5 @@ export const presets: Partial<Record<Op, Preset[]>> = {
     {name: "Thin out", values: {field: "density", value: 0}}, {name: "Wet", values: {field: "wetness", value: 1}}, {name: "Mask", values: {field: "mask", value: 0}},
   ],
   curl: [{name: "Wave", values: {amount: 0.3}}, {name: "Lamb", values: {amount: 1}}],
-  unify: [{name: "To the mean", values: {mean: true}}],
+  unify: [{name: "Direction", values: {mean: ["direction"]}}, {name: "Length too", values: {mean: ["direction", "length"]}}],
 };

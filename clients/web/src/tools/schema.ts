@@ -1,6 +1,7 @@
 // The contract's schemas as forms need them: members with their kinds, ranges, units and defaults.
 import {signal} from "@preact/signals";
 import {call} from "../api/client";
+import {choiceNames, memberNames} from "./artist_words";
 
 /** What a number may be. */
 export interface Range { minimum?: number; maximum?: number; exclusiveMinimum?: number }
@@ -90,8 +91,10 @@ export function alternatives(schema: Schema): string[] {
   return rule?.oneOf?.map((choice) => choice.required![0]!) ?? [];
 }
 
-/** "max_stretch" as "Max stretch". */
+/** As artists say it; else "max_stretch" as "Max stretch". */
 export function words(name: string): string {
+  const said = memberNames[name] ?? choiceNames[name];
+  if (said) return said;
   const text = name.replaceAll("_", " ").replace(/ degrees$/, "");
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

@@ -3,7 +3,7 @@ import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {Command, Op} from "../api/types";
 import {edit_layer, scene} from "../scene/session";
-import {brush_members, schemaOf, toolOf} from "./catalogue";
+import {brush_members, ownStrength, schemaOf, toolOf} from "./catalogue";
 import {forbidden, type Member} from "./schema";
 
 export type Values = Record<string, unknown>;
@@ -11,7 +11,7 @@ export type Values = Record<string, unknown>;
 export const current = kept<Op>("tool", "comb");
 /** What was set by hand, by tool; the rest is as the contract's defaults say. */
 export const set_values = kept<Partial<Record<Op, Values>>>("tool-values", {});
-export const set_brush = kept<Values>("brush", {radius: 0.06});
+export const set_brush = kept<Values>("brush", {radius: 0.08});
 /** Held keys: Ctrl inverts, Shift smooths. */
 export const inverting = signal(false);
 export const smoothing = signal(false);
@@ -19,7 +19,11 @@ export const smoothing = signal(false);
 /** The tool that a dab would use now. */
 export const in_hand = computed<Op>(() => (smoothing.value ? "smooth" : current.value));
 
-const starts: Partial<Record<Op, Values>> = {trim: {height: 0.02}};
+/** Settings to begin with whose first stroke is plainly seen, where the contract's are gentle. */
+const starts: Partial<Record<Op, Values>> = {
+  trim: {height: 0.012}, paint: {field: "tip_colour", colour: "#fff1d6"}, length: {mode: "scale", value: 2}, smooth: {passes: 12},
+  noise: {amount: 0.6, fields: ["direction", "length"]}, unify: {mean: ["direction", "length"]}, clump: {amount: 0.9}, comb: {lean: 0.8},
+};
 const valueOf = (member: Member, set: Values) => set[member.name] ?? member.fallback;
 
 /** Values of all members that have one. */
@@ -54,6 +58,7 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
     const value = values[member.name];
     if (value !== undefined && value !== "" && (member.required || !same(value, member.fallback))) command[member.name] = value;
   }
+  if (ownStrength(tool)) command["strength"] = brush.value["strength"];
   const chosen = tool?.alternatives.filter((name) => command[name] !== undefined) ?? [];
   for (const extra of chosen.slice(1)) delete command[extra];
   const whole: Values = {op, ...command, ...by_hand};
@@ -62,13 +67,14 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
   return whole as Command;
 }
 
-/** The brush as it is sent, with what differs from the defaults. */
-export function brushOf(invert: boolean): Values {
+/** The brush as it is sent with a tool, with what differs from the defaults. */
+export function brushOf(op: Op, invert: boolean): Values {
   const sent: Values = {};
   for (const member of brush_members.value) {
     const value = brush.value[member.name];
     if (!same(value, member.fallback)) sent[member.name] = value;
   }
+  if (ownStrength(toolOf(op))) sent["strength"] = 1;
   if (invert) sent["invert"] = true;
   return sent;
 }

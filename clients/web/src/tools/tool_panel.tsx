@@ -2,30 +2,22 @@
 import type {Op} from "../api/types";
 import {run, settings} from "../scene/session";
 import {MaskSection} from "../panels/mask";
+import {firstMembers, handWords} from "./artist_words";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
 import {Form} from "./form";
 import {removeGuide, guidesOf, layAgain} from "./guides";
 import {ToolIcon} from "./icons";
 import {presets} from "./presets";
-import {forbidden, plain, words} from "./schema";
+import {forbidden, type Member} from "./schema";
 import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, valuesOf} from "./state";
-import pictures from "./pictures";
+import {ToolPicture} from "./tool_picture";
 
-/** What the hand does where the name does not say it. */
-const hands: Partial<Record<Op, string>> = {
-  blow: "Drag over the fur: the wind comes from where you look, at what the ring covers.",
-  attract: "Press on the fur, drag away and let go: it points there.",
-  part: "Drag along the line of the parting.",
-  whorl: "Drag where the fur is to turn.",
-};
-
-/** The first sentence: the rest is for those who write commands. */
-const firstSentence = (text: string) => `${plain(text).split(/[;.](?:\s|$)/)[0]!}.`;
-
-const main_brush = ["radius", "strength", "falloff"];
+/** Radius and strength are in the bar above the picture. */
+const in_the_bar = ["radius", "strength"], main_brush = ["falloff"];
+const by_hand: Partial<Record<Op, string[]>> = {attract: ["radius", "units"]};
 
 function flood(tool: Tool) {
-  const {strength} = brushOf(false);
+  const {strength} = brushOf(tool.op, false);
   void run(commandOf(tool.op, {flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
 }
 
@@ -84,28 +76,46 @@ function Standing({op}: {op: "blow" | "attract"}) {
   );
 }
 
+function ToolSettings({tool}: {tool: Tool}) {
+  const {op} = tool;
+  const values = valuesOf(op);
+  const hidden = new Set([...forbidden(schemaOf(op), {op, ...values}), "strength", ...(by_hand[op] ?? [])]);
+  const first = tool.members.filter(({name}) => firstMembers[op]?.includes(name) ?? true);
+  const more = tool.members.filter((member) => !first.includes(member) && !hidden.has(member.name));
+  const form = (members: Member[]) => <Form members={members} values={values} hidden={hidden} set={(name, value) => setValue(op, name, value)} />;
+  return (
+    <>
+      {form(first)}
+      {more.length > 0 && <details class="group"><summary>More of {tool.name}</summary>{form(more)}</details>}
+    </>
+  );
+}
+
+function BrushSettings() {
+  const main = brush_members.value.filter(({name}) => main_brush.includes(name));
+  const more = brush_members.value.filter(({name}) => !main_brush.includes(name) && !in_the_bar.includes(name));
+  return (
+    <section>
+      <h3>Brush</h3>
+      <Form members={main} values={brush.value} set={setBrush} />
+      <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
+    </section>
+  );
+}
+
 export function ToolPanel() {
   const tool = toolOf(current.value);
   if (!tool) return null;
-  const {op} = tool;
-  const values = valuesOf(op);
-  const without = forbidden(schemaOf(op), {op, ...values});
-  const main = brush_members.value.filter(({name}) => main_brush.includes(name));
-  const more = brush_members.value.filter(({name}) => !main_brush.includes(name));
-  const picture = pictures[op];
+  const {op, name} = tool;
   return (
     <>
-      <header class="tool-head"><ToolIcon op={op} /><div><h2>{words(op)}</h2><p title={plain(tool.says)}>{firstSentence(tool.says)}</p></div></header>
-      {hands[op] && <p class="help">{hands[op]}</p>}
-      {picture && <img class="tool-picture" src={picture} alt={`Fur before and after ${words(op)}`} width="288" height="120" loading="lazy" />}
+      <header class="tool-head"><ToolIcon op={op} /><div><h2>{name}</h2><p>{tool.says}</p></div></header>
+      {handWords[op] && <p class="help">{handWords[op]}</p>}
+      <ToolPicture tool={tool} />
       <Presets tool={tool} />
-      <Form members={tool.members} values={values} hidden={without} set={(name, value) => setValue(op, name, value)} />
-      <section>
-        <h3>Brush</h3>
-        <Form members={main} values={brush.value} set={setBrush} />
-        <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
-      </section>
-      {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{words(op)} everywhere</button>}
+      <ToolSettings tool={tool} />
+      <BrushSettings />
+      {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{name} everywhere</button>}
       {(op === "flow" || op === "interpolate") && <Guides op={op} />}
       {(op === "blow" || op === "attract") && <Standing op={op} />}
       <MaskSection />

@@ -1,20 +1,26 @@
-// What is seen, said quietly: stage, how far it has come, time and revision.
+// What is seen, said quietly: its quality, how far its strands are traced, and whether a better picture comes.
 import {offline, unsent} from "../api/outbox";
-import {pending, shown, type Shown} from "./frames";
-import {durationOf, millisecondsOf} from "./measured";
+import {pending, shown, tracing, type Shown} from "./frames";
+import {durationOf, millisecondsOf, stopNames, stopOf} from "./measured";
 
-/** Of a picture that was rasterized: strands for each pixel of skin, from so many on all that there are. */
-function rasterWords(strands = 1.4): string {
-  const all = 100;
-  return strands >= all ? "all strands" : `${strands} strands a pixel`;
+const passesOf = ({picture}: Shown) => picture.trace?.passes ?? 0;
+
+function stageWords(seen: Shown): string {
+  if (seen.stage === "draft" || seen.stage === "turning") return stopNames.draft;
+  if (seen.stage === "rest") return stopNames[stopOf(seen.dial)];
+  return passesOf(seen) ? stopNames.reference : stopNames[stopOf(seen.dial)];
 }
 
-function stageWords({stage, picture}: Shown): string {
-  if (stage === "draft" || stage === "turning") return "draft";
-  const passes = picture.trace?.passes ?? 0;
-  if (stage === "rest" || passes === 0) return rasterWords(picture.knobs.raster?.strands);
-  const samples = Math.round(picture.trace!.samples);
-  return picture.trace!.end === "none" ? `strands, ${samples} samples` : `strands, ${samples} samples, done`;
+/** For those who measure: how it was drawn, how long it took, and which revision it shows. */
+function details({stage, picture}: Shown): string {
+  const samples = picture.trace ? `${Math.round(picture.trace.samples)} samples of each pixel` : `${picture.knobs.raster?.strands ?? 1.4} strands a pixel`;
+  return `${stage === "traced" ? `Traced, ${samples}` : `Rasterized, ${samples}`}; ${durationOf(millisecondsOf(picture))} of the server; revision ${picture.revision}`;
+}
+
+function progressWords(seen: Shown | null): string {
+  if (!pending.value) return "";
+  const refines = seen?.stage === "traced" && seen.picture.trace?.end === "none" && passesOf(seen) > 0;
+  return refines ? `${passesOf(seen)} of ${tracing.passes}, drawing…` : "drawing…";
 }
 
 export function Badge() {
@@ -24,10 +30,8 @@ export function Badge() {
       {offline.value && <span class="badge-offline">no connection, trying again{unsent.value ? `; ${unsent.value} kept` : ""}</span>}
       {seen && <>
         <span class={`dot dot-${seen.stage}`} aria-hidden="true" />
-        <span class="badge-stage">{stageWords(seen)}</span>
-        <span title="Time that the server took for this picture">{durationOf(millisecondsOf(seen.picture))}</span>
-        <span title="Revision of the picture">r{seen.picture.revision}</span>
-        {pending.value && <span class="badge-pending">drawing…</span>}
+        <span class="badge-stage" title={details(seen)}>{stageWords(seen)}</span>
+        <span class="badge-pending">{progressWords(seen)}</span>
       </>}
     </div>
   );

@@ -5,12 +5,12 @@ import {Aborted, Offline, Refusal, drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
 import type {FrameRequest} from "../api/types";
 import {sayError} from "../scene/messages";
-import {revision, scene, shown_model} from "../scene/session";
+import {scene, shown_model} from "../scene/session";
 import {Icon} from "../tools/icons";
 import {orbit, pinholeOf} from "./camera";
 import {compared} from "./compared";
 import {overlay, overlay_from, rest_quality, shared_request} from "./quality";
-import {viewport_size} from "./viewport";
+import {viewport_size} from "./surface";
 
 const rest_after = 160;    // ms without movement
 const again_after = 1000;  // ms after a lost connection or a full server
@@ -148,9 +148,9 @@ function Header() {
   const changes = overlay.value === "difference" && overlay_from.value === from;
   return (
     <div class="compare-bar" role="group" aria-label="Compare">
-      <span class="compare-side" title={label}>{label} <small>r{from}</small></span>
+      <span class="compare-side" title={label}>{label}</span>
       <span aria-hidden="true">|</span>
-      <span>now <small>r{revision.value}</small></span>
+      <span>now</span>
       <button type="button" aria-pressed={changes} onClick={() => showChanges(!changes)}>Show what changed</button>
       <button type="button" class="quiet" aria-label="Close the comparison" onClick={closeCompare}><Icon sign="close" /></button>
     </div>

@@ -4,17 +4,18 @@
 import {computed, signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
 import {page_id} from "../api/identity";
-import type {FrameRequest, Pinhole} from "../api/types";
+import type {FrameRequest} from "../api/types";
 import {mark} from "../scene/marks";
 import {sayError} from "../scene/messages";
+import {pinholeOf, type Orbit} from "./camera";
 import {note} from "./measured";
 import {Pace} from "./pace";
 import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
 export type Stage = "turning" | "draft" | "rest" | "traced";
-/** `state` is what was to be seen when it was asked for. */
-export interface Shown { stage: Stage; state: number; picture: Picture; width: number; height: number; asked: number; shown: number }
-export interface Wish { scene: string; camera: Pinhole; width: number; height: number; ratio: number; revision: number }
+/** `state` is what was to be seen when it was asked for, `orbit` the camera that it was drawn from. */
+export interface Shown { stage: Stage; state: number; orbit: Orbit; dial: Dial; picture: Picture; width: number; height: number; asked: number; shown: number }
+export interface Wish { scene: string; orbit: Orbit; width: number; height: number; ratio: number; revision: number }
 
 const rest_after = 140;      // ms without movement
 const turning_budget = 35;   // ms of a picture while the camera moves
@@ -28,14 +29,18 @@ const news_wait = 1;         // s that a draft waits for the stroke that is unde
 export const shown = signal<Shown | null>(null);
 /** What is to be seen: grows with each change of it. */
 const wanted = signal(0);
-/** Whether what is seen is older than what is to be seen. */
-export const pending = computed(() => shown.value?.state !== wanted.value);
+/** Whether a better picture is on its way: what is seen is old, small or coarse, or its strands are still traced. */
+export const pending = computed(() => {
+  const seen = shown.value;
+  if (seen?.state !== wanted.value || seen.stage === "turning" || seen.stage === "draft") return true;
+  return wants_trace.value && (seen.stage === "rest" || seen.picture.trace?.end === "none");
+});
 
 const moving: Partial<FrameRequest> = {format: "jpeg"};
-const tracing: FrameRequest["progressive"] = {passes: 64, noise: 0.004};
+export const tracing = {passes: 64, noise: 0.004} satisfies FrameRequest["progressive"];
 
 /** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
-interface Ask { number: number; state: number; stage: Stage; slot: number; dial: Dial; ratio: number; stop: AbortController }
+interface Ask { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
@@ -52,7 +57,7 @@ export class FrameLoop {
   private in_flight = new Set<Ask>();
 
   /** `present` puts a picture on the screen. */
-  constructor(private readonly wish: () => Wish | null, private readonly present: (picture: ImageBitmap) => void) {}
+  constructor(private readonly wish: () => Wish | null, private readonly present: (picture: ImageBitmap, stage: Stage) => void) {}
 
   private get state() { return wanted.peek(); }
 
@@ -110,7 +115,7 @@ export class FrameLoop {
 
   private async ask(stage: Stage, wish: Wish) {
     const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : wish.ratio;
-    const ask: Ask = {number: ++this.asked, state: this.state, stage, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
+    const ask: Ask = {number: ++this.asked, scene: wish.scene, state: this.state, stage, orbit: wish.orbit, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
     this.in_flight.add(ask);
     const asked = performance.now();
     try {
@@ -126,7 +131,7 @@ export class FrameLoop {
 
   private requestOf({stage, slot, ratio}: Ask, wish: Wish): FrameRequest {
     const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
-    const request: FrameRequest = {...shared_request.value, ...size, camera: wish.camera, view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
+    const request: FrameRequest = {...shared_request.value, ...size, camera: pinholeOf(wish.orbit), view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
     if (stage === "draft") return {...request, quality: "draft", ...moving};
     if (stage === "turning") return {...request, budget_ms: turning_budget, ...moving};
     if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
@@ -149,14 +154,14 @@ export class FrameLoop {
     if (ask.number < this.shown_number) return;
     const answered = performance.now();
     const bitmap = await createImageBitmap(picture.bytes);
-    if (ask.number < this.shown_number) return bitmap.close();  // a newer one was decoded sooner
+    if (ask.number < this.shown_number || ask.stop.signal.aborted) return bitmap.close();  // a newer one was decoded sooner
     this.shown_number = ask.number;
     const {width, height} = bitmap;  // nothing of it is left once it is on the screen
-    this.present(bitmap);
+    this.present(bitmap, ask.stage);
     const now = performance.now();
-    mark("frame", {stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
+    mark("frame", {scene: ask.scene, stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
     note(ask.stage, ask.dial, picture);
-    shown.value = {stage: ask.stage, state: ask.state, picture, width, height, asked, shown: now};
+    shown.value = {stage: ask.stage, state: ask.state, orbit: ask.orbit, dial: ask.dial, picture, width, height, asked, shown: now};
     this.finish(ask, picture, now);
   }
 

@@ -5,7 +5,8 @@ import {lights as live_lights} from "../scene/live_setting";
 import {run, scene, settings} from "../scene/session";
 import {current} from "../tools/state";
 import {add, dot, norm, scale, subtract, unit} from "./vector";
-import {Handle, projectionNow} from "./handle";
+import {Handle} from "./handle";
+import {projectionNow} from "./surface";
 
 /** Whether the panel of lights is open, which shows their handles. */
 export const shows_lights = signal(false);

@@ -3,8 +3,8 @@ import {useSignal} from "@preact/signals";
 import type {Vector} from "../api/types";
 import {chosen, guidesOf, movePoint, removeGuide, type GuideOp} from "../tools/guides";
 import {current} from "../tools/state";
-import {Handle, projectionNow} from "./handle";
-import {proxy} from "./viewport";
+import {Handle} from "./handle";
+import {projectionNow, skinAt} from "./surface";
 
 export function GuideHandles() {
   const op = current.value;
@@ -17,10 +17,7 @@ function GuidesOf({op}: {op: GuideOp}) {
   const guides = guidesOf(op).map((points, g) => points.map((point, p) =>
     (dragged.value && dragged.value.guide === g && dragged.value.point === p ? dragged.value.to : point)));
   const projection = projectionNow();
-  const onSurface = (x: number, y: number) => {
-    const ray = projection.ray(x, y);
-    return proxy.value?.cast(ray.origin, ray.direction)?.point ?? null;
-  };
+  const onSurface = (x: number, y: number) => skinAt(x, y)?.point ?? null;
   const path = (points: Vector[]) => points.map((point) => projection.project(point)?.map((n) => n.toFixed(1)).join()).filter(Boolean).join(" ");
   return (
     <div class="handles">

@@ -1,6 +1,5 @@
 // What the hand can do now, said quietly below the picture.
 import {toolOf} from "../tools/catalogue";
-import {words} from "../tools/schema";
 import {current, inverting, smoothing} from "../tools/state";
 
 function Hint({keys, does, held = false}: {keys: string; does: string; held?: boolean}) {
@@ -9,10 +8,11 @@ function Hint({keys, does, held = false}: {keys: string; does: string; held?: bo
 
 export function HandHints() {
   const op = current.value;
-  if (!toolOf(op)) return null;
+  const tool = toolOf(op);
+  if (!tool) return null;
   return (
     <div class="hand-hints" aria-hidden="true">
-      <Hint keys="Drag" does={words(op).toLowerCase()} />
+      <Hint keys="Drag" does={tool.name.toLowerCase()} />
       <Hint keys="Ctrl" does="opposite" held={inverting.value} />
       <Hint keys="Shift" does="smooth" held={smoothing.value} />
       <Hint keys="Alt" does="turn" />

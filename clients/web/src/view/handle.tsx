@@ -1,9 +1,8 @@
 // A handle over the picture that a pointer drags, and that arrow keys move.
 import {useRef} from "preact/hooks";
 import type {Vector} from "../api/types";
-import {orbit, Projection} from "./camera";
 import {add, scale} from "./vector";
-import {viewport_size} from "./viewport";
+import {projectionNow} from "./surface";
 
 export interface HandleProps {
   at: Vector;
@@ -19,8 +18,6 @@ export interface HandleProps {
   /** Where a pixel puts it; else it keeps its distance from the camera. */
   place?: (x: number, y: number) => Vector | null;
 }
-
-export const projectionNow = () => new Projection(orbit.value, viewport_size.value.width, viewport_size.value.height);
 
 export function Handle({at, label, shape = "dot", chosen = false, text, moved, pressed, remove, place}: HandleProps) {
   const dragging = useRef(false);

@@ -6,6 +6,8 @@ import type {Stage} from "./frames";
 import type {Dial} from "./quality";
 
 export type Stop = Tier | "budget" | "error";
+/** What artists call them. */
+export const stopNames: Record<Stop, string> = {draft: "Sketch", interactive: "Groom", detailed: "Beauty", reference: "Final", budget: "In time", error: "True enough"};
 export interface Measure {
   /** Of the newest picture that was drawn whole; null before there is one. */
   milliseconds: number | null;

@@ -14,10 +14,15 @@ export const planesOf = (symmetry: Settings["symmetry"] | undefined): Plane[] =>
   ((symmetry?.planes ?? []) as Partial<Plane>[]).map((plane) => ({point: plane.point ?? [0, 0, 0], normal: plane.normal ?? [1, 0, 0]}));
 
 /** Images by each mirror plane alone; a rotation's images are the server's to find. */
-export function mirrored(hit: Hit, symmetry: Settings["symmetry"] | undefined, proxy: Proxy): Hit[] {
-  return planesOf(symmetry).flatMap((plane) => {
+export const imagesOf = (hit: Hit, symmetry: Settings["symmetry"] | undefined): Hit[] =>
+  planesOf(symmetry).map((plane) => {
     const point = reflect(hit.point, plane);
-    const normal = unit(subtract(reflect(add(hit.point, hit.normal), plane), point));
+    return {point, normal: unit(subtract(reflect(add(hit.point, hit.normal), plane), point)), distance: hit.distance};
+  });
+
+/** The images that lie on the skin. */
+export function imagesOnSkin(hit: Hit, symmetry: Settings["symmetry"] | undefined, proxy: Proxy): Hit[] {
+  return imagesOf(hit, symmetry).flatMap(({point, normal}) => {
     const lift = hit.distance * 0.05;
     const found = proxy.cast(add(point, scale(normal, lift)), scale(normal, -1));
     return found && found.distance < 2 * lift ? [found] : [];

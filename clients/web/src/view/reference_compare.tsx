@@ -13,7 +13,7 @@ import {differenceOf, full_scale, type Difference} from "./difference";
 import {durationOf, millisecondsOf} from "./measured";
 import {plain_request, rest_quality} from "./quality";
 import {traceToEnd} from "./trace";
-import {viewport_size} from "./viewport";
+import {viewport_size} from "./surface";
 import {Wipe} from "./wipe";
 
 interface Pair {
@@ -64,14 +64,14 @@ function Report({pair: {picture, reference, difference}}: {pair: Pair}) {
       <div><dt>Mean absolute difference, sRGB, where the model is</dt><dd>{difference.mean.toFixed(4)} <small>of 1{end === "none" ? ", so far, noise included" : ""}; largest {difference.largest.toFixed(2)}</small></dd></div>
       {picture.estimate && <div><dt>The server's estimate, mean FLIP against traced strands</dt><dd>{picture.estimate.error.toFixed(3)}</dd></div>}
       <div><dt>This picture</dt><dd>{picture.redrawn > 0 ? durationOf(millisecondsOf(picture)) : "cached"}</dd></div>
-      <div><dt>Reference{end === "none" ? `, pass ${passes} of at most ${reference_passes}` : ""}</dt><dd>{durationOf(grow_ms + trace_ms)} <small>{Math.round(samples)} samples, noise {noise.toFixed(3)}</small></dd></div>
+      <div><dt>Final{end === "none" ? `, pass ${passes} of at most ${reference_passes}` : ""}</dt><dd>{durationOf(grow_ms + trace_ms)} <small>{Math.round(samples)} samples, noise {noise.toFixed(3)}</small></dd></div>
     </dl>
   );
 }
 
 function Pictures({pair, mode}: {pair: Pair; mode: Mode}) {
-  if (mode === "wipe") return <Wipe left={pair.left} right={pair.right} left_label="This picture" right_label="Reference" />;
-  if (mode === "beside") return <div class="versus-beside"><figure><img src={pair.left} alt="This picture" /><figcaption>This picture</figcaption></figure><figure><img src={pair.right} alt="Reference" /><figcaption>Reference</figcaption></figure></div>;
+  if (mode === "wipe") return <Wipe left={pair.left} right={pair.right} left_label="This picture" right_label="Final" />;
+  if (mode === "beside") return <div class="versus-beside"><figure><img src={pair.left} alt="This picture" /><figcaption>This picture</figcaption></figure><figure><img src={pair.right} alt="Final" /><figcaption>Final</figcaption></figure></div>;
   return (
     <figure class="versus-map"><img src={pair.map} alt="Where the pictures differ" />
       <figcaption><span>0</span><span class="versus-scale" aria-hidden="true" /><span>{full_scale} and more: mean of red, green and blue</span></figcaption></figure>
@@ -99,5 +99,5 @@ function Body() {
 
 export function ReferenceCompare() {
   if (dialog.value !== "reference" || !scene.value) return null;
-  return <Dialog title="Compared with the reference" close={() => { dialog.value = null; }}><Body /></Dialog>;
+  return <Dialog title="Compared with Final" close={() => { dialog.value = null; }}><Body /></Dialog>;
 }

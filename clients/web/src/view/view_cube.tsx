@@ -1,6 +1,7 @@
 // A small cube that turns with the camera; a press on a side goes to that view.
 import type {AutoView, Vector} from "../api/types";
-import {axes, backward, orbit} from "./camera";
+import {axes, backward} from "./camera";
+import {seen_orbit} from "./surface";
 import {dot} from "./vector";
 import {moveTo} from "./views";
 
@@ -17,8 +18,8 @@ const sides: Side[] = [
 const half = 24;
 
 export function ViewCube() {
-  const {right, up} = axes(orbit.value);
-  const back = backward(orbit.value);
+  const {right, up} = axes(seen_orbit.value);
+  const back = backward(seen_orbit.value);
   const flat = (v: Vector) => [dot(v, right) * half, -dot(v, up) * half] as const;
   const seen = sides.filter((side) => dot(side.normal, back) > 0.02);
   return (

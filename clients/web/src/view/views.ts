@@ -2,7 +2,8 @@
 import type {AutoView} from "../api/types";
 import {scene} from "../scene/session";
 import {between, framed, orbit, type Orbit} from "./camera";
-import {hover, view, viewport_size} from "./viewport";
+import {hover, viewport_size} from "./surface";
+import {view} from "./viewport";
 
 const glide_ms = 260;
 let gliding = 0;

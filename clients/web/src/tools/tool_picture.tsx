@@ -1,0 +1,29 @@
+// What the tool in hand does, with its settings, to the fur of the open scene: before and after.
+import {useEffect} from "preact/hooks";
+import {Aborted} from "../api/client";
+import {scene} from "../scene/session";
+import type {Tool} from "./catalogue";
+import {commandOf} from "./state";
+import {drawPair, pairs} from "./tool_trial";
+
+const wait = 700;  // ms that tool and settings stay as they are before the server is asked
+
+export function ToolPicture({tool}: {tool: Tool}) {
+  const {op, name} = tool;
+  const id = scene.value?.id ?? "", command = commandOf(op);
+  const key = `${id} ${JSON.stringify(command)}`;
+  const pair = pairs.value.get(key);
+  useEffect(() => {
+    if (!id || pairs.value.has(key)) return;
+    const stop = new AbortController();
+    const timer = setTimeout(() => drawPair(key, id, op, command, stop.signal).catch((error: unknown) => {
+      if (!(error instanceof Aborted)) console.info(`No picture of ${name}: ${String(error)}`);
+    }), wait);
+    return () => { clearTimeout(timer); stop.abort(); };
+  }, [key]);
+  return (
+    <figure class="tool-picture" aria-label={`Fur before and after ${name}`} data-drawn={pair ? "" : undefined}>
+      {pair ? <><img src={pair.before} alt="Before" /><img src={pair.after} alt="After" /></> : <span role="status">Drawn on your animal in a moment…</span>}
+    </figure>
+  );
+}

@@ -1,0 +1,86 @@
+// Tries a tool on a copy of the scene and draws it there, before and after. The copy is thrown away.
+import {signal} from "@preact/signals";
+import * as api from "../api/client";
+import {page_id} from "../api/identity";
+import type {Command, FrameRequest, Op, Pinhole, Vector} from "../api/types";
+import {trialName} from "../scene/scratch";
+import {scene} from "../scene/session";
+import {framed, pinholeOf, zoomed} from "../view/camera";
+import {add, scale, subtract, unit} from "../view/vector";
+
+/** Addresses of two pictures. */
+export interface Pair { before: string; after: string }
+/** By scene and command. */
+export const pairs = signal<ReadonlyMap<string, Pair>>(new Map());
+
+const size = {width: 144, height: 120};
+const max_pairs = 40;
+/** Pixels that the stroke passes: against the fur of most animals. */
+const path = [0.8, 0.65, 0.5, 0.35, 0.2].map((x) => [x * size.width, (0.4 + 0.2 * x) * size.height] as const);
+const brush = {radius: 0.07, strength: 1};
+const closeness = 0.36;  // of the distance that shows the whole animal
+/** Fur that is in order already shows nothing of these. */
+const on_tousled: Op[] = ["smooth", "unify", "erase"];
+
+let serial = 0;
+
+interface TrialView { camera: Pinhole; width: number; height: number }
+
+/** Close to the flank, or to whatever is in the middle of the picture. */
+async function viewOf(id: string): Promise<TrialView> {
+  const whole = framed(scene.value!, "three_quarter", size.width / size.height);
+  const middle = await api.pick(id, {view: {camera: pinholeOf(whole), ...size}, pixel: [0.55 * size.width, 0.55 * size.height], reach: "skin"});
+  const target = middle.hit ? middle.position as Vector : whole.target;
+  return {camera: pinholeOf({...zoomed(whole, closeness, scene.value!.size), target, yaw: whole.yaw + 0.4}), ...size};
+}
+
+/** Where the path lies on the skin. */
+async function placesOf(id: string, view: TrialView): Promise<Vector[]> {
+  const picks = await Promise.all(path.map((pixel) => api.pick(id, {view, pixel, reach: "skin"})));
+  return picks.flatMap((pick) => (pick.hit ? [pick.position as Vector] : []));
+}
+
+/** The command where the stroke passes, as the hand would give it. */
+function strokeOf(op: Op, command: Command, view: TrialView, points: Vector[]): Command {
+  const first = points[0]!, last = points[points.length - 1]!, long = scene.value!.size;
+  if (op === "flow") return {...command, curves: [points]};
+  if (op === "interpolate") return {...command, keys: [{position: first, direction: subtract(last, first)}]};
+  const out = unit(subtract(view.camera.position as Vector, first));
+  const middle = points[Math.floor(points.length / 2)]!;
+  if (op === "attract") return {...command, point: add(middle, scale(out, 0.12 * long)), radius: 0.25 * long, units: "world"};
+  const stroke = {view, samples: path.map((screen, k) => ({screen, time: 0.05 * k}))};
+  const wind = op === "blow" ? {source: add(middle, scale(out, 0.4 * long)), direction: subtract(middle, add(middle, out))} : {};
+  return {...command, ...wind, brush, stroke};
+}
+
+async function draw(id: string, view: TrialView, signal: AbortSignal): Promise<string> {
+  const request: FrameRequest = {...size, width: 2 * size.width, height: 2 * size.height, camera: view.camera, format: "jpeg", view: `${page_id}-tool`};
+  const picture = await api.drawFrame(id, request, null, signal);
+  return URL.createObjectURL(picture!.bytes);
+}
+
+function keep(key: string, pair: Pair) {
+  const next = new Map(pairs.value).set(key, pair);
+  for (const [oldest, {before, after}] of next) {
+    if (next.size <= max_pairs) break;
+    next.delete(oldest);
+    [before, after].forEach((address) => URL.revokeObjectURL(address));
+  }
+  pairs.value = next;
+}
+
+export async function drawPair(key: string, of: string, op: Op, command: Command, signal: AbortSignal) {
+  const view = await viewOf(of);
+  const {id} = await api.branchScene(of, {name: trialName()});
+  try {
+    const change = (body: Command) => api.change(id, "commands", body, `${page_id}-tool-${++serial}`);
+    if (on_tousled.includes(op)) await change({op: "noise", flood: true, amount: 0.9, feature_size: 0.06, fields: ["direction", "length"]});
+    const places = await placesOf(id, view);
+    if (places.length < 2 || signal.aborted) return;
+    const before = await draw(id, view, signal);
+    await change(strokeOf(op, command, view, places));
+    keep(key, {before, after: await draw(id, view, signal)});
+  } finally {
+    await api.removeScene(id);
+  }
+}

@@ -1,0 +1,97 @@
+// What lies under the pointer: the model as the picture on the screen shows it, and the fur that a brush there would touch.
+import {computed, effect, signal, untracked} from "@preact/signals";
+import type {Vector} from "../api/types";
+import {mark} from "../scene/marks";
+import {sayError} from "../scene/messages";
+import {isOpen, model_id, revision, scene, shown_model} from "../scene/session";
+import {worldRadius} from "../tools/state";
+import {backward, orbit, Projection, type Orbit} from "./camera";
+import {shown} from "./frames";
+import type {Hit, Proxy} from "./proxy";
+import {add, scale} from "./vector";
+
+/** Size of the picture, CSS pixels. */
+export const viewport_size = signal({width: 1, height: 1});
+/** The copy of the model that rays are cast on; null until it is loaded. */
+export const proxy = signal<Proxy | null>(null);
+/** What the hand would touch; null beside the model. */
+export const hover = signal<Hit | null>(null);
+/** Set while the next press on the model is taken by a panel that asked for a place. */
+export const place_request = signal<{says: string; take: (hit: Hit) => void} | null>(null);
+
+/** The camera of the picture that is seen. What lies over the picture moves with it, and not before it. */
+export const seen_orbit = computed<Orbit>(() => shown.value?.orbit ?? orbit.value);
+export const projectionNow = () => new Projection(seen_orbit.value, viewport_size.value.width, viewport_size.value.height);
+
+/** Where the skin is under a pixel. */
+export function skinAt(x: number, y: number): Hit | null {
+  const {origin, direction} = projectionNow().ray(x, y);
+  return proxy.value?.cast(origin, direction) ?? null;
+}
+
+const directions = 12;
+const shares = [0.4, 0.75, 1];  // of the brush's radius
+
+/** What the hand touches at a pixel: the fur there, or else the point of the pixel's ray from which the brush reaches fur beside it. */
+export function furAt(x: number, y: number): Hit | null {
+  const projection = projectionNow(), model = proxy.value;
+  if (!model) return null;
+  const cast = (dx: number, dy: number) => {
+    const {origin, direction} = projection.ray(x + dx, y + dy);
+    return model.touch(origin, direction);
+  };
+  const hit = cast(0, 0);
+  if (hit) return hit;
+  const pixel = projection.unitsPerPixel(seen_orbit.value.target);
+  const radius = worldRadius(pixel) / pixel;
+  for (const share of shares) {
+    for (let k = 0; k < directions; ++k) {
+      const angle = (2 * Math.PI * k) / directions;
+      const beside = cast(share * radius * Math.cos(angle), share * radius * Math.sin(angle));
+      if (beside) return inTheAir(projection.ray(x, y), beside);
+    }
+  }
+  return null;
+}
+
+function inTheAir({origin, direction}: {origin: Vector; direction: Vector}, beside: Hit): Hit {
+  return {point: add(origin, scale(direction, beside.distance)), normal: backward(seen_orbit.value), distance: beside.distance};
+}
+
+let wanted = "";  // the scene and model that `proxy` is to show
+
+async function load(id: string): Promise<void> {
+  const of = wanted;
+  try {
+    const {Proxy} = await import("./proxy");
+    const loaded = await Proxy.load(id);
+    if (of !== wanted) return;
+    proxy.value = loaded;
+    mark("proxy", {at: performance.now(), revision: loaded.revision});
+  } catch (error) {
+    if (of === wanted && isOpen(id)) sayError(error);
+  }
+}
+
+const calm = 250;  // ms without a new revision until the fur is read anew
+
+/** Reads the model anew when another one comes, and its fur after each change of the groom. */
+export function followModel(): () => void {
+  let timer = 0, last_model = "";
+  const stop = effect(() => {
+    const [now, model, id, newest] = [shown_model.value, model_id.value, scene.value?.id, revision.value];
+    untracked(() => {
+      clearTimeout(timer);
+      if (model !== last_model) proxy.value = null;  // nothing of the model before is found under the pointer
+      last_model = model;
+      if (!id) return;
+      if (now !== wanted) {
+        wanted = now;
+        void load(id);
+      } else if (newest !== proxy.value?.revision) {
+        timer = window.setTimeout(() => void load(id), calm);
+      }
+    });
+  });
+  return () => { clearTimeout(timer); stop(); };
+}
