@@ -89,7 +89,8 @@ of a ring long and short.""", "Map", camera=["--camera", "three_quarter"], built
 From `set_symmetry` on each tool with a place works on all images of it too, as one undo step: mirrored in up to three planes
 and their combinations, or turned about an axis. Places on the surface are mirrored to the nearest ones, so a roughly
 symmetric model will do. Where images overlap, each counts by what it changes there: a stroke on the plane does what it does
-without. Floods have no images. Below: two trims on one side, seen from above.""", "SetSymmetry",
+without. Floods have no images. A brush with a `symmetry` of its own takes that in place of the scene's, so that a client can
+mirror strokes without a step for it. Below: two trims on one side, seen from above.""", "SetSymmetry",
                      "Symmetry", "Plane", camera=SPINE),
     "named_winds": page("Named winds and sticks", """
 A wind or a stick that stays in the scene under a name. `blow` and `attract` name it and then use its settings, as often as

@@ -13,6 +13,7 @@
 #include "protocol/commands/field.h"
 #include "protocol/commands/frame.h"
 #include "protocol/commands/look.h"
+#include "protocol/commands/symmetry.h"
 #include "protocol/commands/tool_list.h"
 #include "protocol/commands/wind.h"
 
@@ -72,11 +73,6 @@ struct SetSkinTexture {
   std::string picture;
 };
 
-/// A plane: a point of it and its normal, model coordinates; the normal is not zero.
-struct Plane {
-  glm::dvec3 point{0}, normal{1, 0, 0};
-};
-
 /// A wind or a stick that stays in the scene under a name, for `blow` and `attract` to use again and again.
 struct NamedBlower {
   std::string name;  // 1 to 200 bytes
@@ -97,12 +93,7 @@ struct SetAttractors {
   std::vector<NamedAttractor> attractors;
 };  // at most 64, names differ
 
-/// A tool works on every image of its command under the planes and the rotation, as one undo step.
-struct Symmetry {
-  std::vector<Plane> planes;  // at most 3; two or more give their combinations
-  glm::dvec3 axis_point{0}, axis{0, 1, 0};
-  int count = 1;  // of a rotation about the axis, [1, 16]
-};
+/// The symmetry of commands whose brush has none of its own.
 struct SetSymmetry {
   static constexpr const char* op = "set_symmetry";
   static constexpr Inputs inputs = Inputs::placed;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "protocol/commands/frame.h"
+#include "protocol/commands/symmetry.h"
 
 namespace pelage {
 
@@ -68,6 +69,7 @@ struct Brush {
   bool invert = false;              // the tool's opposite, where it has one
   double strand_from = 0,
          strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
+  std::optional<Symmetry> symmetry = {};  // absent: the scene's
 };
 
 }  // namespace pelage

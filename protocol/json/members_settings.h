@@ -105,22 +105,6 @@ void members(V& v, Visited<V, SetAttractors>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, Plane>& c) {
-  v.type("Plane", "A plane that mirrors.");
-  v.position("point", c.point, "A point of the plane.");
-  v.direction("normal", c.normal, "Direction that the plane faces.");
-}
-
-template <class V>
-void members(V& v, Visited<V, Symmetry>& c) {
-  v.type("Symmetry", "Mirror planes, all their combinations, and a rotation about an axis by equal steps.");
-  v.objects(required("planes"), c.planes, {0, limits::symmetry_planes}, "Planes that mirror.");
-  v.position("axis_point", c.axis_point, "A point of the axis of rotation.");
-  v.direction("axis", c.axis, "Direction of the axis of rotation.");
-  v.integer("count", c.count, {1, limits::symmetry_images}, "Number of equal steps in a whole turn; 1 is no rotation.");
-}
-
-template <class V>
 void members(V& v, Visited<V, SetSymmetry>& c) {
   v.type("SetSymmetry",
          "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "

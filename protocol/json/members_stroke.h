@@ -46,6 +46,22 @@ void members(V& v, Visited<V, Stroke>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, Plane>& c) {
+  v.type("Plane", "A plane that mirrors.");
+  v.position("point", c.point, "A point of the plane.");
+  v.direction("normal", c.normal, "Direction that the plane faces.");
+}
+
+template <class V>
+void members(V& v, Visited<V, Symmetry>& c) {
+  v.type("Symmetry", "Mirror planes, all their combinations, and a rotation about an axis by equal steps.");
+  v.objects(required("planes"), c.planes, {0, limits::symmetry_planes}, "Planes that mirror.");
+  v.position("axis_point", c.axis_point, "A point of the axis of rotation.");
+  v.direction("axis", c.axis, "Direction of the axis of rotation.");
+  v.integer("count", c.count, {1, limits::symmetry_images}, "Number of equal steps in a whole turn; 1 is no rotation.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Brush>& c) {
   v.type("Brush", "How far and how strongly a tool reaches round a stroke.");
   v.number("radius", c.radius, length_in_units, "Radius of a dab, in `units`; at most 1000000 sizes.");
@@ -77,6 +93,8 @@ void members(V& v, Visited<V, Brush>& c) {
            "Where the part of the strand that changes begins: 0 is the root, 1 the tip. It works on colours only: "
            "root_colour stands for the lower half, tip_colour for the upper.");
   v.number("strand_to", c.strand_to, share, "Where the part of the strand that changes ends; above strand_from.");
+  v.object("symmetry", c.symmetry,
+           "The symmetry of this command; absent it is the scene's. With `planes` empty and `count` 1 there is none.");
 }
 
 }  // namespace pelage::json_parts

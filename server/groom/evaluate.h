@@ -55,9 +55,12 @@ Evaluation evaluate(const Command& resolved, const Surface& surface, const Field
 Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
                             const std::vector<EditLayer>& layers, const ToolExtras& extras = {});
 
-/// The command itself, and its images under the symmetry. Samples on triangles become the nearest places on the surface
+/// Returns the symmetry that a command works under: its brush's, or the scene's.
+const Symmetry& symmetry_of(const Command& command, const Symmetry& scene);
+
+/// The command itself, and its images under its symmetry. Samples on triangles become the nearest places on the surface
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
-std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface);
+std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface);
 
 /// Returns the command for another model. Positions move as the alignment of both boxes takes them, and keep their
 /// distance from the surface; positions on triangles become the nearest ones. Directions follow the boxes, and lengths

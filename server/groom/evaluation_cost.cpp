@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "server/groom/brush.h"
+#include "server/groom/evaluate.h"
 #include "server/groom/standing_fur.h"
 
 namespace pelage {
@@ -133,7 +134,7 @@ EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry
   EvaluationCost cost = std::visit(ToolWork{mesh, stroke.region, samples}, resolved);
   if (stroke.visits > cost.visits) cost.field = "/stroke/samples";
   cost.visits += stroke.visits;
-  if (has_images(resolved)) cost.visits *= image_count(symmetry);
+  if (has_images(resolved)) cost.visits *= image_count(symmetry_of(resolved, symmetry));
   return cost;
 }
 

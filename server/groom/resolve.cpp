@@ -143,6 +143,13 @@ struct CheckTool {
     return reachable_length(std::abs(internal_length(value, units, mesh))) ? Status{}
                                                                            : out_of_reach(std::move(pointer));
   }
+  Status symmetry(const Symmetry& symmetry) const {
+    for (std::size_t k = 0; k < symmetry.planes.size(); ++k) {
+      Status far = place(symmetry.planes[k].point, "/symmetry/planes/" + std::to_string(k) + "/point");
+      if (!far.ok()) return far;
+    }
+    return place(symmetry.axis_point, "/symmetry/axis_point");
+  }
   /// The width of Gaussians.
   Status sigma(double value, Units units) const {
     if (internal_length(value, units, mesh) >= limits::min_sigma) return length(value, units, "/sigma");
@@ -228,13 +235,7 @@ struct CheckTool {
     }
     return {};
   }
-  Status operator()(const SetSymmetry& command) const {
-    for (std::size_t k = 0; k < command.symmetry.planes.size(); ++k) {
-      Status far = place(command.symmetry.planes[k].point, "/symmetry/planes/" + std::to_string(k) + "/point");
-      if (!far.ok()) return far;
-    }
-    return place(command.symmetry.axis_point, "/symmetry/axis_point");
-  }
+  Status operator()(const SetSymmetry& command) const { return symmetry(command.symmetry); }
   static Status below(const char* list, std::size_t member, Status status) {
     status.pointer.insert(0, list + std::to_string(member));
     return status;
@@ -297,6 +298,10 @@ Result<Command> resolve(const Command& command, const Surface& surface, const Se
   if (Status bad = std::visit(CheckTool{surface.mesh()}, command); !bad.ok()) return bad;
   Command resolved = command;
   Stroke* stroke = stroke_of(resolved);
+  if (const Brush* brush = brush_of(resolved); brush != nullptr && brush->symmetry) {
+    Status far = CheckTool{surface.mesh()}.symmetry(*brush->symmetry);
+    if (!far.ok()) return far.pointer.insert(0, "/brush"), far;
+  }
   if (stroke == nullptr) return resolved;
   Brush& brush = *brush_of(resolved);
   if (Status bad = resolve_stroke(*stroke, brush, surface, fur); !bad.ok()) return bad;

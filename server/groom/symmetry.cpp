@@ -23,6 +23,7 @@ class Mover {
         move(*tool.stroke), moved = true;
       }
       if (tool.brush.units == RadiusUnits::world) tool.brush.radius = map_.length(tool.brush.radius);
+      if (tool.brush.symmetry) move(*tool.brush.symmetry);
     }
     if constexpr (requires { tool.turn_degrees; }) {
       if (map_.mirrors()) tool.turn_degrees = -tool.turn_degrees;
@@ -33,6 +34,10 @@ class Mover {
  private:
   void move(glm::dvec3& place) const { place = map_.place(place); }
   void move_on_skin(glm::dvec3& place) const { place = map_.on_skin(place); }
+  void move(Symmetry& symmetry) const {
+    for (Plane& plane : symmetry.planes) move(plane.point), plane.normal = map_.normal(plane.normal);
+    move(symmetry.axis_point), turn(symmetry.axis);
+  }
   /// A curve in space that grows from its first point.
   void move_curve(GuideCurve& curve) const {
     const glm::dvec3 root = map_.on_skin(curve.front()), shift = root - map_.place(curve.front());
@@ -129,8 +134,7 @@ class Mover {
     return false;
   }
   bool move_parts(SetSymmetry& command) const {
-    for (Plane& plane : command.symmetry.planes) move(plane.point), plane.normal = map_.normal(plane.normal);
-    move(command.symmetry.axis_point), turn(command.symmetry.axis);
+    move(command.symmetry);
     return false;
   }
   bool move_parts(SetEyes& command) const {
@@ -259,10 +263,15 @@ bool is_flood(const Command& command) {
 
 }  // namespace
 
-std::vector<Command> images_of(const Command& resolved, const Symmetry& symmetry, const Surface& surface) {
+const Symmetry& symmetry_of(const Command& command, const Symmetry& scene) {
+  const Brush* brush = brush_of(command);
+  return brush != nullptr && brush->symmetry ? *brush->symmetry : scene;
+}
+
+std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface) {
   std::vector<Command> images{resolved};
   if (is_flood(resolved)) return images;
-  for (const Motion& motion : motions_of(symmetry)) {
+  for (const Motion& motion : motions_of(symmetry_of(resolved, scene))) {
     Command image = resolved;
     if (!move_command(image, MotionMap(motion, surface), surface)) break;  // no place that could be moved
     if (!joins_images(images.front(), image)) images.push_back(std::move(image));

@@ -129,3 +129,39 @@ class Tools(ServedTest):
         step = linear(numpy.maximum(red, green) + 1) - linear(numpy.maximum(red, green))
         leak = numpy.abs(linear(red) - linear(green)) - step
         self.assertLessEqual(leak.max(), 0.5 / 255)
+
+class BrushSymmetry(ServedTest):
+    """A brush's own symmetry stands in place of the scene's."""
+
+    PLANE = {"planes": [{"point": [0, 0, 0], "normal": [1, 0, 0]}]}
+
+    def hash_after(self, *commands):
+        scene = self.server.new_scene("sphere", 2000)
+        for command in commands:
+            answer = scene.run(command)
+            self.assertEqual(answer.status, 200, answer)
+        return scene.info()["fields_hash"]
+
+    def comb(self, **brush):
+        samples = [{"position": [0.6, 0.2 * k, 0.75]} for k in range(3)]
+        return {"op": "comb", "stroke": {"samples": samples}, "brush": {"radius": 0.1, **brush}}
+
+    def test_it_does_what_the_scenes_does(self):
+        alone = self.hash_after(self.comb())
+        mirrored = self.hash_after({"op": "set_symmetry", "symmetry": self.PLANE}, self.comb())
+        self.assertNotEqual(alone, mirrored)
+        self.assertEqual(self.hash_after(self.comb(symmetry=self.PLANE)), mirrored)
+        self.assertEqual(self.hash_after({"op": "set_symmetry", "symmetry": self.PLANE}, self.comb(symmetry={"planes": []})), alone)
+
+    def test_what_is_too_far_is_refused(self):
+        far = {"planes": [{"point": [1e20, 0, 0], "normal": [1, 0, 0]}]}
+        scene = self.server.new_scene("sphere", 500)
+        self.assert_problem(scene.run(self.comb(symmetry=far)), 422, "/brush/symmetry/planes/0/point")
+        self.assertEqual(scene.info()["revision"], 0)
+
+    def test_the_log_keeps_it(self):
+        scene = self.server.new_scene("sphere", 500)
+        plane = {"planes": [{"point": [0.3, 0, 0], "normal": [1, 0, 0]}]}
+        self.assertEqual(scene.run(self.comb(symmetry=plane)).status, 200)
+        log = self.server.get(f"{scene.path}/log").json["entries"]
+        self.assertEqual(log[-1]["commands"]["brush"]["symmetry"]["planes"][0]["point"], [0.3, 0, 0])

@@ -4,7 +4,8 @@ import {useEffect} from "preact/hooks";
 import type {Settings, Vector} from "../api/types";
 import {kept} from "../api/identity";
 import {eyes} from "../scene/live_setting";
-import {scene, settings} from "../scene/session";
+import {scene} from "../scene/session";
+import {hand_symmetry} from "../tools/state";
 import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
 import {orbit, pinholeOf} from "../view/camera";
@@ -34,7 +35,7 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
 
 function place(now: Eye[], took: (index: number) => void) {
   place_request.value = {says: "Press where the eye is to be.", take: (hit) => {
-    const pair = proxy.value ? imagesOnSkin(hit, settings.value?.symmetry, proxy.value) : [];
+    const pair = proxy.value ? imagesOnSkin(hit, hand_symmetry.value, proxy.value) : [];
     const next = [...now, eyeAt(hit, now[now.length - 1]), ...pair.map((image) => eyeAt(image, now[now.length - 1]))].slice(0, maxEyes());
     took(now.length);
     eyes.set(next, true);

@@ -3,6 +3,7 @@ import {useSignal} from "@preact/signals";
 import {useId, useRef} from "preact/hooks";
 import type {Settings} from "../api/types";
 import {toHex, toLinear} from "../tools/colour";
+import {ColourField} from "../tools/colour_field";
 import {resolved, schemas} from "../tools/schema";
 
 type Stops = Settings["coat"]["ramp"] & object;
@@ -69,7 +70,7 @@ export function Ramp({stops, set}: Props) {
       </div>
       <div class="ramp-ends" aria-hidden="true"><span>root</span><span>tip</span></div>
       <div class="row"><label for={id}>Colour at {Math.round(stop.at * 100)}%</label>
-        <input id={id} type="color" value={toHex(stop.colour)} onInput={(event) => colour(event.currentTarget.value, false)} onChange={(event) => colour(event.currentTarget.value, true)} /></div>
+        <ColourField id={id} label={`Colour at ${Math.round(stop.at * 100)}%`} value={stop.colour} set={colour} /></div>
       <div class="buttons">
         <button type="button" disabled={stops.length >= maxStops()} onClick={() => add(widestGap(stops))}>Add a stop</button>
         <button type="button" disabled={stops.length < 2} onClick={() => remove(at)}>Delete it</button>

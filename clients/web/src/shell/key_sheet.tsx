@@ -3,7 +3,8 @@ import {shortcuts} from "./keys";
 import {dialog} from "./places";
 
 const held = [["drag on fur", "use the tool"], ["drag beside it, or Alt+drag", "turn"], ["middle or right drag", "turn"], ["Shift+middle drag, Alt+Shift+drag", "move the picture"],
-  ["wheel, pinch", "zoom"], ["two fingers", "turn on a trackpad; move and zoom on a screen"], ["Ctrl+drag", "the tool's opposite"], ["Shift+drag", "smooth"]] as const;
+  ["wheel, pinch", "zoom"], ["two fingers", "turn on a trackpad; move and zoom on a screen"], ["Ctrl+drag", "the tool's opposite"], ["Shift+drag", "smooth"],
+  ["hold F, move", "size of the brush"], ["hold Shift+F, move", "its strength"], ["hold Space, move", "choose a tool around the pointer"]] as const;
 
 export function KeySheet() {
   if (dialog.value !== "keys") return null;

@@ -1,9 +1,11 @@
 // Keys as sculptors expect them. The sheet under ? is made from this table.
 import type {Op} from "../api/types";
-import {redo, run, scene, settings, undo} from "../scene/session";
-import {brush, current, inverting, setBrush, smoothing} from "../tools/state";
+import {redo, undo} from "../scene/session";
+import {brush, current, inverting, mirror, setBrush, smoothing} from "../tools/state";
 import {invertMask, toggleMask} from "../panels/mask";
 import {tools} from "../tools/catalogue";
+import {adjusting} from "../view/adjust";
+import {closePie, openPie} from "../view/pie_menu";
 import {place_request} from "../view/surface";
 import {focus, moveTo} from "../view/views";
 import {dialog, panel} from "./places";
@@ -16,13 +18,7 @@ const step = (name: string, factor: number, max: number) => {
 };
 const hold = (op: Op) => () => { if (tools.value.some((tool) => tool.op === op)) current.value = op; };
 
-/** Mirror across x, on or off: a setting of the scene. */
-export function toggleMirror() {
-  const on = (settings.value?.symmetry.planes.length ?? 0) > 0;
-  const middle = scene.value ? (Number(scene.value.bounds.min[0]) + Number(scene.value.bounds.max[0])) / 2 : 0;
-  const plane = {point: [middle, 0, 0], normal: [1, 0, 0]};
-  void run({op: "set_symmetry", symmetry: {planes: on ? [] : [plane]}});
-}
+export const toggleMirror = () => { mirror.value = !mirror.value; };
 
 const tool_keys: [string, Op][] = [["C", "comb"], ["B", "blow"], ["P", "attract"], ["S", "smooth"], ["L", "length"], ["U", "lift"],
   ["T", "trim"], ["E", "erase"], ["N", "noise"], ["K", "clump"], ["W", "whorl"], ["D", "paint"], ["G", "flow"], ["I", "interpolate"]];
@@ -34,7 +30,7 @@ export const shortcuts: Shortcut[] = [
   {keys: "Shift+[", says: "weaker", group: "Brush", run: () => step("strength", 1 / 1.15, 1)},
   {keys: "Shift+]", says: "stronger", group: "Brush", run: () => step("strength", 1.15, 1)},
   {keys: "X", says: "mirror on or off", group: "Brush", run: toggleMirror},
-  {keys: "F", says: "look closer at what is under the pointer", group: "View", run: focus},
+  {keys: ".", says: "look closer at what is under the pointer", group: "View", run: focus},
   {keys: "Home", says: "show the whole model", group: "View", run: () => moveTo("three_quarter")},
   {keys: "1", says: "from the front", group: "View", run: () => moveTo("front")},
   {keys: "2", says: "from the right", group: "View", run: () => moveTo("right")},
@@ -65,11 +61,21 @@ const typing = (target: EventTarget | null) =>
 /** Home there goes to the slider's beginning. */
 const ofSlider = (target: EventTarget | null) => target instanceof HTMLInputElement && target.type === "range";
 
+/** Keys that do something as long as they are held. */
+const held_keys: Record<string, {down: () => void; up: () => void}> = {
+  F: {down: () => { adjusting.value ??= smoothing.value ? "strength" : "radius"; }, up: () => { adjusting.value = null; }},
+  " ": {down: openPie, up: closePie},
+};
+const heldOf = (event: KeyboardEvent) => (event.ctrlKey || event.metaKey || event.altKey ? undefined : held_keys[event.key.length === 1 ? event.key.toUpperCase() : event.key]);
+const presses = (target: EventTarget | null) => target instanceof HTMLElement && target.closest("button, summary, [role=button], input") !== null;
+
 function down(event: KeyboardEvent) {
   if (event.key === "Control" || event.key === "Meta") inverting.value = true;
   if (event.key === "Shift") smoothing.value = true;
   if (event.key === "Escape") { dialog.value = null; place_request.value = null; }
   if (typing(event.target)) return;
+  const holds = presses(event.target) && event.key === " " ? undefined : heldOf(event);
+  if (holds) { event.preventDefault(); return holds.down(); }
   const found = shortcuts.find((shortcut) => shortcut.keys === keysOf(event));
   if (!found || (event.key === "Home" && ofSlider(event.target))) return;
   event.preventDefault();
@@ -79,11 +85,15 @@ function down(event: KeyboardEvent) {
 function up(event: KeyboardEvent) {
   if (event.key === "Control" || event.key === "Meta") inverting.value = false;
   if (event.key === "Shift") smoothing.value = false;
+  held_keys[event.key.length === 1 ? event.key.toUpperCase() : event.key]?.up();
 }
 
 export function listenToKeys(): () => void {
   const stops = new AbortController();
-  const released = () => { inverting.value = smoothing.value = false; };
+  const released = () => {
+    inverting.value = smoothing.value = false;
+    for (const {up: leave} of Object.values(held_keys)) leave();
+  };
   addEventListener("keydown", down, {signal: stops.signal});
   addEventListener("keyup", up, {signal: stops.signal});
   addEventListener("blur", released, {signal: stops.signal});

@@ -2,9 +2,10 @@
 import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
 import {downloadPicture, making} from "../files/download";
-import {redo, scene, settings, undo} from "../scene/session";
+import {redo, scene, undo} from "../scene/session";
 import {BrushBar} from "../tools/brush_bar";
 import {Icon} from "../tools/icons";
+import {mirror} from "../tools/state";
 import {DialControl} from "./dial";
 import {toggleMirror} from "./keys";
 import {dialog, panel, theme} from "./places";
@@ -13,7 +14,6 @@ const next_theme = {system: "dark", dark: "light", light: "system"} as const;
 
 export function TopBar() {
   const open = scene.value;
-  const mirror = (settings.value?.symmetry.planes.length ?? 0) > 0;
   return (
     <header class="top-bar">
       <h1>Pelage</h1>
@@ -22,7 +22,7 @@ export function TopBar() {
         <button type="button" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!open?.undo_steps} onClick={() => void undo()}><Icon sign="undo" /></button>
         <button type="button" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!open?.redo_steps} onClick={() => void redo()}><Icon sign="redo" /></button>
       </div>
-      <button type="button" aria-pressed={mirror} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /><span class="word">Mirror</span></button>
+      <button type="button" aria-pressed={mirror.value} aria-label="Mirror" title="Mirror across the middle (X)" disabled={!open} onClick={toggleMirror}><Icon sign="mirror" /><span class="word">Mirror</span></button>
       <span class="grow" />
       <BrushBar />
       <span class="grow" />

@@ -1,21 +1,31 @@
-// Size and strength of the brush, within reach whichever panel is open.
+// Radius and strength of the brush, within reach whichever panel is open; on a screen without keys also what keys do elsewhere.
 import {brush_members} from "./catalogue";
 import {scaleOf} from "./form";
-import {shownNumber} from "./number_field";
+import {NumberField, shownNumber} from "./number_field";
 import {plain, unitOf, words, type Member} from "./schema";
-import {brush, setBrush} from "./state";
+import {brush, inverting, setBrush, smoothing} from "./state";
 
 function BrushSlider({member, keys}: {member: Member; keys: string}) {
   const {step, shareOf, numberOf} = scaleOf(member);
   const number = Number(brush.value[member.name] ?? member.fallback ?? 0);
   const shown = `${shownNumber(number)} ${unitOf(member, brush.value["units"])}`.trim();
   return (
-    <label class="brush-slider" title={`${plain(member.description)} (${keys})`}>
+    <div class="brush-slider" title={`${plain(member.description)} (${keys})`}>
       <span>{words(member.name)}</span>
       <input type="range" min="0" max="1" step={step} value={shareOf(number)} aria-label={`Brush ${member.name}`} aria-valuetext={shown}
              onInput={(event) => setBrush(member.name, numberOf(Number(event.currentTarget.value)))} />
-      <output>{shownNumber(number)}</output>
-    </label>
+      <NumberField label={`${words(member.name)}, as a number`} value={number} range={member.schema} take={(typed) => setBrush(member.name, typed)} />
+    </div>
+  );
+}
+
+/** What Ctrl and Shift do, until it is pressed again. */
+function HandButtons() {
+  return (
+    <div class="hand-buttons" role="group" aria-label="Hand">
+      <button type="button" aria-pressed={inverting.value} onClick={() => { inverting.value = !inverting.value; }}>Opposite</button>
+      <button type="button" aria-pressed={smoothing.value} onClick={() => { smoothing.value = !smoothing.value; }}>Smooth</button>
+    </div>
   );
 }
 
@@ -23,5 +33,10 @@ export function BrushBar() {
   const named = (name: string) => brush_members.value.find((member) => member.name === name);
   const [radius, strength] = [named("radius"), named("strength")];
   if (!radius || !strength) return null;
-  return <div class="brush-bar" role="group" aria-label="Brush"><BrushSlider member={radius} keys="[ and ]" /><BrushSlider member={strength} keys="Shift+[ and Shift+]" /></div>;
+  return (
+    <div class="brush-bar" role="group" aria-label="Brush">
+      <BrushSlider member={radius} keys="hold F, or [ and ]" /><BrushSlider member={strength} keys="hold Shift+F, or Shift+[ and Shift+]" />
+      <HandButtons />
+    </div>
+  );
 }

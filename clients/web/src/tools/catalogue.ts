@@ -36,7 +36,7 @@ export const tools = computed<Tool[]>(() => {
   });
 });
 
-export const brush_members = computed<Member[]>(() => membersOf(schemas.value["Brush"] ?? {}, ["falloff_points", "invert"]));
+export const brush_members = computed<Member[]>(() => membersOf(schemas.value["Brush"] ?? {}, ["falloff_points", "invert", "symmetry"]));
 /** Tools that have a strength of their own take it from the brush: there is one Strength. */
 export const ownStrength = (tool: Tool | undefined) => tool?.members.some(({name}) => name === "strength") ?? false;
 export const toolOf = (op: Op) => tools.value.find((tool) => tool.op === op);

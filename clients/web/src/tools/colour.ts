@@ -18,3 +18,21 @@ export function toLinear(colour: unknown): [number, number, number] {
   const part = (at: number) => decode(parseInt(hex.slice(at, at + 2), 16) / 255);
   return [part(1), part(3), part(5)];
 }
+
+/** Shares of 1. Grey has the hue 0. */
+export interface Hsv { hue: number; saturation: number; brightness: number }
+
+export function toHsv(hex: string): Hsv {
+  const [r, g, b] = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as [number, number, number];
+  const high = Math.max(r, g, b), range = high - Math.min(r, g, b);
+  const turn = range === 0 ? 0 : high === r ? ((g - b) / range + 6) % 6 : high === g ? (b - r) / range + 2 : (r - g) / range + 4;
+  return {hue: turn / 6, saturation: high === 0 ? 0 : range / high, brightness: high};
+}
+
+export function fromHsv({hue, saturation, brightness}: Hsv): string {
+  const part = (shift: number) => {
+    const at = (shift + hue * 6) % 6;
+    return brightness * (1 - saturation * Math.max(0, Math.min(at, 4 - at, 1)));
+  };
+  return "#" + [5, 3, 1].map((shift) => two(part(shift))).join("");
+}

@@ -3,7 +3,7 @@ import type {ComponentChildren} from "preact";
 import {useId} from "preact/hooks";
 import {NumberField, shownNumber} from "./number_field";
 import {membersOf, plain, resolved, unitOf, words, type Member, type Schema} from "./schema";
-import {toHex} from "./colour";
+import {ColourField} from "./colour_field";
 
 type Values = Record<string, unknown>;
 export interface FormProps {
@@ -134,7 +134,7 @@ function MemberRow({member, value, set, units}: {member: Member; value: unknown;
           {options(member).map((one) => <option key={one} value={one}>{words(one)}</option>)}
         </select>)}</Row>;
     case "colour":
-      return <Row member={member}>{(id) => <input id={id} type="color" value={toHex(value ?? member.fallback)} onInput={(event) => set(event.currentTarget.value, false)} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
+      return <Row member={member}>{(id) => <ColourField id={id} label={words(member.name)} value={value ?? member.fallback} set={set} />}</Row>;
     case "text":
       return <Row member={member}>{(id) => <input id={id} type="text" value={String(value ?? "")} maxLength={member.schema.maxLength ?? 200} onChange={(event) => set(event.currentTarget.value, true)} />}</Row>;
     case "number_or_word": return <NumberOrWord member={member} value={value} set={set} units={units} />;

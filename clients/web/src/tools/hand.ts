@@ -6,7 +6,7 @@ import {pinholeOf, type Orbit, type Projection} from "../view/camera";
 import type {Hit} from "../view/proxy";
 import {add, scale, subtract, unit} from "../view/vector";
 import {placeGuide} from "./guides";
-import {brushOf, commandOf, inverting, worldRadius} from "./state";
+import {brushOf, commandOf, inverting, steadiness, worldRadius} from "./state";
 import {Stroke, type StrokeSample} from "./stroke";
 
 /** `hit` is what the hand touches, `skin` what lies under it, if any. */
@@ -29,8 +29,23 @@ const sampleOf = (event: PointerEvent, start: number): StrokeSample => ({
   time: Math.max(0, (event.timeStamp - start) / 1000),
 });
 
+const rope = 70;  // pixels of the steadiest hand
+
+/** The brush follows the pointer on a rope: what trembles within it moves nothing. */
+class SteadyHand {
+  private at: [number, number];
+  constructor(start: [number, number], private readonly length: number) { this.at = start; }
+
+  follow(to: [number, number]): [number, number] {
+    const [x, y] = [to[0] - this.at[0], to[1] - this.at[1]], far = Math.hypot(x, y);
+    if (far > this.length) this.at = [this.at[0] + x * (1 - this.length / far), this.at[1] + y * (1 - this.length / far)];
+    return this.at;
+  }
+}
+
 class BrushHold implements Hold {
   private readonly stroke: Stroke;
+  private readonly steady: SteadyHand;
   private readonly start: number;
   private last: StrokeSample;
 
@@ -44,13 +59,14 @@ class BrushHold implements Hold {
     this.stroke = new Stroke(command, view, page_id, options.sent, answered);
     this.start = event.timeStamp;
     this.last = sampleOf(event, this.start);
+    this.steady = new SteadyHand(this.last.screen, steadiness.value * rope);
     this.stroke.add([this.last]);
   }
 
   move(events: PointerEvent[]) {
     const fresh: StrokeSample[] = [];
     for (const event of events) {
-      const sample = sampleOf(event, this.start);
+      const seen = sampleOf(event, this.start), sample = {...seen, screen: this.steady.follow(seen.screen)};
       const step = Math.hypot(sample.screen[0] - this.last.screen[0], sample.screen[1] - this.last.screen[1]);
       if (step < min_step || sample.time < this.last.time) continue;
       fresh.push(sample);

@@ -1,7 +1,11 @@
 // Settings to begin with, by tool.
+import {kept} from "../api/identity";
 import type {Op} from "../api/types";
 
 export interface Preset { name: string; values: Record<string, unknown>; brush?: Record<string, unknown> }
+
+/** Saved by whoever sits here, by tool. */
+export const saved = kept<Partial<Record<Op, Preset[]>>>("presets", {});
 
 export const presets: Partial<Record<Op, Preset[]>> = {
   comb: [

@@ -1,8 +1,8 @@
 // What the hand holds: the tool, its settings and the brush. Kept in this browser.
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
-import type {Command, Op} from "../api/types";
-import {edit_layer, scene} from "../scene/session";
+import type {Command, Op, Symmetry} from "../api/types";
+import {edit_layer, scene, settings} from "../scene/session";
 import {brush_members, ownStrength, schemaOf, toolOf} from "./catalogue";
 import {forbidden, type Member} from "./schema";
 
@@ -12,9 +12,26 @@ export const current = kept<Op>("tool", "comb");
 /** What was set by hand, by tool; the rest is as the contract's defaults say. */
 export const set_values = kept<Partial<Record<Op, Values>>>("tool-values", {});
 export const set_brush = kept<Values>("brush", {radius: 0.08});
-/** Held keys: Ctrl inverts, Shift smooths. */
+/** Whether the hand works on both sides. It belongs to the hand: no step of the groom says so. */
+export const mirror = kept("mirror", false);
+/** How much the hand is steadied, from 0 to 1. */
+export const steadiness = kept("steady", 0);
+/** Held keys, or buttons on a screen without: Ctrl inverts, Shift smooths. */
 export const inverting = signal(false);
 export const smoothing = signal(false);
+
+const hasImages = ({planes, count = 1}: Symmetry) => planes.length > 0 || count > 1;
+const scene_symmetry = computed<Symmetry>(() => settings.value?.symmetry ?? {planes: []});
+
+/** What strokes are mirrored by: the scene's own symmetry, or the plane through the middle. */
+export const hand_symmetry = computed<Symmetry>(() => {
+  if (!mirror.value || !scene.value) return {planes: []};
+  if (hasImages(scene_symmetry.value)) return scene_symmetry.value;
+  const {min, max} = scene.value.bounds;
+  return {planes: [{point: [(Number(min[0]) + Number(max[0])) / 2, 0, 0], normal: [1, 0, 0]}]};
+});
+/** Said with each command, where it is not what the scene does anyway. */
+const said_symmetry = computed(() => (mirror.value || hasImages(scene_symmetry.value) ? {symmetry: hand_symmetry.value} : {}));
 
 /** The tool that a dab would use now. */
 export const in_hand = computed<Op>(() => (smoothing.value ? "smooth" : current.value));
@@ -64,12 +81,13 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
   const whole: Values = {op, ...command, ...by_hand};
   for (const name of forbidden(schemaOf(op), whole)) delete whole[name];
   if (edit_layer.value) whole["edit_layer"] = edit_layer.value;
+  if (!whole["brush"] && "symmetry" in said_symmetry.value) whole["brush"] = said_symmetry.value;
   return whole as Command;
 }
 
 /** The brush as it is sent with a tool, with what differs from the defaults. */
 export function brushOf(op: Op, invert: boolean): Values {
-  const sent: Values = {};
+  const sent: Values = {...said_symmetry.value};
   for (const member of brush_members.value) {
     const value = brush.value[member.name];
     if (!same(value, member.fallback)) sent[member.name] = value;
@@ -78,6 +96,9 @@ export function brushOf(op: Op, invert: boolean): Values {
   if (invert) sent["invert"] = true;
   return sent;
 }
+
+/** Pixels that 1 of the brush's radius covers, where a pixel covers `units_per_pixel`. */
+export const brushScale = (units_per_pixel: number) => worldRadius(units_per_pixel) / units_per_pixel / Number(brush.value["radius"]);
 
 /** The brush's radius in the model's unit at a point where one pixel covers `units_per_pixel`. */
 export function worldRadius(units_per_pixel: number): number {

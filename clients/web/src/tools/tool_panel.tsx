@@ -1,15 +1,17 @@
 // The tool in hand: what it does, its settings, the brush, and the same everywhere at once.
+import {useSignal} from "@preact/signals";
 import type {Op} from "../api/types";
+import {useId} from "preact/hooks";
 import {run, settings} from "../scene/session";
 import {MaskSection} from "../panels/mask";
 import {firstMembers, handWords} from "./artist_words";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
 import {Form} from "./form";
 import {removeGuide, guidesOf, layAgain} from "./guides";
-import {ToolIcon} from "./icons";
-import {presets} from "./presets";
+import {Icon, ToolIcon} from "./icons";
+import {presets, saved, type Preset} from "./presets";
 import {forbidden, type Member} from "./schema";
-import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, valuesOf} from "./state";
+import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, steadiness, valuesOf} from "./state";
 import {ToolPicture} from "./tool_picture";
 
 /** Radius and strength are in the bar above the picture. */
@@ -21,17 +23,39 @@ function flood(tool: Tool) {
   void run(commandOf(tool.op, {flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
 }
 
-function Presets({tool}: {tool: Tool}) {
-  const of_tool = presets[tool.op] ?? [];
-  if (of_tool.length === 0) return null;
-  const take = (index: number) => {
-    const preset = of_tool[index]!;
-    set_values.value = {...set_values.value, [tool.op]: preset.values};
-    set_brush.value = {...set_brush.value, ...preset.brush};
+/** Settings of the tool and the brush under a name. */
+function take(op: Op, {values, brush: of_brush}: Preset) {
+  set_values.value = {...set_values.value, [op]: values};
+  set_brush.value = {...set_brush.value, ...of_brush};
+}
+
+function SavePreset({op}: {op: Op}) {
+  const naming = useSignal(false);
+  const save = (event: Event) => {
+    event.preventDefault();
+    const name = (new FormData(event.currentTarget as HTMLFormElement).get("name") as string).trim();
+    naming.value = false;
+    if (!name) return;
+    const preset = {name, values: {...set_values.value[op]}, brush: {...set_brush.value}};
+    saved.value = {...saved.value, [op]: [...(saved.value[op] ?? []).filter((other) => other.name !== name), preset]};
   };
+  if (!naming.value) return <button type="button" class="chip" title="Keep these settings of tool and brush in this browser" onClick={() => { naming.value = true; }}>Save…</button>;
+  return <form class="name-row" onSubmit={save}><input name="name" type="text" maxLength={30} aria-label="Name of the preset" autoFocus /><button type="submit">Save</button></form>;
+}
+
+function Presets({tool: {op}}: {tool: Tool}) {
+  const own = saved.value[op] ?? [];
+  const remove = (name: string) => { saved.value = {...saved.value, [op]: own.filter((other) => other.name !== name)}; };
   return (
     <div class="chips presets" role="group" aria-label="Presets">
-      {of_tool.map((preset, k) => <button key={preset.name} type="button" class="chip" onClick={() => take(k)}>{preset.name}</button>)}
+      {(presets[op] ?? []).map((preset) => <button key={preset.name} type="button" class="chip" onClick={() => take(op, preset)}>{preset.name}</button>)}
+      {own.map((preset) => (
+        <span key={preset.name} class="own-preset">
+          <button type="button" class="chip" onClick={() => take(op, preset)}>{preset.name}</button>
+          <button type="button" class="quiet" aria-label={`Forget ${preset.name}`} onClick={() => remove(preset.name)}><Icon sign="close" /></button>
+        </span>
+      ))}
+      <SavePreset op={op} />
     </div>
   );
 }
@@ -91,6 +115,16 @@ function ToolSettings({tool}: {tool: Tool}) {
   );
 }
 
+function Steadiness() {
+  const id = useId();
+  return (
+    <div class="row" title="The brush follows the pointer on a rope, so that a hand that trembles draws a smooth line">
+      <label for={id}>Steady hand</label>
+      <input id={id} type="range" min="0" max="1" step="0.05" value={steadiness.value} onInput={(event) => { steadiness.value = Number(event.currentTarget.value); }} />
+    </div>
+  );
+}
+
 function BrushSettings() {
   const main = brush_members.value.filter(({name}) => main_brush.includes(name));
   const more = brush_members.value.filter(({name}) => !main_brush.includes(name) && !in_the_bar.includes(name));
@@ -98,6 +132,7 @@ function BrushSettings() {
     <section>
       <h3>Brush</h3>
       <Form members={main} values={brush.value} set={setBrush} />
+      <Steadiness />
       <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
     </section>
   );

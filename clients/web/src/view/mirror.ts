@@ -1,5 +1,5 @@
-// The images of a place under the scene's symmetry, on the surface.
-import type {Settings, Vector} from "../api/types";
+// The images of a place under the hand's symmetry.
+import type {Symmetry, Vector} from "../api/types";
 import {add, dot, scale, subtract, unit} from "./vector";
 import type {Hit, Proxy} from "./proxy";
 
@@ -10,18 +10,18 @@ function reflect(point: Vector, plane: Plane): Vector {
   return subtract(point, scale(normal, 2 * dot(subtract(point, plane.point), normal)));
 }
 
-export const planesOf = (symmetry: Settings["symmetry"] | undefined): Plane[] =>
-  ((symmetry?.planes ?? []) as Partial<Plane>[]).map((plane) => ({point: plane.point ?? [0, 0, 0], normal: plane.normal ?? [1, 0, 0]}));
+export const planesOf = (symmetry: Symmetry): Plane[] =>
+  symmetry.planes.map((plane) => ({point: (plane.point ?? [0, 0, 0]) as Vector, normal: (plane.normal ?? [1, 0, 0]) as Vector}));
 
 /** Images by each mirror plane alone; a rotation's images are the server's to find. */
-export const imagesOf = (hit: Hit, symmetry: Settings["symmetry"] | undefined): Hit[] =>
+export const imagesOf = (hit: Hit, symmetry: Symmetry): Hit[] =>
   planesOf(symmetry).map((plane) => {
     const point = reflect(hit.point, plane);
     return {point, normal: unit(subtract(reflect(add(hit.point, hit.normal), plane), point)), distance: hit.distance};
   });
 
 /** The images that lie on the skin. */
-export function imagesOnSkin(hit: Hit, symmetry: Settings["symmetry"] | undefined, proxy: Proxy): Hit[] {
+export function imagesOnSkin(hit: Hit, symmetry: Symmetry, proxy: Proxy): Hit[] {
   return imagesOf(hit, symmetry).flatMap(({point, normal}) => {
     const lift = hit.distance * 0.05;
     const found = proxy.cast(add(point, scale(normal, lift)), scale(normal, -1));

@@ -1,5 +1,5 @@
 // Lines over the picture: what the hand draws, and the planes of symmetry.
-import type {Scene, Settings, Vector} from "../api/types";
+import type {Scene, Symmetry, Vector} from "../api/types";
 import type {Projection} from "./camera";
 import {planesOf} from "./mirror";
 import {add, scale, subtract, dot, tangents, unit} from "./vector";
@@ -17,7 +17,7 @@ export function drawLine(pen: CanvasRenderingContext2D, projection: Projection, 
 }
 
 /** A quiet frame for each plane, as large as the model. */
-export function drawPlanes(pen: CanvasRenderingContext2D, projection: Projection, symmetry: Settings["symmetry"] | undefined, scene: Scene | null) {
+export function drawPlanes(pen: CanvasRenderingContext2D, projection: Projection, symmetry: Symmetry, scene: Scene | null) {
   if (!scene) return;
   const {min, max} = scene.bounds as {min: Vector; max: Vector};
   const middle = scale(add(min, max), 0.5);

@@ -17,7 +17,7 @@ export const proxy = signal<Proxy | null>(null);
 /** What the hand would touch; null beside the model. */
 export const hover = signal<Hit | null>(null);
 /** Set while the next press on the model is taken by a panel that asked for a place. */
-export const place_request = signal<{says: string; take: (hit: Hit) => void} | null>(null);
+export const place_request = signal<{says: string; take: (hit: Hit, pixel: [number, number]) => void} | null>(null);
 
 /** The camera of the picture that is seen. What lies over the picture moves with it, and not before it. */
 export const seen_orbit = computed<Orbit>(() => shown.value?.orbit ?? orbit.value);

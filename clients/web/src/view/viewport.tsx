@@ -1,11 +1,12 @@
 // The picture, the brush over it and what the pointer does. The picture comes from the server; all else is drawn here.
 import {effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
-import {model_id, revision, scene, settings, shown_model} from "../scene/session";
+import {model_id, revision, scene, shown_model} from "../scene/session";
 import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
-import {brush, in_hand, worldRadius} from "../tools/state";
+import {brush, hand_symmetry, in_hand, worldRadius} from "../tools/state";
 import {takeUp, type Hold} from "../tools/hand";
+import {Adjustment, adjusting, type Adjusted} from "./adjust";
 import {orbit, pinholeOf, type Projection} from "./camera";
 import {Badge} from "./badge";
 import {playing} from "./clock";
@@ -19,6 +20,7 @@ import {HandHints} from "./hand_hints";
 import {imagesOf} from "./mirror";
 import {Navigation} from "./navigation";
 import type {Hit} from "./proxy";
+import {movePie, PieMenu} from "./pie_menu";
 import {PictureStack} from "./picture_stack";
 import {dial, rest_quality, shared_request} from "./quality";
 import {drawRing} from "./ring";
@@ -37,6 +39,7 @@ class View {
   private readonly pen: CanvasRenderingContext2D;
   private hold: Hold | null = null;
   private pointer: [number, number] | null = null;
+  private adjustment: Adjustment | null = null;
   private redraw = 0;
 
   constructor(private readonly box: HTMLElement, pictures: HTMLCanvasElement[], private readonly sketch: HTMLCanvasElement) {
@@ -51,7 +54,7 @@ class View {
       toolDown: (event) => this.toolDown(event),
       toolMove: (events) => this.toolMove(events),
       toolUp: (_, cancelled) => { this.hold?.up(cancelled); this.hold = null; this.sketchSoon(); },
-      hover: (event) => { this.pointer = event ? [event.offsetX, event.offsetY] : null; this.sketchSoon(); },
+      hover: (event) => this.hover(event),
     });
   }
 
@@ -73,6 +76,9 @@ class View {
     this.pictures.show(bitmap, stage === "rest" || stage === "traced");
   }
 
+  /** The colour that is seen at a pixel of the picture, with its neighbours. */
+  colourAt(x: number, y: number) { return this.pictures.colourAt(x / viewport_size.value.width, y / viewport_size.value.height); }
+
   /** Another scene or model comes: nothing of the one before is seen, and a stroke on it ends there. */
   forget() {
     this.hold?.up(true);
@@ -83,7 +89,7 @@ class View {
 
   private toolDown(event: PointerEvent) {
     const hit = furAt(event.offsetX, event.offsetY), skin = skinAt(event.offsetX, event.offsetY);
-    if (place_request.value) return this.place(skin);
+    if (place_request.value) return this.place(skin, [event.offsetX, event.offsetY]);
     if (!hit) return;
     this.pointer = [event.offsetX, event.offsetY];
     const press = {hit, skin, projection: projectionNow(), orbit: seen_orbit.value, time: event.timeStamp};
@@ -94,12 +100,25 @@ class View {
     this.sketchSoon();
   }
 
+  private hover(event: PointerEvent | null) {
+    if (movePie(event ? [event.offsetX, event.offsetY] : null)) return;
+    if (this.adjustment) { if (event) this.adjustment.move(event.offsetX); return; }
+    this.pointer = event ? [event.offsetX, event.offsetY] : null;
+    this.sketchSoon();
+  }
+
+  /** A held key sets the brush; the pointer belongs to it until the key is up. */
+  adjust(what: Adjusted | null) {
+    const hit = this.pointer ? furAt(...this.pointer) : null;
+    this.adjustment = what && this.pointer && hit ? new Adjustment(what, this.pointer, projectionNow().unitsPerPixel(hit.point)) : null;
+  }
+
   /** The press goes to the panel that asked for a place. */
-  private place(skin: Hit | null) {
+  private place(skin: Hit | null, pixel: [number, number]) {
     const request = place_request.value;
     if (!request || !skin) return;
     place_request.value = null;
-    request.take(skin);
+    request.take(skin, pixel);
   }
 
   private toolMove(events: PointerEvent[]) {
@@ -127,7 +146,7 @@ class View {
     this.pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.pen.clearRect(0, 0, width, height);
     const projection = projectionNow();
-    drawPlanes(this.pen, projection, settings.value?.symmetry, scene.value);
+    drawPlanes(this.pen, projection, hand_symmetry.value, scene.value);
     if (this.hold) drawLine(this.pen, projection, this.hold.line());
     this.drawBrush(projection);
     mark("ring", {start, end: performance.now()});
@@ -142,7 +161,7 @@ class View {
       radius: worldRadius(projection.unitsPerPixel(hit.point)), inner: Number(brush.value["strength"] ?? 1),
       colour: in_hand.value === "smooth" ? "#7fd1ff" : "#ffd28a", flat: brush.value["falloff_shape"] === "surface",
     };
-    drawRing(this.pen, projection, proxy.value, hit, imagesOf(hit, settings.value?.symmetry), style, pinholeOf(seen_orbit.value).position);
+    drawRing(this.pen, projection, proxy.value, hit, imagesOf(hit, hand_symmetry.value), style, pinholeOf(seen_orbit.value).position);
   }
 }
 
@@ -162,12 +181,20 @@ function follow(shown: View): () => void {
     when(() => [revision.value, shown_model.value], touch),
     when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], () => shown.frames.touch({moving: playing.value})),
     when(() => playing.value, touch),
+    when(() => adjusting.value, () => shown.adjust(adjusting.value)),
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
     when(() => viewport_size.value, () => { touch(); shown.sketchSoon(); }),
-    when(() => [brush.value, in_hand.value, settings.value, proxy.value, seen_orbit.value], () => shown.sketchSoon()),
+    when(() => [brush.value, in_hand.value, hand_symmetry.value, proxy.value, seen_orbit.value], () => shown.sketchSoon()),
     when(() => model_id.value, () => moveTo("three_quarter", true)),
   ];
   return () => stops.forEach((stop) => stop());
+}
+
+/** Keys work where the pointer is, unless somebody types. */
+function takeKeys(element: HTMLElement) {
+  const holds = document.activeElement;
+  if (holds instanceof HTMLElement && (/^(INPUT|TEXTAREA|SELECT)$/.test(holds.tagName) && !["range", "checkbox", "radio"].includes((holds as HTMLInputElement).type) || holds.closest("dialog, [popover]"))) return;
+  element.focus({preventScroll: true});
 }
 
 export function Viewport() {
@@ -176,6 +203,7 @@ export function Viewport() {
   const sketch = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const element = box.current!;
+    element.addEventListener("pointerenter", () => takeKeys(element));
     const measure = () => { viewport_size.value = {width: element.clientWidth, height: element.clientHeight}; };
     const watcher = new ResizeObserver(measure);
     watcher.observe(element);
@@ -200,6 +228,7 @@ export function Viewport() {
       </div>
       <FirstPicture />
       {place_request.value && <div class="hint-line" role="status">{place_request.value.says} <kbd>Esc</kbd> leaves it.</div>}
+      <PieMenu />
       <Compare />
       <Gizmos />
       <GuideHandles />
