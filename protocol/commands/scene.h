@@ -46,6 +46,7 @@ struct NewScene {
   BuiltinModel model;
   FirstGroom fur;
   FurPatches fur_patches = FurPatches::overlapping;
+  bool ground = false;  // whether the ground below the model is visible at first
 };
 
 /// An edge whose triangles' normals differ by more degrees is seen as an edge.
@@ -63,6 +64,7 @@ struct ImportOptions {
   std::vector<int> two_sided;                      // and of those that get a back, to grow fur on both sides
   FirstGroom fur{.form = GroomForm::animal};
   FurPatches fur_patches = FurPatches::overlapping;
+  bool ground = false;  // as NewScene::ground
 };
 
 /// How fine a mesh for clients is to be.

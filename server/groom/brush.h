@@ -28,6 +28,9 @@ Brush* brush_of(Command& command);
 
 /// Converts a length of a command to sizes.
 double internal_length(double value, Units units, const Mesh& mesh);
+inline std::optional<double> internal_length(std::optional<double> value, Units units, const Mesh& mesh) {
+  return value ? std::optional(internal_length(*value, units, mesh)) : std::nullopt;
+}
 
 /// One print of the brush, in internal coordinates.
 struct Dab {

@@ -75,14 +75,16 @@ Evaluation run(const Flow& command, const Surface& surface, const FieldSet& fiel
   Evaluation done;
   if (region.empty()) return done;
   const std::vector<GaussianMean<glm::dvec3>> ways = ways_of(command, surface, region, extras.cancel);
+  const std::optional<double> reach = internal_length(command.reach, command.units, surface.mesh());
   write_in_parallel(fields, Field::direction, static_cast<std::uint32_t>(region.size()), done.delta,
                     [&](std::uint32_t i, FieldWriter& directions) {
                       const auto [v, restriction] = region[i];
-                      if (!ways[i].reached()) return false;
+                      const double share = share_within(reach, ways[i].nearest());
+                      if (!ways[i].reached() || share == 0) return false;
                       const glm::dvec2 direction(fields.direction()[v]);
                       const double lean = command.inclination.value_or(glm::length(direction));
                       return directions.put(v, turned(direction, frame_at(surface.mesh(), v), ways[i].mean(), lean,
-                                                      command.strength * restriction));
+                                                      command.strength * restriction * share));
                     });
   return done;
 }

@@ -83,19 +83,24 @@ Evaluation run(const Interpolate& command, const Surface& surface, const FieldSe
   if (region.empty()) return done;
   const std::vector<Said> said = what_keys_say(command, surface, region, extras.cancel);
   const auto count = static_cast<std::uint32_t>(region.size());
+  const std::optional<double> reach = internal_length(command.reach, command.units, surface.mesh());
+  const auto strength_at = [&](std::uint32_t i, double distance) {
+    return command.strength * region[i].weight * share_within(reach, distance);
+  };
   write_in_parallel(fields, Field::direction, count, done.delta, [&](std::uint32_t i, FieldWriter& directions) {
     const std::uint32_t v = region[i].vertex;
-    if (!said[i].lean.reached()) return false;
+    const double strength = strength_at(i, said[i].lean.nearest());
+    if (!said[i].lean.reached() || strength == 0) return false;
     const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said[i].lean.mean());
     return directions.put(
-        v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, command.strength * region[i].weight)));
+        v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, strength)));
   });
   done.clamped +=
       write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {
         const std::uint32_t v = region[i].vertex;
-        if (!said[i].length.reached()) return false;
-        return lengths.put(
-            v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), command.strength * region[i].weight));
+        const double strength = strength_at(i, said[i].length.nearest());
+        if (!said[i].length.reached() || strength == 0) return false;
+        return lengths.put(v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), strength));
       });
   return done;
 }

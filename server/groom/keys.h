@@ -30,6 +30,13 @@ class Spreader {
   std::optional<HeatDistance> heat_;
 };
 
+/// Returns how much keys count at a distance, [0, 1]: all of it up to half of their reach, nothing from their reach on.
+inline double share_within(std::optional<double> reach, double distance) {
+  if (!reach) return 1;
+  const double t = std::clamp(2 * distance / *reach - 1, 0.0, 1.0);
+  return 1 - t * t * (3 - 2 * t);
+}
+
 /// The mean of values by the weights exp(-d^2 / (2 sigma^2)) of their distances d. The largest exponent is taken off,
 /// so that far from all sources the mean is not 0 / 0 (science.md 3). Values come in one portion or in several.
 template <class Value>
@@ -51,6 +58,8 @@ class GaussianMean {
 
   /// Returns whether any source reached it.
   bool reached() const { return weight_ > 0; }
+  /// Returns the distance of the nearest source; infinite where none reached it.
+  double nearest() const { return nearest_; }
   /// Returns the mean over the sources that reached it; there must be one.
   Value mean() const { return sum_ / weight_; }
 

@@ -155,6 +155,12 @@ struct CheckTool {
     if (internal_length(value, units, mesh) >= limits::min_sigma) return length(value, units, "/sigma");
     return failure(Code::invalid, "the width is too small for the model", "/sigma", "at least 1e-6 sizes");
   }
+  /// Of keys and guides.
+  template <class Guides>
+  Status width_and_reach(const Guides& command) const {
+    if (Status bad = sigma(command.sigma, command.units); !bad.ok() || !command.reach) return bad;
+    return length(*command.reach, command.units, "/reach");
+  }
   Status fur_length(double value, Units units, std::string pointer) const {
     if (internal_length(value, units, mesh) <= limits::fur_length) return {};
     return failure(Code::invalid, "fur cannot be so long", std::move(pointer), "at most 10 sizes of the model");
@@ -172,7 +178,7 @@ struct CheckTool {
       if (!command.keys[k].length) continue;
       if (Status far = fur_length(*command.keys[k].length, command.units, pointer + "/length"); !far.ok()) return far;
     }
-    return sigma(command.sigma, command.units);
+    return width_and_reach(command);
   }
   Status operator()(const Flow& command) const {
     for (std::size_t c = 0; c < command.curves.size(); ++c) {
@@ -181,7 +187,7 @@ struct CheckTool {
         if (!far.ok()) return far;
       }
     }
-    return sigma(command.sigma, command.units);
+    return width_and_reach(command);
   }
   Status operator()(const Noise& command) const { return length(command.feature_size, command.units, "/feature_size"); }
   Status operator()(const Unify& command) const {

@@ -83,14 +83,14 @@ class Mover {
       if (key.direction) turn(*key.direction);
       scale(key.length, command.units);
     }
-    scale(command.sigma, command.units);
+    scale(command.sigma, command.units), scale(command.reach, command.units);
     return true;
   }
   bool move_parts(Flow& command) const {
     for (std::vector<glm::dvec3>& curve : command.curves) {
       for (glm::dvec3& point : curve) move_on_skin(point);
     }
-    scale(command.sigma, command.units);
+    scale(command.sigma, command.units), scale(command.reach, command.units);
     return true;
   }
   bool move_parts(Noise& noise) const {

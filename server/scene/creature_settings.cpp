@@ -238,8 +238,9 @@ std::vector<Eye> creature_eyes(const Mesh& mesh) {
 
 }  // namespace
 
-SceneSettings first_settings(const SceneModel& model) {
+SceneSettings first_settings(const SceneModel& model, bool ground) {
   SceneSettings settings;
+  settings.ground.visible = ground;
   if (model.name != "creature") return settings;
   settings.eyes = creature_eyes(model.surface.mesh());
   settings.curves = creature_curves(model.surface, settings.eyes);

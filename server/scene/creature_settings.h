@@ -22,7 +22,8 @@ std::vector<SkinRegion> creature_skin(const Mesh& mesh);
 
 // What a scene begins with beside its fur.
 
-/// The default coat, look and lights; the built-in creature has two eyes, whiskers, lashes, brows and bare skin.
-SceneSettings first_settings(const SceneModel& model);
+/// The default coat, look and lights; the built-in creature has two eyes, whiskers, lashes, brows and bare skin. The
+/// ground is visible where it is asked for.
+SceneSettings first_settings(const SceneModel& model, bool ground = false);
 
 }  // namespace pelage

@@ -42,12 +42,12 @@ Status quarantined(const std::string& damage) {
 }  // namespace
 
 Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur,
-             Journal& journal, std::size_t undo_bytes)
+             Journal& journal, std::size_t undo_bytes, const SceneSettings* settings)
     : id_(std::move(id)),
       name_(std::move(name)),
       journal_(journal),
       undo_bytes_(undo_bytes),
-      history_(new_history(0, first_settings(*model))) {
+      history_(new_history(0, settings != nullptr ? *settings : first_settings(*model))) {
   FieldSet fields = first_groom(model->surface.mesh(), fur);
   present_ = beginning(std::move(model), std::move(fields), history_, nullptr);
 }
@@ -351,14 +351,16 @@ Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
 }
 
 Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
-                                          StoredModel stored, const ExecuteOptions& options) {
+                                          StoredModel stored, bool ground, const ExecuteOptions& options) {
   FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
   const Result<ChangeTurns::Turn> turn = begin_change(options);
   if (!turn) return turn.status();
   if (options.dry_run) return summary();
   const Revision revision = present_->revision + 1;
-  const StoredScene stored_scene{id_, name_, std::move(stored), revision, difference(FieldSet(first.size()), first)};
-  History history = new_history(revision, first_settings(*model));
+  const auto settings = std::make_shared<const SceneSettings>(first_settings(*model, ground));
+  const StoredScene stored_scene{id_,      name_, std::move(stored), revision, difference(FieldSet(first.size()), first),
+                                 settings, {}};
+  History history = new_history(revision, *settings);
   SnapshotPtr fresh = beginning(model, std::move(first), history, nullptr);
   Status begun = begin_anew(fresh, history, [&] { return journal_.replace_model(stored_scene); });
   return begun.ok() ? Result<SceneSummary>(summary()) : begun;

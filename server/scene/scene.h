@@ -67,9 +67,9 @@ struct StoredModel;
 class Scene {
  public:
   /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
-  /// `undo_bytes` stay in memory.
+  /// `undo_bytes` stay in memory. Without `settings` they are those of the model (first_settings).
   Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal,
-        std::size_t undo_bytes = limits::undo_bytes);
+        std::size_t undo_bytes = limits::undo_bytes, const SceneSettings* settings = nullptr);
 
   /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
   /// (internal) when they do not fit together; the scene then stands before the first one that does not.
@@ -134,9 +134,9 @@ class Scene {
   void pose(std::optional<ScenePose> pose);
 
   /// Gives the scene a new model, which starts an empty log at the next revision. `stored` is what the journal keeps of
-  /// the model.
+  /// the model. `ground`: whether it is visible at first.
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
-                                     const ExecuteOptions& options = {});
+                                     bool ground = false, const ExecuteOptions& options = {});
 
   /// Splits triangles of the model, whose fields, roots and settings stay; checkpoints are dropped. An empty log starts
   /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refused

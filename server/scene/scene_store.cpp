@@ -13,6 +13,7 @@
 #include "server/builtin/builtin_cache.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"
+#include "server/scene/creature_settings.h"
 #include "server/scene/follow_guides.h"
 #include "server/scene/foreign_scene.h"
 #include "server/scene/map_pictures.h"
@@ -112,7 +113,8 @@ Result<std::shared_ptr<Scene>> SceneStore::Impl::opened(const std::string& id) {
 
 Result<std::shared_ptr<Scene>> SceneStore::Impl::add(StoredScene stored, std::shared_ptr<const SceneModel> model,
                                                      FirstGroom fur) {
-  auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal, undo_bytes);
+  auto scene = std::make_shared<Scene>(stored.id, stored.name, std::move(model), fur, *journal, undo_bytes,
+                                       stored.first_settings.get());
   stored.first_groom = groom_of(*scene);
   if (Status added = scenes.add(scene, [&] { return journal->add_scene(stored); }); !added.ok()) return added;
   return scene;
@@ -164,7 +166,8 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const
                   .fur_patches = request.fur_patches};
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
-  return impl_->add({random_id(), request.name, std::move(how), 0, {}, nullptr, keyed}, *model, request.fur);
+  auto settings = std::make_shared<const SceneSettings>(first_settings(**model, request.ground));
+  return impl_->add({random_id(), request.name, std::move(how), 0, {}, std::move(settings), keyed}, *model, request.fur);
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request,
@@ -301,7 +304,7 @@ Result<SceneSummary> SceneStore::Impl::load_model(Scene& scene, const ImportOpti
   if (!model) return model.status();
   execute.cancel.check();
   how.raw = encode_raw_model(*raw);
-  return scene.replace_model(*model, options.fur, std::move(how), execute);
+  return scene.replace_model(*model, options.fur, std::move(how), options.ground, execute);
 }
 
 Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute) {

@@ -54,21 +54,21 @@ test("a light is added, dragged around the model and taken away", async () => {
   await page.getByRole("button", {name: "Add a light"}).click();
   await stepsAre(1);
   assert.equal((await settings()).lights.length, first.length + 1);
-  const handle = page.getByRole("button", {name: "Light 1", exact: true}).and(page.locator(".handle"));
+  const handle = page.getByRole("button", {name: "Light 2", exact: true}).and(page.locator(".handle"));
   const box = await handle.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(box.x - 90, box.y + 40, {steps: 10});
   await page.mouse.up();
   await stepsAre(2);
-  assert.notDeepEqual((await settings()).lights[0].direction, first[0].direction);
+  assert.notDeepEqual((await settings()).lights[1].direction, first[1].direction);
   await page.getByRole("button", {name: /^Delete light/}).click();
   await stepsAre(3);
   assert.equal((await settings()).lights.length, first.length);
   await studio.finish();
 });
 
-test("an eye stands where the model is pressed", async () => {
+test("an eye stands where the model is pressed, with its pair, and no fur grows on it", async () => {
   await open("eyes", "look");
   const {length} = (await settings()).eyes;
   await page.getByRole("button", {name: /place an eye/i}).click();
@@ -76,10 +76,43 @@ test("an eye stands where the model is pressed", async () => {
   await page.mouse.click(...await studio.at(0.5, 0.5));
   await stepsAre(1);
   const {eyes} = await settings();
-  assert.equal(eyes.length, length + 1);
+  assert.equal(eyes.length, length + 2);
+  const [one, other] = eyes.slice(-2).map(({position}) => position);
+  const {bounds, size} = await server.get(`/v1/scenes/${id}`);
+  assert.ok(Math.abs(one[0] + other[0] - bounds.min[0] - bounds.max[0]) < 0.03 * size, "a pair in the mirror");
+  const place = {nearest: one};
+  assert.ok((await server.post(`/v1/scenes/${id}/pick`, place)).painted.density < 0.2);
   await page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);  // the page knows of it too
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);
   assert.equal((await settings()).eyes.length, length);
+  await studio.finish();
+});
+
+test("handles move, size and turn an eye in the picture, and its pair follows", async () => {
+  await open("handles", "look");
+  await page.keyboard.press("1");
+  await studio.seen("rest");
+  const before_drag = (await settings()).eyes;
+  assert.equal(before_drag.length, 2);
+  let steps = 0;
+  for (const [name, by] of [["Size of eye 1", [12, 0]], ["Eye 1", [0, 24]], ["Where eye 1 looks", [20, 30]]]) {
+    const box = await page.getByRole("button", {name, exact: true}).and(page.locator(".handle")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + by[0], y + by[1], {steps: 6});
+    await page.mouse.up();
+    await stepsAre(++steps);
+  }
+  const eyes = (await settings()).eyes;
+  const {bounds, size} = await server.get(`/v1/scenes/${id}`);
+  for (const [k, eye] of eyes.entries()) {
+    assert.ok(eye.radius > before_drag[k].radius, `radius ${eye.radius}`);
+    assert.ok(eye.position[1] < before_drag[k].position[1], "it is lower");
+  }
+  assert.ok(Math.abs(eyes[0].radius - eyes[1].radius) < 1e-9);
+  assert.ok(Math.abs(eyes[0].position[0] + eyes[1].position[0] - bounds.min[0] - bounds.max[0]) < 0.01 * size);
+  assert.ok(Math.abs(eyes[0].gaze[0] + eyes[1].gaze[0]) < 1e-6 && Math.abs(eyes[0].gaze[1] - eyes[1].gaze[1]) < 1e-6);
   await studio.finish();
 });

@@ -134,13 +134,11 @@ test("X mirrors: both sides are combed in one step", async () => {
   await studio.page.keyboard.press("1");
   await studio.seen("rest");
   await studio.page.keyboard.press("x");
-  await studio.settled(server, id, 1);
   await studio.tool("comb");
   await studio.drag([[0.56, 0.45], [0.58, 0.6]]);
   await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
-  for (let tries = 0; tries < 100 && (await server.get(`/v1/scenes/${id}`)).undo_steps < 2; ++tries) await studio.page.waitForTimeout(50);
-  const settings = await server.get(`/v1/scenes/${id}/settings`);
-  assert.equal(settings.symmetry.planes.length, 1);
+  for (let tries = 0; tries < 100 && (await server.get(`/v1/scenes/${id}`)).undo_steps < 1; ++tries) await studio.page.waitForTimeout(50);
+  assert.equal(commandsOf((await steps())[0])[0].brush.symmetry.planes.length, 1);
   const {size, bounds, revision} = await server.get(`/v1/scenes/${id}`);
   const middle = (bounds.min[0] + bounds.max[0]) / 2;
   const view = {camera: {auto: "front"}, width: 400, height: 400};
@@ -218,6 +216,18 @@ test("guides are drawn, moved and deleted, and stay one step", async () => {
   await studio.page.keyboard.press("Delete");
   for (let tries = 0; tries < 100 && (await lines()).length > 0; ++tries) await studio.page.waitForTimeout(50);
   assert.deepEqual(await lines(), []);
+  await studio.finish();
+});
+
+test("guides reach what lies around them and no farther", async () => {
+  await fresh("reach");
+  await studio.tool("flow");
+  await studio.drag([[0.45, 0.55], [0.55, 0.5]], {steps: 20});
+  await logged("flow");
+  const {touched, commands} = (await steps()).at(-1);
+  assert.ok([commands].flat()[0].reach < 0.3);
+  const {vertices} = await server.get(`/v1/scenes/${id}`);
+  assert.ok(touched > 0 && touched < 0.5 * vertices, `${touched} of ${vertices} vertices`);
   await studio.finish();
 });
 

@@ -79,3 +79,24 @@ class Settings(ServedTest):
 
 if __name__ == "__main__":
     unittest.main()
+
+
+class FirstGround(ServedTest):
+    """A scene may begin with a ground, which is then no step that undo would take away."""
+
+    def check(self, info):
+        settings = self.server.get(f"/v1/scenes/{info['id']}/settings").json
+        self.assertTrue(settings["ground"]["visible"])
+        self.assertEqual(info["undo_steps"], 0)
+
+    def test_a_new_scene(self):
+        answer = self.server.post("/v1/scenes", {"name": "on ground", "model": {"builtin": "sphere", "triangles": 500}, "ground": True})
+        self.check(answer.json)
+        self.assertEqual(self.server.post(f"/v1/scenes/{answer.json['id']}/undo", {}).status, 422)
+        self.check(self.server.get(f"/v1/scenes/{answer.json['id']}").json)
+
+    def test_a_model_that_comes_later(self):
+        scene = self.server.new_scene("sphere", 500)
+        self.assertFalse(self.server.get(f"{scene.path}/settings").json["ground"]["visible"])
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj&ground=true", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").status, 200)
+        self.check(scene.info())

@@ -165,3 +165,44 @@ class BrushSymmetry(ServedTest):
         self.assertEqual(scene.run(self.comb(symmetry=plane)).status, 200)
         log = self.server.get(f"{scene.path}/log").json["entries"]
         self.assertEqual(log[-1]["commands"]["brush"]["symmetry"]["planes"][0]["point"], [0.3, 0, 0])
+
+
+class GuidesReach(ServedTest):
+    """Guides and keys change nothing farther away than their reach."""
+
+    def changed(self, command):
+        scene = self.server.new_scene("sphere", 3000)
+        view = {"camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fov_degrees": 35}, "width": 200, "height": 200}
+        pixels = [[100, y] for y in range(10, 190, 5)]
+
+        def leans():
+            picks = [scene.post("pick", {"view": view, "pixel": pixel, "reach": "skin"}).json for pixel in pixels]
+            picks = [one for one in picks if one["hit"]]
+            return numpy.array([numpy.array(one["direction"]) * one["inclination"] for one in picks]), [one["position"] for one in picks]
+
+        before, places = leans()
+        answer = scene.run(command)
+        self.assertEqual(answer.status, 200, answer)
+        after, _ = leans()
+        away = [numpy.linalg.norm(numpy.array(place) - [0, 0, 1]) for place in places]
+        return numpy.linalg.norm(after - before, axis=1), numpy.array(away)
+
+    def check(self, command):
+        everywhere, away = self.changed(command)
+        near, _ = self.changed({**command, "reach": 0.4, "units": "world", "sigma": 0.7})
+        self.assertGreater(everywhere[away > 0.5].max(), 0.05)
+        self.assertGreater(near[away < 0.1].max(), 0.05)
+        self.assertLess(near[away > 0.5].max(), 1e-9)
+        between = near[(away > 0.25) & (away < 0.4)]
+        self.assertLess(between.mean(), near[away < 0.1].mean())
+
+    def test_of_keys(self):
+        self.check({"op": "interpolate", "keys": [{"position": [0, 0, 1], "direction": [1, 0, 0], "inclination": 0.9}]})
+
+    def test_of_guides(self):
+        self.check({"op": "flow", "curves": [[[-0.02, 0, 1], [0.02, 0, 1]]], "inclination": 0.9})
+
+    def test_no_reach_is_refused(self):
+        scene = self.server.new_scene("sphere", 500)
+        command = {"op": "flow", "curves": [[[-0.1, 0, 1], [0.1, 0, 1]]], "reach": 0}
+        self.assert_problem(scene.run(command), 422, "/reach")

@@ -76,6 +76,7 @@ Brush CommandMaker::brush() {
   brush.front_faces_only = chance(0.5);
   if (chance(0.5)) brush.cut_off_degrees = extreme({0, 180, 90}, 5, 175);
   brush.invert = chance(0.3);
+  if (chance(0.2)) brush.symmetry = Symmetry{.planes = {{point(), heading()}}};
   if (chance(0.2)) brush.strand_from = extreme({0, 0.5}, 0, 0.9), brush.strand_to = brush.strand_from + 0.1;
   if (chance(0.3)) brush.units = RadiusUnits::world, brush.radius *= surface_.mesh().size;
   return brush;
@@ -193,6 +194,7 @@ void CommandMaker::make(Interpolate& interpolate) {
   for (std::size_t k = 0; k < 1 + below(4); ++k) interpolate.keys.push_back(key(interpolate.units));
   interpolate.keys.push_back(key(interpolate.units));
   interpolate.sigma = in_units(extreme({1.1e-6, 9e5}, 0.05, 1), interpolate.units);
+  if (chance(0.5)) interpolate.reach = in_units(extreme({1.1e-6, 9e5}, 0.05, 1), interpolate.units);
   interpolate.distance = one_of({DistanceKind::straight, DistanceKind::dijkstra, DistanceKind::heat});
   interpolate.strength = extreme({0, 1}, 0, 1);
 }
@@ -206,6 +208,7 @@ void CommandMaker::make(Flow& flow) {
     while (chance(0.5));
   }
   flow.sigma = in_units(extreme({1.1e-6, 9e5}, 0.05, 1), flow.units);
+  if (chance(0.5)) flow.reach = in_units(extreme({1.1e-6, 9e5}, 0.05, 1), flow.units);
   flow.distance = one_of({DistanceKind::straight, DistanceKind::dijkstra, DistanceKind::heat});
   if (chance(0.5)) flow.inclination = extreme({0, 1}, 0, 1);
   flow.strength = extreme({0, 1}, 0, 1);

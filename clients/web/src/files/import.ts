@@ -49,7 +49,7 @@ const atRevision = (loss: Loss | undefined): Record<string, string> => (loss && 
 
 async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
   const show = (what: string) => (share: number) => { importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop}; };
-  const query = new URLSearchParams(Object.entries({format: plan.format, ...plan.options, ...accepting(loss)}).map(([name, value]) => [name, String(value)]));
+  const query = new URLSearchParams(Object.entries({format: plan.format, ground: true, ...plan.options, ...accepting(loss)}).map(([name, value]) => [name, String(value)]));
   show("the model")(0);
   let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal, atRevision(loss));
   const notes = [...plan.notes];

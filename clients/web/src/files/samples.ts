@@ -33,7 +33,7 @@ export async function makeSample(sample: Sample) {
   if (preparing.value) return;
   try {
     preparing.value = "The creature grows its fur";
-    const made = await createScene({name: sample.name, model: {builtin: "creature", triangles: sample_triangles}, fur: {form: "animal", length: sample.length ?? 0.03}});
+    const made = await createScene({name: sample.name, model: {builtin: "creature", triangles: sample_triangles}, fur: {form: "animal", length: sample.length ?? 0.03}, ground: true});
     const steps = await stepsOf(sample, made);
     let done = 0;
     for (const step of steps) {

@@ -1,25 +1,21 @@
-// Eyes: placed by a press on the model, in pairs where the scene is mirrored.
-import {useSignal} from "@preact/signals";
+// Eyes: placed by a press on the model, in pairs; their handles are in the picture while this panel is open.
 import {useEffect} from "preact/hooks";
-import type {Settings, Vector} from "../api/types";
-import {kept} from "../api/identity";
+import type {Command, Vector} from "../api/types";
+import {alike, inTheMiddle, partnerOf, sunk, type Eye} from "../scene/eyes";
 import {eyes} from "../scene/live_setting";
-import {scene} from "../scene/session";
+import {run, scene} from "../scene/session";
 import {hand_symmetry} from "../tools/state";
 import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
 import {orbit, pinholeOf} from "../view/camera";
+import {chosen_eye, shows_eyes} from "../view/gizmos";
 import {imagesOnSkin} from "../view/mirror";
 import type {Hit} from "../view/proxy";
 import {scale, subtract, unit} from "../view/vector";
 import {place_request, proxy} from "../view/surface";
 
-type Eye = Settings["eyes"][number];
-
-/** Whether a change of one eye is a change of all. */
-const alike = kept("eyes-alike", true);
+const bare_radii = 1.7;      // of the eye: how far around it no fur grows
 const first_radius = 0.02;   // sizes: as a new creature's
-const sunk = 0.35;           // radii of the ball that lie under the skin
 /** What each eye has for itself. */
 const own = ["position", "gaze", "look_at"];
 
@@ -33,12 +29,21 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
   return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk * radius * (scene.value?.size ?? 1)))};
 }
 
+/** Skin without fur around an eye, as wide as its lids. */
+function clearing(eye: Eye): Command {
+  const radius = bare_radii * (eye.radius ?? first_radius);
+  return {op: "paint", field: "density", value: 0, brush: {radius, strength: 1, falloff: "constant", symmetry: {planes: []}}, stroke: {samples: [{position: eye.position}]}};
+}
+
 function place(now: Eye[], took: (index: number) => void) {
-  place_request.value = {says: "Press where the eye is to be.", take: (hit) => {
-    const pair = proxy.value ? imagesOnSkin(hit, hand_symmetry.value, proxy.value) : [];
-    const next = [...now, eyeAt(hit, now[now.length - 1]), ...pair.map((image) => eyeAt(image, now[now.length - 1]))].slice(0, maxEyes());
+  place_request.value = {says: "Press where the eye is to be; one on the side gets its pair.", take: (hit) => {
+    const like = now[now.length - 1], middle = {point: [0.5 * (Number(scene.value!.bounds.min[0]) + Number(scene.value!.bounds.max[0])), 0, 0], normal: [1, 0, 0]};
+    const symmetry = hand_symmetry.value.planes.length ? hand_symmetry.value : {planes: [middle]};
+    const alone = inTheMiddle(hit.point, (like?.radius ?? first_radius) * (scene.value?.size ?? 1));
+    const pair = proxy.value && !alone ? imagesOnSkin(hit, symmetry, proxy.value) : [];
+    const placed = [hit, ...pair].map((one) => eyeAt(one, like)).slice(0, maxEyes() - now.length);
     took(now.length);
-    eyes.set(next, true);
+    void run({op: "set_eyes", eyes: [...now, ...placed]}, ...placed.map(clearing));
   }};
 }
 
@@ -69,7 +74,7 @@ function OneEye({now, index}: {now: Eye[]; index: number}) {
     <div class="eye">
       <div class="buttons">
         <button type="button" onClick={() => eyes.set(changed(now, index, "gaze", unit(subtract(camera(), eye.position as Vector))), true)}>Look at me</button>
-        <button type="button" onClick={() => eyes.set(now.filter((_, k) => k !== index), true)}>Delete</button>
+        <button type="button" onClick={() => { const partner = partnerOf(now, index); eyes.set(now.filter((_, k) => k !== index && k !== partner), true); }}>{partnerOf(now, index) < 0 ? "Delete" : "Delete the pair"}</button>
         <label><input type="checkbox" checked={Boolean(eye.lids)} onChange={(event) => lids(event.currentTarget.checked)} /> Lids</label>
       </div>
       <Form members={members} values={eye} hidden={hidden} set={(name, value, done) => eyes.set(changed(now, index, name, value), done)} />
@@ -78,8 +83,11 @@ function OneEye({now, index}: {now: Eye[]; index: number}) {
 }
 
 export function Eyes() {
-  const chosen = useSignal(0);
-  useEffect(() => () => { place_request.value = null; }, []);
+  const chosen = chosen_eye;
+  useEffect(() => {
+    shows_eyes.value = true;
+    return () => { place_request.value = null; shows_eyes.value = false; };
+  }, []);
   const now = eyes.value.value;
   if (!now) return null;
   const index = Math.min(chosen.value, now.length - 1);

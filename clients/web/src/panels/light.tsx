@@ -1,8 +1,10 @@
 // Lights, the light from all around and the ground. Lights have handles in the picture while this panel is open.
-import {useEffect} from "preact/hooks";
+import {useEffect, useId} from "preact/hooks";
 import type {Settings, Vector} from "../api/types";
 import {environment, ground, lights} from "../scene/live_setting";
+import {intensityOf, isRig, max_intensity, rig_names, turnOf, withIntensity, withRig, withTurn, type Light} from "../scene/rig";
 import {scene} from "../scene/session";
+import {shownNumber} from "../tools/number_field";
 import {takePicture} from "../scene/upload";
 import {toHex} from "../tools/colour";
 import {Form} from "../tools/form";
@@ -12,7 +14,6 @@ import {chosen_light, lightBall, shows_lights} from "../view/gizmos";
 import {add, scale, unit} from "../view/vector";
 import {FileButton} from "./file_button";
 
-type Light = Settings["lights"][number];
 type Environment = Settings["environment"];
 type Ground = Settings["ground"];
 
@@ -52,6 +53,31 @@ function OneLight({now, index}: {now: Light[]; index: number}) {
   );
 }
 
+function RigSlider({label, value, range: [min, max], step, unit: sign, set}: {label: string; value: number; range: [number, number]; step: number; unit: string; set: (to: number, done: boolean) => void}) {
+  const id = useId();
+  const to = (event: Event) => Number((event.currentTarget as HTMLInputElement).value);
+  return (
+    <div class="row">
+      <label for={id}>{label}</label>
+      <input id={id} type="range" min={min} max={max} step={step} value={value} onInput={(event) => set(to(event), false)} onChange={(event) => set(to(event), true)} />
+      <output for={id}>{shownNumber(value)}{sign}</output>
+    </div>
+  );
+}
+
+/** Three lights by three sliders, and where they stand by one; the handles in the picture do the rest. */
+function Rig({now}: {now: Light[]}) {
+  if (!isRig(now)) return <button type="button" class="wide" onClick={() => lights.set(withRig(now), true)}>Key, fill and rim light</button>;
+  return (
+    <div class="rig" role="group" aria-label="Light rig">
+      {rig_names.map((name, k) => (
+        <RigSlider key={name} label={name} value={intensityOf(now, k)} range={[0, max_intensity]} step={0.05} unit="" set={(to, done) => lights.set(withIntensity(now, k, to), done)} />
+      ))}
+      <RigSlider label="Around" value={turnOf(now)} range={[-180, 180]} step={1} unit="°" set={(to, done) => lights.set(withTurn(now, to), done)} />
+    </div>
+  );
+}
+
 function Lights() {
   const now = lights.value.value;
   if (!now) return null;
@@ -63,16 +89,19 @@ function Lights() {
   return (
     <>
       <h2>Lights</h2>
-      <div class="light-list" role="group" aria-label="Lights">
-        {now.map((light, k) => (
-          <button key={k} type="button" aria-pressed={k === index} onClick={() => { chosen_light.value = k; }}>
-            <span class="swatch" style={{background: toHex(light.colour)}} aria-hidden="true" />Light {k + 1}<small>{words(light.kind ?? "directional")}</small>
-          </button>
-        ))}
-      </div>
-      <button type="button" disabled={now.length >= maxLights()} onClick={put}>Add a light</button>
+      <Rig now={now} />
       {now.length > 0 && <p class="help">Drag the handles around the model.</p>}
-      {index >= 0 && <OneLight now={now} index={index} />}
+      <details class="group"><summary>Each light</summary>
+        <div class="light-list" role="group" aria-label="Lights">
+          {now.map((light, k) => (
+            <button key={k} type="button" aria-pressed={k === index} onClick={() => { chosen_light.value = k; }}>
+              <span class="swatch" style={{background: toHex(light.colour)}} aria-hidden="true" />{isRig(now) && rig_names[k] ? rig_names[k] : `Light ${k + 1}`}<small>{words(light.kind ?? "directional")}</small>
+            </button>
+          ))}
+        </div>
+        <button type="button" disabled={now.length >= maxLights()} onClick={put}>Add a light</button>
+        {index >= 0 && <OneLight now={now} index={index} />}
+      </details>
     </>
   );
 }

@@ -11,7 +11,7 @@ import type {Values} from "../tools/state";
 
 const removing = signal<Scene | null>(null);
 const sharing = signal<Scene | null>(null);
-const fresh = signal<Values>({name: "creature"});
+const fresh = signal<Values>({name: "creature", ground: true});
 
 const guarded = (work: () => Promise<unknown>) => () => void work().catch(sayError);
 const linkOf = ({id}: Scene) => `${location.origin}/?scene=${encodeURIComponent(id)}`;

@@ -34,16 +34,16 @@ export const handWords: Partial<Record<Op, string>> = {
 
 /** Settings that are seen at once; the others are one press further. */
 export const firstMembers: Partial<Record<Op, string[]>> = {
-  comb: ["lean"], blow: ["lean"], attract: ["max_stretch"], interpolate: ["sigma"], flow: ["sigma"], smooth: ["passes"], noise: ["amount"],
+  comb: ["lean"], blow: ["lean"], attract: ["max_stretch"], interpolate: ["reach"], flow: ["reach"], smooth: ["passes"], noise: ["amount"],
   unify: ["weight"], whorl: ["turn_degrees"], length: ["mode", "value"], trim: ["height"], erase: ["checkpoint"], clump: ["gather"], curl: ["amount"],
   paint: ["field", "colour", "value"],
 };
 
 export const memberNames: Record<string, string> = {
-  sigma: "Reach", t: "Each pass", keep_inclination: "Keep how far it lies", inclination: "How far it lies", lean: "How far it lies",
+  sigma: "How softly they blend", t: "Each pass", keep_inclination: "Keep how far it lies", inclination: "How far it lies", lean: "How far it lies",
   feature_size: "Grain", max_stretch: "Stretches up to", mean: "Alike in", weight: "How alike", passes: "How smooth", falloff_shape: "Form of the brush", falloff: "Edge",
   front_faces_only: "Only what faces you", cut_off_degrees: "Faces you within", pressure_to_radius: "Pen sets radius", pressure_to_strength: "Pen sets strength",
-  strand_from: "Along strands, from", strand_to: "Along strands, to", reach: "Touches", crease_degrees: "Sharp edges from", two_sided: "Parts with a back",
+  strand_from: "Along strands, from", strand_to: "Along strands, to", crease_degrees: "Sharp edges from", two_sided: "Parts with a back",
   fur_patches: "How fur is laid", harmonics: "Light from all around", longitudinal_roughness: "Roughness along", azimuthal_roughness: "Roughness around",
   refractive_index: "Refraction", eumelanin: "Brown and black", pheomelanin: "Red and blond", caustic_width: "Width of glints",
   primary_shift: "Shift of the first highlight", secondary_shift: "Shift of the second highlight", angle_degrees: "Size in the sky",

@@ -4,7 +4,7 @@ import {signal} from "@preact/signals";
 import type {Command, Vector} from "../api/types";
 import {change, isOpen, log, log_read, refresh, run, scene} from "../scene/session";
 import {norm, subtract} from "../view/vector";
-import {commandOf} from "./state";
+import {commandOf, valuesOf} from "./state";
 
 export type GuideOp = "flow" | "interpolate";
 export interface Key { position: Vector; direction: Vector; inclination?: number; length?: number }
@@ -29,6 +29,12 @@ export function guidesOf(op: GuideOp): Guide[] {
   if (!command) return [];
   if (op === "flow") return command["curves"] as Guide[];
   return (command["keys"] as Key[]).map(({position, direction}) => [position, [0, 1, 2].map((k) => position[k]! + (direction?.[k] ?? 0)) as Vector]);
+}
+
+/** How far guides that are laid now reach, in the model's unit. */
+export function guideReach(op: GuideOp): number {
+  const {reach, units} = valuesOf(op), size = scene.value?.size ?? 1;
+  return typeof reach === "number" ? reach * (units === "world" ? 1 : size) : size;
 }
 
 /** Evenly thinned. */

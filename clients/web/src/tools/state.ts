@@ -39,7 +39,7 @@ export const in_hand = computed<Op>(() => (smoothing.value ? "smooth" : current.
 /** Settings to begin with whose first stroke is plainly seen, where the contract's are gentle. */
 const starts: Partial<Record<Op, Values>> = {
   trim: {height: 0.012}, paint: {field: "tip_colour", colour: "#fff1d6"}, length: {mode: "scale", value: 2}, smooth: {passes: 12},
-  noise: {amount: 0.6, fields: ["direction", "length"]}, unify: {mean: ["direction", "length"]}, clump: {amount: 0.9}, comb: {lean: 0.8},
+  noise: {amount: 0.6, fields: ["direction", "length"]}, unify: {mean: ["direction", "length"]}, clump: {amount: 0.9}, comb: {lean: 0.8}, flow: {sigma: 0.08, reach: 0.15}, interpolate: {sigma: 0.08, reach: 0.15},
 };
 const valueOf = (member: Member, set: Values) => set[member.name] ?? member.fallback;
 

@@ -1,12 +1,14 @@
 // Named blowers, attractors and placed lights as handles in the picture.
 import {signal, useSignal} from "@preact/signals";
 import type {Command, Settings, Vector} from "../api/types";
-import {lights as live_lights} from "../scene/live_setting";
+import {eyes as live_eyes, lights as live_lights} from "../scene/live_setting";
+import {movedEye, sunk} from "../scene/eyes";
 import {run, scene, settings} from "../scene/session";
 import {current} from "../tools/state";
 import {add, dot, norm, scale, subtract, unit} from "./vector";
+import {axes} from "./camera";
 import {Handle} from "./handle";
-import {projectionNow} from "./surface";
+import {projectionNow, seen_orbit, skinAt} from "./surface";
 
 /** Whether the panel of lights is open, which shows their handles. */
 export const shows_lights = signal(false);
@@ -88,12 +90,40 @@ function lights(): Gizmo[] {
   });
 }
 
+/** Whether the panel of eyes is open, which shows their handles, and the eye that it shows. */
+export const shows_eyes = signal(false);
+export const chosen_eye = signal(0);
+
+/** On the eye, to move it over the skin; at its rim, for its size; before it, for where it looks. */
+function eyes(): Gizmo[] {
+  const list = live_eyes.value.value, size = scene.value?.size ?? 1;
+  if (!list) return [];
+  const right = axes(seen_orbit.value).right, projection = projectionNow();
+  return list.flatMap((eye, k) => {
+    const at = eye.position as Vector, radius = (eye.radius ?? 0.02) * size, name = `Eye ${k + 1}`;
+    const gaze = unit((eye.look_at ? subtract(eye.look_at as Vector, at) : eye.gaze ?? [0, 0, 1]) as Vector);
+    const apart = 20 * projection.unitsPerPixel(at);  // handles of a small eye do not lie on each other
+    const pressed = () => { chosen_eye.value = k; };
+    const put = (change: Partial<typeof eye>, done: boolean) => live_eyes.set(movedEye(list, k, change), done);
+    const moved = (to: Vector, done: boolean) => put({position: to}, done);
+    const onSkin = (x: number, y: number) => { const hit = skinAt(x, y); return hit ? subtract(hit.point, scale(hit.normal, sunk * radius)) : at; };
+    const turned = (to: Vector, done: boolean) => put({gaze: unit(subtract(to, at))}, done);
+    const sized = (to: Vector, done: boolean) => put({radius: Math.min(0.2, Math.max(0.002, (norm(subtract(to, at)) - apart) / size))}, done);
+    const chosen = k === chosen_eye.value;
+    return [
+      {name, shape: "dot" as const, at, live: moved, place: onSkin, pressed, chosen},
+      {name: `Size of eye ${k + 1}`, shape: "star" as const, at: add(at, scale(right, radius + apart)), live: sized, pressed},
+      ...(eye.look_at ? [] : [{name: `Where eye ${k + 1} looks`, shape: "arrow" as const, at: add(at, scale(gaze, 3 * radius + 2 * apart)), to: at, live: turned, pressed}]),
+    ];
+  });
+}
+
 export function Gizmos() {
   const dragged = useSignal<{name: string; to: Vector} | null>(null);
   const all = settings.value;
   if (!all) return null;
   const placed = current.value === "blow" || current.value === "attract" ? [...blowers(all), ...attractors(all)] : [];
-  const shown = [...placed, ...(shows_lights.value ? lights() : [])];
+  const shown = [...placed, ...(shows_lights.value ? lights() : []), ...(shows_eyes.value ? eyes() : [])];
   if (shown.length === 0) return null;
   const projection = projectionNow();
   return (

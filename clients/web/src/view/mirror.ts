@@ -3,12 +3,15 @@ import type {Symmetry, Vector} from "../api/types";
 import {add, dot, scale, subtract, unit} from "./vector";
 import type {Hit, Proxy} from "./proxy";
 
-interface Plane { point: Vector; normal: Vector }
+export interface Plane { point: Vector; normal: Vector }
 
-function reflect(point: Vector, plane: Plane): Vector {
+export function reflected(point: Vector, plane: Plane): Vector {
   const normal = unit(plane.normal);
   return subtract(point, scale(normal, 2 * dot(subtract(point, plane.point), normal)));
 }
+
+/** A direction has no place. */
+export const reflectedDirection = (direction: Vector, {normal}: Plane): Vector => reflected(direction, {point: [0, 0, 0], normal});
 
 export const planesOf = (symmetry: Symmetry): Plane[] =>
   symmetry.planes.map((plane) => ({point: (plane.point ?? [0, 0, 0]) as Vector, normal: (plane.normal ?? [1, 0, 0]) as Vector}));
@@ -16,8 +19,8 @@ export const planesOf = (symmetry: Symmetry): Plane[] =>
 /** Images by each mirror plane alone; a rotation's images are the server's to find. */
 export const imagesOf = (hit: Hit, symmetry: Symmetry): Hit[] =>
   planesOf(symmetry).map((plane) => {
-    const point = reflect(hit.point, plane);
-    return {point, normal: unit(subtract(reflect(add(hit.point, hit.normal), plane), point)), distance: hit.distance};
+    const point = reflected(hit.point, plane);
+    return {point, normal: unit(subtract(reflected(add(hit.point, hit.normal), plane), point)), distance: hit.distance};
   });
 
 /** The images that lie on the skin. */

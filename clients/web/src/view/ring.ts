@@ -43,11 +43,11 @@ function strokeTwice(pen: CanvasRenderingContext2D, colour: string, width = 1.6,
   }
 }
 
-/** Strands that a dab would touch; those that it touches most are the clearest. */
-function drawStrands(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, hit: Hit, style: RingStyle, camera: Vector) {
-  for (const {root, middle, tip, normal} of proxy.strandsNear(hit.point, style.radius, max_strands)) {
+/** Strands that are reached from a place; those that are nearest are the clearest. */
+export function drawStrands(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, at: Vector, style: Pick<RingStyle, "radius" | "colour">, camera: Vector, most = max_strands) {
+  for (const {root, middle, tip, normal} of proxy.strandsNear(at, style.radius, most)) {
     if (dot(normal, subtract(camera, middle)) <= 0) continue;
-    const nearest = Math.min(...[root, middle, tip].map((knot) => norm(subtract(knot, hit.point))));
+    const nearest = Math.min(...[root, middle, tip].map((knot) => norm(subtract(knot, at))));
     const [a, b, c] = [root, middle, tip].map((knot) => projection.project(knot));
     if (!a || !b || !c) continue;
     pen.globalAlpha = 0.75 * Math.max(0.15, 1 - nearest / style.radius);
@@ -68,7 +68,7 @@ const isHidden = (proxy: Proxy, hit: Hit, radius: number, camera: Vector) => {
 /** Draws on a cleared canvas. `mirrored`: where the brush works as well, drawn where it is seen. */
 export function drawRing(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, hit: Hit, mirrored: Hit[], style: RingStyle, camera: Vector) {
   const facing = (at: Hit) => (style.flat ? at.normal : unit(subtract(camera, at.point)));
-  drawStrands(pen, projection, proxy, hit, style, camera);
+  drawStrands(pen, projection, proxy, hit.point, style, camera);
   pen.setLineDash([3, 4]);
   for (const at of mirrored) {
     if (isHidden(proxy, at, style.radius, camera)) continue;

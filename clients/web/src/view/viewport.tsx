@@ -1,10 +1,11 @@
 // The picture, the brush over it and what the pointer does. The picture comes from the server; all else is drawn here.
 import {effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
-import {model_id, revision, scene, shown_model} from "../scene/session";
+import {log, model_id, revision, scene, shown_model} from "../scene/session";
 import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
-import {brush, hand_symmetry, in_hand, worldRadius} from "../tools/state";
+import {guideReach, guidesOf} from "../tools/guides";
+import {brush, current, hand_symmetry, in_hand, set_values, worldRadius} from "../tools/state";
 import {takeUp, type Hold} from "../tools/hand";
 import {Adjustment, adjusting, type Adjusted} from "./adjust";
 import {orbit, pinholeOf, type Projection} from "./camera";
@@ -23,13 +24,14 @@ import type {Hit} from "./proxy";
 import {movePie, PieMenu} from "./pie_menu";
 import {PictureStack} from "./picture_stack";
 import {dial, rest_quality, shared_request} from "./quality";
-import {drawRing} from "./ring";
+import {drawRing, drawStrands} from "./ring";
 import {drawLine, drawPlanes} from "./sketch";
 import {followModel, furAt, hover, place_request, projectionNow, proxy, seen_orbit, skinAt, viewport_size} from "./surface";
 import {ViewCube} from "./view_cube";
 import {moveTo} from "./views";
 
 const max_ratio = 2;
+const strands_of_guide = 40;  // that are drawn around each of its points
 
 /** Everything that lives as long as the viewport is on the page. */
 class View {
@@ -147,9 +149,18 @@ class View {
     this.pen.clearRect(0, 0, width, height);
     const projection = projectionNow();
     drawPlanes(this.pen, projection, hand_symmetry.value, scene.value);
+    this.drawReach(projection);
     if (this.hold) drawLine(this.pen, projection, this.hold.line());
     this.drawBrush(projection);
     mark("ring", {start, end: performance.now()});
+  }
+
+  /** The fur that guides reach, while their tool is in hand. */
+  private drawReach(projection: Projection) {
+    const op = current.value, model = proxy.value;
+    if (!model || (op !== "flow" && op !== "interpolate")) return;
+    const camera = pinholeOf(seen_orbit.value).position, style = {radius: guideReach(op), colour: "#a8e0ff"};
+    for (const guide of guidesOf(op)) for (const point of guide) drawStrands(this.pen, projection, model, point, style, camera, strands_of_guide);
   }
 
   private drawBrush(projection: Projection) {
@@ -184,7 +195,7 @@ function follow(shown: View): () => void {
     when(() => adjusting.value, () => shown.adjust(adjusting.value)),
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
     when(() => viewport_size.value, () => { touch(); shown.sketchSoon(); }),
-    when(() => [brush.value, in_hand.value, hand_symmetry.value, proxy.value, seen_orbit.value], () => shown.sketchSoon()),
+    when(() => [brush.value, in_hand.value, hand_symmetry.value, current.value, log.value, set_values.value, proxy.value, seen_orbit.value], () => shown.sketchSoon()),
     when(() => model_id.value, () => moveTo("three_quarter", true)),
   ];
   return () => stops.forEach((stop) => stop());
