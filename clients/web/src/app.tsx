@@ -14,6 +14,7 @@ import {listenToKeys} from "./shell/keys";
 import {Messages} from "./shell/messages";
 import {OfflineBanner, warnOfLoss} from "./shell/offline";
 import {panel, theme} from "./shell/places";
+import {SheetDialog} from "./shell/sheet";
 import {TokenDialog} from "./shell/token";
 import {TopBar} from "./shell/top_bar";
 import {NoScene, Welcome} from "./shell/welcome";
@@ -76,6 +77,7 @@ export function App() {
       <Messages />
       <KeySheet />
       <ReferenceCompare />
+      <SheetDialog />
       <TokenDialog />
       <OfflineBanner />
       <DropTarget />

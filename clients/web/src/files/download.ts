@@ -7,7 +7,7 @@ import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
 import type {Values} from "../tools/state";
 import {orbit, pinholeOf} from "../view/camera";
-import {pending, shown} from "../view/frames";
+import {outdated, shown} from "../view/frames";
 import {dial, plain_request, rest_quality, shared_request} from "../view/quality";
 import {traceToEnd} from "../view/trace";
 import {viewport_size} from "../view/surface";
@@ -20,7 +20,7 @@ const picture_passes = 64, picture_noise = 0.004;
 const max_side = 8192;
 const wide_pixels = 3840;
 
-function save(bytes: Blob, name: string) {
+export function save(bytes: Blob, name: string) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(bytes);
   link.download = name;
@@ -31,7 +31,7 @@ function save(bytes: Blob, name: string) {
 const fileName = (open: Scene, ending: string) => `${open.name.replace(/[^\p{L}\p{N} ._-]+/gu, "_")}.${ending}`;
 
 /** Runs one download at a time, with its words and a way to stop it. */
-async function make(says: string, work: (open: Scene, stop: AbortController) => Promise<void>) {
+export async function make(says: string, work: (open: Scene, stop: AbortController) => Promise<void>) {
   const open = scene.value;
   if (!open || making.value) return;
   const stop = new AbortController();
@@ -70,7 +70,7 @@ function draw(open: Scene, request: FrameRequest, says: string, stop: AbortContr
 /** The picture on the screen where it is what is asked for: at rest, of now and of these pixels. */
 function seenPicture({width, height}: {width: number; height: number}): Blob | null {
   const seen = shown.value;
-  if (!seen || pending.value || seen.width !== width || seen.height !== height) return null;
+  if (!seen || outdated.value || seen.width !== width || seen.height !== height) return null;
   const {stage, picture} = seen;
   if (dial.value.kind === "tier" && dial.value.tier === "reference") return picture.trace && picture.trace.end !== "none" ? picture.bytes : null;
   return stage === "rest" || stage === "traced" ? picture.bytes : null;

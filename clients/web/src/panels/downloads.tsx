@@ -3,6 +3,7 @@ import {signal} from "@preact/signals";
 import {useId} from "preact/hooks";
 import {kept} from "../api/identity";
 import {downloadLog, downloadMap, downloadPicture, downloadRecipe, making, pixelsOf, sizes, type Size} from "../files/download";
+import {beforeAndAfter, contactSheet, turntable} from "../files/sheets";
 import {scene} from "../scene/session";
 import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
@@ -44,6 +45,17 @@ function Pictures({busy}: {busy: boolean}) {
   );
 }
 
+/** What one shows to others, at one press each. */
+function Sheets({busy}: {busy: boolean}) {
+  return (
+    <div class="sheets" role="group" aria-label="To show">
+      <button type="button" disabled={busy} onClick={() => void contactSheet()}>Contact sheet</button>
+      <button type="button" disabled={busy} onClick={() => void beforeAndAfter()}>Before and after</button>
+      <button type="button" disabled={busy} onClick={() => void turntable()}>Turntable</button>
+    </div>
+  );
+}
+
 function Maps({busy}: {busy: boolean}) {
   const members = membersOf(schemas.value["MapRequest"] ?? {});
   return (
@@ -63,6 +75,7 @@ export function Downloads() {
       <h3>Download</h3>
       <Progress />
       <Pictures busy={busy} />
+      <Sheets busy={busy} />
       <Maps busy={busy} />
       <p class="help">The steps of the groom, to do them again with <code>pelage run</code> or by dropping them here.</p>
       <div class="pair">

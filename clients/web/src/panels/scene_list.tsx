@@ -1,8 +1,12 @@
 // All scenes of the server: open, branch, share, remove, and a new one.
 import {signal} from "@preact/signals";
+import {useEffect} from "preact/hooks";
 import {branchScene, createScene, removeScene} from "../api/client";
 import type {Scene} from "../api/types";
 import {say, sayError} from "../scene/messages";
+import {making} from "../files/download";
+import {sideBySide} from "../files/sheets";
+import {drawMissing, thumbnails} from "../scene/thumbnails";
 import {listScenes, openScene, scene, scenes} from "../scene/session";
 import {Dialog} from "../shell/dialog";
 import {Form} from "../tools/form";
@@ -50,9 +54,11 @@ function Row({of}: {of: Scene}) {
   return (
     <li class="scene-row" aria-current={open ? "true" : undefined}>
       <button type="button" class="quiet scene-open" disabled={open} onClick={guarded(() => openScene(of.id))}>
+        {thumbnails.value[of.id] ? <img src={thumbnails.value[of.id]} alt="" width="64" height="48" /> : <i aria-hidden="true" />}
         <span>{now.name}</span><small>{now.model}, {now.triangles.toLocaleString()} triangles</small>
       </button>
       <div class="scene-acts">
+        {!open && scene.value && <button type="button" class="quiet" aria-label={`${of.name} beside the open scene`} disabled={making.value !== null} onClick={() => void sideBySide(of)}>Beside</button>}
         <button type="button" class="quiet" aria-label={`Branch ${of.name}`} onClick={guarded(() => branch(of))}>Branch</button>
         <button type="button" class="quiet" aria-label={`Link to ${of.name}`} onClick={guarded(() => share(of))}>Link</button>
         <button type="button" class="quiet" aria-label={`Remove ${of.name}`} onClick={() => { removing.value = of; }}>Remove</button>
@@ -92,6 +98,8 @@ function NewOne() {
 }
 
 export function SceneList() {
+  const listed = scenes.value.map(({id}) => id).join();
+  useEffect(() => { void drawMissing(); }, [listed]);
   return (
     <section>
       <h3>Scenes</h3>

@@ -1,8 +1,16 @@
-// What stands in the picture's place until a scene's first one has come.
+// What stands in the picture's place until a scene's first one has come: the last one that this browser saw, or on a first visit a fox.
+import fox from "../../pictures/first.jpg";
 import {scene} from "../scene/session";
+import {last_picture, thumbnails} from "../scene/thumbnails";
 import {shown} from "./frames";
 
 export function FirstPicture() {
-  if (!scene.value || shown.value) return null;
-  return <div class="first-picture" role="status"><p>The first picture is drawn…</p><progress aria-label="The first picture is drawn" /></div>;
+  if (shown.value) return null;
+  const stored = !scene.value ? last_picture.value?.address ?? fox : last_picture.value?.scene === scene.value.id ? last_picture.value.address : thumbnails.value[scene.value.id];
+  return (
+    <>
+      {stored && <img class="stored-picture" src={stored} alt="" />}
+      {scene.value && <div class="first-picture" role="status"><p>The first picture is drawn…</p><progress aria-label="The first picture is drawn" /></div>}
+    </>
+  );
 }

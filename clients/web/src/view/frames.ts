@@ -29,10 +29,12 @@ const news_wait = 1;         // s that a draft waits for the stroke that is unde
 export const shown = signal<Shown | null>(null);
 /** What is to be seen: grows with each change of it. */
 const wanted = signal(0);
+/** Whether what is seen is older than what is to be seen. */
+export const outdated = computed(() => shown.value?.state !== wanted.value);
 /** Whether a better picture is on its way: what is seen is old, small or coarse, or its strands are still traced. */
 export const pending = computed(() => {
   const seen = shown.value;
-  if (seen?.state !== wanted.value || seen.stage === "turning" || seen.stage === "draft") return true;
+  if (!seen || outdated.value || seen.stage === "turning" || seen.stage === "draft") return true;
   return wants_trace.value && (seen.stage === "rest" || seen.picture.trace?.end === "none");
 });
 

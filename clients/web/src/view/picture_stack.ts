@@ -23,9 +23,12 @@ export class PictureStack {
     if (fades && !matchMedia("(prefers-reduced-motion: reduce)").matches) canvas.animate([{opacity: 0}, {opacity: 1}], fade_ms);
   }
 
+  /** What is seen. */
+  get canvas() { return this.canvases[this.front]!; }
+
   /** "#rrggbb" at shares of width and height: the mean of a few pixels, since hairs are thinner than what one means. */
   colourAt(x: number, y: number): string {
-    const canvas = this.canvases[this.front]!, side = 7;
+    const canvas = this.canvas, side = 7;
     const copy = new OffscreenCanvas(side, side).getContext("2d")!;
     copy.drawImage(canvas, Math.round(x * canvas.width - side / 2), Math.round(y * canvas.height - side / 2), side, side, 0, 0, side, side);
     const {data} = copy.getImageData(0, 0, side, side);

@@ -2,6 +2,7 @@
 import {effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {log, model_id, revision, scene, shown_model} from "../scene/session";
+import {keepPicture} from "../scene/thumbnails";
 import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
 import {guideReach, guidesOf} from "../tools/guides";
@@ -76,6 +77,7 @@ class View {
 
   private present(bitmap: ImageBitmap, stage: Stage) {
     this.pictures.show(bitmap, stage === "rest" || stage === "traced");
+    if (stage === "rest" && scene.value && !trial.value) keepPicture(scene.value.id, this.pictures.canvas);
   }
 
   /** The colour that is seen at a pixel of the picture, with its neighbours. */
