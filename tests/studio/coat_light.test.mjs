@@ -51,6 +51,7 @@ test("a light is added, dragged around the model and taken away", async () => {
   await open("lights", "light");
   await page.setViewportSize({width: 1280, height: 800});  // so that the handle has room to be dragged
   const first = (await settings()).lights;
+  await page.getByText("Each light").click();
   await page.getByRole("button", {name: "Add a light"}).click();
   await stepsAre(1);
   assert.equal((await settings()).lights.length, first.length + 1);
@@ -96,7 +97,7 @@ test("handles move, size and turn an eye in the picture, and its pair follows", 
   const before_drag = (await settings()).eyes;
   assert.equal(before_drag.length, 2);
   let steps = 0;
-  for (const [name, by] of [["Size of eye 1", [12, 0]], ["Eye 1", [0, 24]], ["Where eye 1 looks", [20, 30]]]) {
+  for (const [name, by] of [["Size of eye 1", [0, -12]], ["Eye 1", [0, 24]], ["Where eye 1 looks", [20, 30]]]) {
     const box = await page.getByRole("button", {name, exact: true}).and(page.locator(".handle")).boundingBox();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     await page.mouse.move(x, y);

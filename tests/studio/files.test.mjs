@@ -152,7 +152,7 @@ test("a sample's recipe gives the very steps that the command line gives", async
   await press("Best in show");
   await studio.page.waitForFunction(() => document.querySelector(".scene-name").textContent === "Best in show", null, {timeout: 240000});
   const sample = await server.get(`/v1/scenes/${await openId()}`);
-  const other = await server.post("/v1/scenes", {name: "cli", model: {builtin: "creature", triangles: 20000}, fur: {form: "animal", length: 0.03}});
+  const other = await server.post("/v1/scenes", {name: "cli", model: {builtin: "creature", triangles: 20000}, fur: {form: "animal", length: 0.03}, ground: true});
   execFileSync(join(bin, "pelage"), ["--server", server.address, "run", "cli", join(recipes, "creature.json")], {stdio: "ignore"});
   assert.equal(await linesOf(sample.id), await linesOf(other.id));
 });

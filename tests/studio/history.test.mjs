@@ -73,8 +73,8 @@ test("an earlier step changes after a dry run, with its stroke as it was, and ca
   await open("amended", "history", [three[0], {...three[1], stroke: {id: "a", part: 0, last: false, ...three[1].stroke}},
     {...three[1], stroke: {id: "a", part: 1, last: true, samples: [at(0.64, 0.1), at(0.66, 0.2)]}}, three[2]]);
   await more(3);
-  await page.getByLabel("Strength, as a number", {exact: true}).fill("0.3");
-  await page.getByLabel("Strength, as a number", {exact: true}).press("Enter");
+  await page.locator(".step-detail").getByLabel("Strength, as a number", {exact: true}).fill("0.3");
+  await page.locator(".step-detail").getByLabel("Strength, as a number", {exact: true}).press("Enter");
   const before_try = (await described()).revision;
   await button("Try").click();
   await page.locator(".verdict li").first().waitFor();

@@ -76,3 +76,44 @@ test("a stroke stays with the scene that it began on", async () => {
   assert.ok(after[0].revision > before[0].revision);
   assert.equal(after[1].revision, before[1].revision, "the other scene was groomed");
 });
+
+test("the list shows scenes by their pictures, and sheets are made at one press", async () => {
+  const shown = (await server.creature("sheet", 1000)).id, other = (await server.creature("besides", 1000)).id;
+  const studio = await openStudio({scene: shown});
+  const {page} = studio;
+  await studio.ready();
+  await studio.seen("rest");
+  await studio.panel("Files");
+  await page.locator(".scene-row", {hasText: "besides"}).locator("img").waitFor({timeout: 60000});
+  for (const [button, ending] of [["Contact sheet", "contact sheet.png"], ["Before and after", "before and after.png"], ["besides beside the open scene", "and besides.png"]]) {
+    await page.getByRole("button", {name: button}).click();
+    const picture = page.locator(".sheet img");
+    await picture.waitFor({timeout: 90000});
+    const [width, height] = await picture.evaluate((image) => [image.naturalWidth, image.naturalHeight]);
+    assert.ok(width >= 1280 && height >= 500, `${width} x ${height}`);
+    const saved = page.waitForEvent("download");
+    await page.getByRole("button", {name: "Download", exact: true}).click();
+    assert.equal((await saved).suggestedFilename(), `sheet ${ending}`);
+    await page.keyboard.press("Escape");
+  }
+  assert.ok(other);
+  await studio.finish();
+});
+
+test("a picture stands there at once when the studio is opened again", async () => {
+  const {id} = await server.creature("again", 1000);
+  const studio = await openStudio({scene: id});
+  const {page} = studio;
+  await studio.ready();
+  await studio.seen("rest");
+  await page.waitForFunction(() => localStorage.getItem("pelage.last-picture")?.includes("data:image/jpeg"));
+  await page.route("**/frames*", async (route) => { await new Promise((go) => setTimeout(go, 3000)); await route.continue().catch(() => undefined); });
+  await page.reload();
+  const stored = page.locator(".stored-picture");
+  await stored.waitFor({timeout: 2500});
+  assert.match(await stored.getAttribute("src"), /^data:image\/jpeg/);
+  await page.unrouteAll({behavior: "ignoreErrors"});
+  await studio.seen();
+  assert.equal(await stored.count(), 0);
+  await studio.finish();
+});

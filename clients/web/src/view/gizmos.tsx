@@ -94,11 +94,11 @@ function lights(): Gizmo[] {
 export const shows_eyes = signal(false);
 export const chosen_eye = signal(0);
 
-/** On the eye, to move it over the skin; at its rim, for its size; before it, for where it looks. */
+/** On the eye, to move it over the skin; above it, for its size; before it, for where it looks. */
 function eyes(): Gizmo[] {
   const list = live_eyes.value.value, size = scene.value?.size ?? 1;
   if (!list) return [];
-  const right = axes(seen_orbit.value).right, projection = projectionNow();
+  const above = axes(seen_orbit.value).up, projection = projectionNow();
   return list.flatMap((eye, k) => {
     const at = eye.position as Vector, radius = (eye.radius ?? 0.02) * size, name = `Eye ${k + 1}`;
     const gaze = unit((eye.look_at ? subtract(eye.look_at as Vector, at) : eye.gaze ?? [0, 0, 1]) as Vector);
@@ -112,7 +112,7 @@ function eyes(): Gizmo[] {
     const chosen = k === chosen_eye.value;
     return [
       {name, shape: "dot" as const, at, live: moved, place: onSkin, pressed, chosen},
-      {name: `Size of eye ${k + 1}`, shape: "star" as const, at: add(at, scale(right, radius + apart)), live: sized, pressed},
+      {name: `Size of eye ${k + 1}`, shape: "star" as const, at: add(at, scale(above, radius + apart)), live: sized, pressed},
       ...(eye.look_at ? [] : [{name: `Where eye ${k + 1} looks`, shape: "arrow" as const, at: add(at, scale(gaze, 3 * radius + 2 * apart)), to: at, live: turned, pressed}]),
     ];
   });
