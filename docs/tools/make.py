@@ -83,7 +83,7 @@ def page_text(name):
 
 def brush_text():
     lines = ["# Brush and stroke", "", (FOLDER / "brush_words.txt").read_text(encoding="utf-8").strip(), ""]
-    for title, schema in (("Brush", "Brush"), ("Stroke", "Stroke"), ("Sample", "Sample"), ("View", "View")):
+    for title, schema in (("Brush", "Brush"), ("Symmetry", "Symmetry"), ("Plane", "Plane"), ("Stroke", "Stroke"), ("Sample", "Sample"), ("View", "View")):
         lines += [f"## {title}", "", *table(schema), ""]
     return "\n".join([*lines, "[All tools](../grooming.md)", ""])
 

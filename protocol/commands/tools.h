@@ -89,8 +89,8 @@ struct Interpolate {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
-  std::vector<Key> keys = {};  // 1 to 1,024
-  double sigma = 0.2;          // width of the Gaussians, in `units`, above 0
+  std::vector<Key> keys = {};        // 1 to 1,024
+  double sigma = 0.2;                // width of the Gaussians, in `units`, above 0
   std::optional<double> reach = {};  // in `units`, above 0: beyond it nothing changes; absent: everywhere
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;
@@ -107,8 +107,8 @@ struct Flow {
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::vector<glm::dvec3>> curves =
-      {};              // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
-  double sigma = 0.2;  // in `units`, above 0
+      {};                            // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
+  double sigma = 0.2;                // in `units`, above 0
   std::optional<double> reach = {};  // as Interpolate::reach
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;

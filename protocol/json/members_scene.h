@@ -76,7 +76,8 @@ void members(V& v, Visited<V, NewScene>& c) {
   v.object("model", c.model, "Built-in model that the scene begins with.");
   v.object("fur", c.fur, "The first fur.");
   fur_patches_member(v, c.fur_patches);
-  v.boolean("ground", c.ground, "Whether the ground below the model is visible at first, as `set_ground` would make it.");
+  v.boolean("ground", c.ground,
+            "Whether the ground below the model is visible at first, as `set_ground` would make it.");
 }
 
 template <class V>
@@ -183,7 +184,8 @@ void members(V& v, Visited<V, ImportOptions>& c) {
              "answer gives; the only part of a model is 1.");
   fur_members(v, c.fur);
   fur_patches_member(v, c.fur_patches);
-  v.boolean("ground", c.ground, "Whether the ground below the model is visible at first, as `set_ground` would make it.");
+  v.boolean("ground", c.ground,
+            "Whether the ground below the model is visible at first, as `set_ground` would make it.");
 }
 
 template <class V>

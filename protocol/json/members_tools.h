@@ -100,9 +100,10 @@ void members(V& v, Visited<V, Interpolate>& c) {
   v.objects(required("keys"), c.keys, {1, limits::keys}, "What fur is like at a few places.");
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
-  v.number("reach", c.reach, width_in_units,
-           "Farther away than this, in `units`, nothing changes; from half of it on the effect fades. Absent there is no "
-           "end.");
+  v.number(
+      "reach", c.reach, width_in_units,
+      "Farther away than this, in `units`, nothing changes; from half of it on the effect fades. Absent there is no "
+      "end.");
   v.name("units", c.units, json_names::units);
   v.name("distance", c.distance, json_names::distance_kinds,
          "How distances are measured. straight: through space. dijkstra: along edges, too long by some percent. heat: "
@@ -118,9 +119,10 @@ void members(V& v, Visited<V, Flow>& c) {
            "Curves on the model, each a list of points that fur follows from the first to the last.");
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
-  v.number("reach", c.reach, width_in_units,
-           "Farther away than this, in `units`, nothing changes; from half of it on the effect fades. Absent there is no "
-           "end.");
+  v.number(
+      "reach", c.reach, width_in_units,
+      "Farther away than this, in `units`, nothing changes; from half of it on the effect fades. Absent there is no "
+      "end.");
   v.name("units", c.units, json_names::units);
   v.name("distance", c.distance, json_names::distance_kinds,
          "How distances are measured. straight: through space. dijkstra: along edges, too long by some percent. heat: "

@@ -92,8 +92,7 @@ Evaluation run(const Interpolate& command, const Surface& surface, const FieldSe
     const double strength = strength_at(i, said[i].lean.nearest());
     if (!said[i].lean.reached() || strength == 0) return false;
     const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said[i].lean.mean());
-    return directions.put(
-        v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, strength)));
+    return directions.put(v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, strength)));
   });
   done.clamped +=
       write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {

@@ -358,8 +358,8 @@ Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel
   if (options.dry_run) return summary();
   const Revision revision = present_->revision + 1;
   const auto settings = std::make_shared<const SceneSettings>(first_settings(*model, ground));
-  const StoredScene stored_scene{id_,      name_, std::move(stored), revision, difference(FieldSet(first.size()), first),
-                                 settings, {}};
+  const StoredScene stored_scene{
+      id_, name_, std::move(stored), revision, difference(FieldSet(first.size()), first), settings, {}};
   History history = new_history(revision, *settings);
   SnapshotPtr fresh = beginning(model, std::move(first), history, nullptr);
   Status begun = begin_anew(fresh, history, [&] { return journal_.replace_model(stored_scene); });

@@ -167,7 +167,8 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const
   auto model = build_model(*raw, how, ++impl_->last_model);
   if (!model) return model.status();
   auto settings = std::make_shared<const SceneSettings>(first_settings(**model, request.ground));
-  return impl_->add({random_id(), request.name, std::move(how), 0, {}, std::move(settings), keyed}, *model, request.fur);
+  return impl_->add({random_id(), request.name, std::move(how), 0, {}, std::move(settings), keyed}, *model,
+                    request.fur);
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request,

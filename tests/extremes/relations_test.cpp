@@ -142,8 +142,8 @@ double mean_alpha(const FloatImage& image) {
 }
 
 // Layers of light are linear: what two lights give together is the sum of what each gives. But for one thing: a knot of
-// a strand from which those that are left out take more than it sends, sends nothing and not less. So two lights can give
-// a little less than their sum in some pixels, and never more.
+// a strand from which those that are left out take more than it sends, sends nothing and not less. So two lights can
+// give a little less than their sum in some pixels, and never more.
 TEST_P(Relations, LightIsAdditive) {
   const std::string left = R"({"direction": [1, -0.3, -0.3], "intensity": 0.5})",
                     right = R"({"direction": [-1, -1, -0.3]})";

@@ -38,6 +38,7 @@ async function picture(studio, name, pointer = [0.02, 0.5]) {
 async function greys(studio, [x, y], half) {
   await studio.page.waitForTimeout(400);
   await studio.seen("rest");
+  await studio.page.waitForFunction(() => !document.querySelector(".badge-pending").textContent);
   return studio.page.evaluate(([x, y, half]) => {
     const picture = document.querySelector("canvas.picture[data-front]"), side = 2 * half * picture.height;
     const pen = Object.assign(document.createElement("canvas"), {width: 128, height: 128}).getContext("2d");

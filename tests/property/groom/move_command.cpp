@@ -38,6 +38,9 @@ class Mover {
   void move(Brush& brush) const {
     length(brush.radius, brush.units == RadiusUnits::relative ? Units::relative : Units::world);
     brush.units = RadiusUnits::world;
+    if (!brush.symmetry) return;
+    for (Plane& plane : brush.symmetry->planes) place(plane.point), turn(plane.normal);
+    place(brush.symmetry->axis_point), turn(brush.symmetry->axis);
   }
   void move(Stroke& stroke) const {
     for (StrokeSample& sample : stroke.samples) {
@@ -60,7 +63,7 @@ class Mover {
   void move_lengths(Tool& tool) const {
     if constexpr (requires { tool.radius; }) length(tool.radius, tool.units);
     if constexpr (requires { tool.fall; }) length(tool.fall, tool.units);
-    if constexpr (requires { tool.sigma; }) length(tool.sigma, tool.units);
+    if constexpr (requires { tool.sigma; }) length(tool.sigma, tool.units), length(tool.reach, tool.units);
     if constexpr (requires { tool.feature_size; }) length(tool.feature_size, tool.units);
     if constexpr (requires {
                     tool.distance;

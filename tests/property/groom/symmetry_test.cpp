@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/groom/brush.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/first_groom.h"
 #include "tests/property/groom/command_maker.h"
@@ -86,14 +87,16 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
   const Surface surface = testing_models::surface_of(testing_models::dented_builtin(random));
   CommandMaker make(seed, surface, Numbers::ordinary, Views::none);
   constexpr std::size_t last_with_places = 15;  // the mask chooses places and is no stroke
-  const Command command = make.command(static_cast<std::size_t>(random.uniform(0, last_with_places + 1)));
+  Command command = make.command(static_cast<std::size_t>(random.uniform(0, last_with_places + 1)));
   if (is_flood(command) || !on_positions(command)) return;
   const Symmetry symmetry = random_symmetry(random);
+  const bool own = random.uniform(0, 1) < 0.5;  // the brush's, in place of the scene's
+  brush_of(command)->symmetry = own ? std::optional(symmetry) : std::nullopt;
   std::vector<glm::dvec3> expected, found;
   for (const Command& image : plain::images(command, symmetry)) {
     for (const glm::dvec3 place : places_of(image)) expected.push_back(place);
   }
-  for (const Command& image : images_of(command, symmetry, surface)) {
+  for (const Command& image : images_of(command, own ? random_symmetry(random) : symmetry, surface)) {
     for (const glm::dvec3 place : places_of(image)) found.push_back(place);
   }
   RC_ASSERT(expected.size() == found.size());

@@ -42,35 +42,50 @@ TEST(MeshCache, DropsTheMeshesOfAModelThatIsGone) {
   MeshCache cache;
   const auto model = ball(1);
   auto gone = ball(2);
-  const std::weak_ptr<const std::string> file = *cache.mesh(gone, 200);
+  const std::weak_ptr<const ProxyMesh> file = *cache.mesh(gone, 200);
   EXPECT_FALSE(file.expired());
   gone.reset();
   EXPECT_TRUE(cache.mesh(model, 200).ok());
   EXPECT_TRUE(file.expired());
 }
 
+SceneSnapshot scene_of(const std::shared_ptr<const SceneModel>& model, Revision revision = 0) {
+  SceneSnapshot scene;
+  scene.model = model, scene.revision = revision;
+  return scene;
+}
+
 TEST(MeshCache, TagsAreOfModelTrianglesAndProcess) {
   const MeshCache cache;
   std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const MeshCache later;
-  const auto model = ball(1), other = ball(2);
-  const std::string tag = cache.etag_of(*model, 200);
-  EXPECT_EQ(cache.etag_of(*model, 200), tag);
+  const SceneSnapshot scene = scene_of(ball(1)), other = scene_of(ball(2)), changed = scene_of(scene.model, 1);
+  const std::string tag = cache.etag_of(scene, {200});
+  EXPECT_EQ(cache.etag_of(changed, {200}), tag);
   for (const std::string& different :
-       {cache.etag_of(*model, 201), cache.etag_of(*other, 200), later.etag_of(*model, 200)}) {
+       {cache.etag_of(scene, {201}), cache.etag_of(other, {200}), later.etag_of(scene, {200})}) {
     EXPECT_NE(different, tag);
   }
-  EXPECT_EQ(cache.etag_of(*model, 5000), cache.etag_of(*model, 6000));
+  EXPECT_EQ(cache.etag_of(scene, {5000}), cache.etag_of(scene, {6000}));
+}
+
+TEST(MeshCache, TagsOfFurAreOfTheRevisionToo) {
+  const MeshCache cache;
+  const SceneSnapshot scene = scene_of(ball(1)), changed = scene_of(scene.model, 1);
+  const MeshRequest wanted{200, true};
+  EXPECT_EQ(cache.etag_of(scene, wanted), cache.etag_of(scene_of(scene.model), wanted));
+  EXPECT_NE(cache.etag_of(scene, wanted), cache.etag_of(changed, wanted));
+  EXPECT_NE(cache.etag_of(scene, wanted), cache.etag_of(scene, {200}));
 }
 
 TEST(MeshCache, ClientsThatAskTogetherGetOneMesh) {
   MeshCache cache;
   const auto model = ball(1, 20'000);
-  std::vector<MeshCache::File> files(6);
+  std::vector<MeshCache::MeshPtr> meshes(6);
   std::vector<std::thread> clients;
-  for (MeshCache::File& file : files) clients.emplace_back([&] { file = *cache.mesh(model, 500); });
+  for (MeshCache::MeshPtr& mesh : meshes) clients.emplace_back([&] { mesh = *cache.mesh(model, 500); });
   for (std::thread& client : clients) client.join();
-  for (const MeshCache::File& file : files) EXPECT_EQ(file, files.front());
+  for (const MeshCache::MeshPtr& mesh : meshes) EXPECT_EQ(mesh, meshes.front());
 }
 
 }  // namespace

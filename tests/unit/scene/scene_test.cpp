@@ -252,7 +252,7 @@ TEST_F(SceneTest, ANewModelStartsAnEmptyLogAtTheNextRevision) {
   const StoredModel stored{.name = "obj", .raw = {}};
   const auto model = build_model(raw, stored, 77);
   ASSERT_TRUE(model.ok());
-  EXPECT_EQ(scene->replace_model(*model, {}, stored, {.if_match = 0}).status().code, Code::precondition);
+  EXPECT_EQ(scene->replace_model(*model, {}, stored, false, {.if_match = 0}).status().code, Code::precondition);
   const auto replaced = scene->replace_model(*model, {.length = 0.1}, stored);
   ASSERT_TRUE(replaced.ok());
   EXPECT_EQ(replaced->revision, 2u);

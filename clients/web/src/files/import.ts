@@ -1,7 +1,8 @@
 // The upload of a model into a scene of its own, from the question about its axes to the report.
 import {signal} from "@preact/signals";
-import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
-import type {CommandAnswer, Repair, Scene} from "../api/types";
+import {Aborted, Offline, Refusal, createScene, readSettings, removeScene, scenePath} from "../api/client";
+import {kept} from "../api/identity";
+import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
@@ -48,7 +49,12 @@ const accepting = (loss: Loss | undefined): Record<string, string> => (loss ? {d
 const atRevision = (loss: Loss | undefined): Record<string, string> => (loss && "revision" in loss ? {"If-Match": `"${loss.revision}"`} : {});
 
 async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
-  const show = (what: string) => (share: number) => { importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop}; };
+  const start = performance.now();
+  const show = (what: string) => (share: number) => {
+    const seconds = (performance.now() - start) / 1000, sent = share * plan.bytes.size;
+    if (what === "the model" && seconds > 0.5) upload_speed.value = sent / seconds;
+    importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop};
+  };
   const query = new URLSearchParams(Object.entries({format: plan.format, ground: true, ...plan.options, ...accepting(loss)}).map(([name, value]) => [name, String(value)]));
   show("the model")(0);
   let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal, atRevision(loss));
@@ -73,6 +79,18 @@ function asideFrom(error: unknown, plan: Plan, into: string): Import {
   return {stage: "failed", says, next: nextOf(error), plan, into};
 }
 
+/** What a new version of a model takes over beside the fields: how its fur looks and how it is lit. */
+const carried = ["coat", "look", "lights", "environment", "ground", "wind"] as const;
+
+/** Gives the model the groom of another scene, as one step. */
+async function takeGroom(of: string): Promise<void> {
+  const settings = await readSettings(of);
+  await run(...carried.map((name): Command => ({op: `set_${name}`, [name]: settings[name]})), {op: "retarget", scene: of});
+}
+
+/** Bytes a second of the newest upload; 0 before there was one. */
+export const upload_speed = kept("upload-speed", 0);
+
 /** Uploads the plan; a new scene is taken away again where the model is refused. */
 export async function startImport(plan: Plan, into: string, loss?: Loss): Promise<void> {
   const stop = new AbortController();
@@ -83,6 +101,7 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
     const {description, notes} = await send(plan, id, loss, stop);
     await Promise.all([openScene(id), listScenes()]);
     hear(description.revision);
+    if (plan.groom_of) await takeGroom(plan.groom_of);
     importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
@@ -128,7 +147,9 @@ export async function take(all: Taken[]) {
   panel.value = "files";
   importing.value = {stage: "reading"};
   try {
-    importing.value = {stage: "asking", plan: await planOf(all), into: ""};
+    const plan = await planOf(all), open = scene.value;
+    const is_version = open !== null && open.name === plan.name && open.undo_steps > 0;
+    importing.value = {stage: "asking", plan: is_version ? {...plan, groom_of: open.id} : plan, into: ""};
   } catch (error) {
     if (!(error instanceof PlanError)) { leave(); return sayError(error); }
     importing.value = {stage: "failed", says: error.message, next: error.next, plan: null, into: ""};

@@ -1,9 +1,11 @@
 // A model on its way to the server: the question about its axes, how far it is, what was repaired.
-import {leave, startImport, type Import, type Loss, importing} from "../files/import";
+import {leave, startImport, type Import, type Loss, importing, upload_speed} from "../files/import";
 import type {Repair} from "../api/types";
 import type {Plan} from "../files/plan";
+import {scene} from "../scene/session";
 import {Form} from "../tools/form";
 import {membersOf, schemas, words} from "../tools/schema";
+import {durationOf} from "../view/measured";
 
 const repair_words: Record<string, string> = {
   welded_vertices: "equal positions became one", flipped_triangles: "triangles were turned to point outwards", split_polygons: "polygons were made into triangles",
@@ -25,6 +27,8 @@ function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | unde
       {plan.texture && <p class="help">Its picture comes with it.</p>}
       <p class="help">Tools and looks expect an animal on its feet that faces +z. The axes are a guess: if it comes out lying, upload it again with others.</p>
       <Form members={members} values={plan.options} set={set} />
+      <KeepGroom plan={plan} into={into} />
+      <p class="help">{sizeWords(plan.bytes.size)}</p>
       {lost && <p role="alert">{lost} Download it first to keep it.</p>}
       <div class="pair">
         <button type="button" class="primary" onClick={() => void startImport(plan, into, loss)}>{lost ? "Discard it and upload" : "Upload"}</button>
@@ -32,6 +36,21 @@ function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | unde
       </div>
     </>
   );
+}
+
+/** A new version of the open scene's model gets its groom; the open scene stays as it is. */
+function KeepGroom({plan, into}: {plan: Plan; into: string}) {
+  const open = scene.value;
+  if (!open || into || open.undo_steps === 0 && !plan.groom_of) return null;
+  const change = (on: boolean) => { importing.value = {stage: "asking", plan: {...plan, groom_of: on ? open.id : ""}, into}; };
+  return <label class="check"><input type="checkbox" checked={plan.groom_of !== ""} onChange={(event) => change(event.currentTarget.checked)} /> With the groom of {open.name}</label>;
+}
+
+/** "12 MiB, about 40 s to send" */
+function sizeWords(bytes: number): string {
+  const size = bytes < 1048576 ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / 1048576).toFixed(1)} MiB`;
+  const seconds = upload_speed.value > 0 ? bytes / upload_speed.value : 0;
+  return seconds >= 2 ? `${size}, about ${durationOf(1000 * seconds)} to send` : size;
 }
 
 function Notes({notes}: {notes: string[]}) {

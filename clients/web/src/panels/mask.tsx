@@ -10,6 +10,7 @@ import {panel} from "../shell/places";
 import {forbidden, membersOf} from "../tools/schema";
 import {current, setValue, valuesOf} from "../tools/state";
 import {overlay} from "../view/quality";
+import {place_request} from "../view/surface";
 
 /** How far the edge goes and how soft it gets; the contract's defaults unless set by hand. */
 const edge = kept<Record<string, unknown>>("mask-edge", {});
@@ -43,6 +44,14 @@ function change(action: string) {
 }
 export const invertMask = () => change("invert");
 
+/** The next press chooses the part of the model that tools then work on. */
+function choosePart() {
+  place_request.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => {
+    void run({op: "mask", action: "select", part: {position: point}});
+    if (overlay.value === "none") overlay.value = "mask";
+  }};
+}
+
 function paint(value: number) {
   setValue("paint", "field", "mask");
   setValue("paint", "value", value);
@@ -63,6 +72,7 @@ export function MaskSection() {
         <span>Paint</span>
         <button type="button" aria-pressed={paints(0)} title="Paint what tools leave alone" onClick={() => paint(0)}>Protect</button>
         <button type="button" aria-pressed={paints(1)} title="Paint what tools may change" onClick={() => paint(1)}>Free</button>
+        <button type="button" title="Tools work on one part of the model alone" onClick={choosePart}>A part…</button>
       </div>
       <div class="mask-buttons">
         <button type="button" title="Protect what is free, free what is protected (Ctrl+I)" onClick={invertMask}>Invert</button>

@@ -11,9 +11,10 @@ export function dismiss(id: number) {
   messages.value = messages.value.filter((message) => message.id !== id);
 }
 
+/** What is said already is said once, for a while longer. */
 export function say(text: string, next = "", kind: Message["kind"] = "info") {
   const id = ++serial;
-  messages.value = [...messages.value.slice(-3), {id, kind, text, next}];
+  messages.value = [...messages.value.filter((message) => message.text !== text || message.next !== next).slice(-3), {id, kind, text, next}];
   setTimeout(() => dismiss(id), kind === "error" ? 12000 : 5000);
 }
 

@@ -50,14 +50,26 @@ std::vector<Corner> corners_of(const std::vector<dvec3>& curve, const Body& body
   return corners;
 }
 
-/// Weights of those keys that speak, by their distances to a vertex.
+/// Distances of those keys that speak to a vertex; infinite for the others.
 template <class Speaks>
-std::vector<double> key_weights(const Interpolate& command, const std::vector<Reach>& reaches, Vertex v, double sigma,
-                                Speaks speaks) {
+std::vector<double> key_distances(const Interpolate& command, const std::vector<Reach>& reaches, Vertex v,
+                                  Speaks speaks) {
   std::vector<double> distances;
   for (std::size_t k = 0; k < reaches.size(); ++k)
     distances.push_back(speaks(command.keys[k]) ? reaches[k].distance[v] : std::numeric_limits<double>::infinity());
-  return gaussians(distances, sigma);
+  return distances;
+}
+
+/// 1 where the nearest lies within half of the reach, 0 beyond it, and a cubic between.
+template <class Guides>
+double share_within_reach(const Guides& command, const Body& body, const std::vector<double>& distances) {
+  if (!command.reach) return 1;
+  const double nearest = *std::min_element(distances.begin(), distances.end());
+  const double half = body.sizes(*command.reach, command.units) / 2;
+  if (nearest <= half) return 1;
+  if (nearest >= 2 * half) return 0;
+  const double left = (2 * half - nearest) / half;
+  return left * left * (3 - 2 * left);
 }
 
 bool any(const std::vector<double>& weights) {
@@ -113,19 +125,25 @@ void apply(const Interpolate& command, const Stage& stage, Fur& fur) {
   for (const Key& key : command.keys) reaches.push_back(reach(body, command.distance, corners_of(key, body)));
   for (Vertex v = 0; v < body.size(); ++v) {
     const double w = command.strength * region[v];
-    const auto directed =
-        key_weights(command, reaches, v, sigma, [](const Key& key) { return key.direction.has_value(); });
-    const auto measured =
-        key_weights(command, reaches, v, sigma, [](const Key& key) { return key.length.has_value(); });
+    const auto direct_distances =
+        key_distances(command, reaches, v, [](const Key& key) { return key.direction.has_value(); });
+    const auto length_distances =
+        key_distances(command, reaches, v, [](const Key& key) { return key.length.has_value(); });
+    const auto directed = gaussians(direct_distances, sigma), measured = gaussians(length_distances, sigma);
     dvec3 lean(0);
     double length = 0;
     for (std::size_t k = 0; k < reaches.size(); ++k) {
       lean += directed[k] * reaches[k].vector[v];
       length += measured[k] * body.sizes(command.keys[k].length.value_or(0), command.units);
     }
-    if (any(directed))
-      fur.of(Field::direction)[v] = dvec4((1 - w) * fur.direction(v) + w * body.in_frame(v, lean), 0, 0);
-    if (any(measured)) fur.of(Field::length)[v].x = (1 - w) * fur.number(Field::length, v) + w * length;
+    if (any(directed)) {
+      const double share = w * share_within_reach(command, body, direct_distances);
+      fur.of(Field::direction)[v] = dvec4((1 - share) * fur.direction(v) + share * body.in_frame(v, lean), 0, 0);
+    }
+    if (any(measured)) {
+      const double share = w * share_within_reach(command, body, length_distances);
+      fur.of(Field::length)[v].x = (1 - share) * fur.number(Field::length, v) + share * length;
+    }
   }
 }
 
@@ -143,7 +161,8 @@ void apply(const Flow& command, const Stage& stage, Fur& fur) {
     dvec3 way(0);
     for (std::size_t k = 0; k < reaches.size(); ++k) way += weights[k] * reaches[k].vector[v];
     const double lean = command.inclination.value_or(glm::length(fur.direction(v)));
-    const dvec2 after = turned_to(body, v, fur.direction(v), way, lean, command.strength * region[v]);
+    const dvec2 after = turned_to(body, v, fur.direction(v), way, lean,
+                                  command.strength * region[v] * share_within_reach(command, body, distances));
     fur.of(Field::direction)[v] = dvec4(after, 0, 0);
   }
 }
