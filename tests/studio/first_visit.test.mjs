@@ -139,7 +139,7 @@ test("an answer that is no problem document is said with its status and reason",
   studio.expected.push(/Failed to load resource/);
   await studio.seen();
   await studio.page.route("**/commands", (route) => route.fulfill({status: 403, contentType: "text/html", body: "<html>Forbidden</html>"}));
-  await studio.page.keyboard.press("x");
+  await studio.page.keyboard.press("Control+i");
   await studio.page.getByText("The request was answered with 403: it is forbidden.").waitFor();
   await studio.finish();
 });

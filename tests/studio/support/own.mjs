@@ -25,8 +25,14 @@ export function start({prepare = async () => {}, finish = async () => {}} = {}) 
   finishes.push(finish);
 }
 
-/** Called once the tests of a file are known. */
-export const endFile = (subject) => test(`${subject}: closed`, finishes.pop());
+/** Called once the tests of a file are known. The server takes so many scenes and no more. */
+export const endFile = (subject) => {
+  const finish = finishes.pop();
+  return test(`${subject}: closed`, async () => {
+    await finish();
+    for (const {id} of (await server.get("/v1/scenes")).scenes) await fetch(`${server.address}/v1/scenes/${id}`, {method: "DELETE"});
+  });
+};
 
 /** Called after the last file. */
 export const endAll = () => test("server and browser: closed", async () => {

@@ -147,9 +147,7 @@ export async function take(all: Taken[]) {
   panel.value = "files";
   importing.value = {stage: "reading"};
   try {
-    const plan = await planOf(all), open = scene.value;
-    const is_version = open !== null && open.name === plan.name && open.undo_steps > 0;
-    importing.value = {stage: "asking", plan: is_version ? {...plan, groom_of: open.id} : plan, into: ""};
+    importing.value = {stage: "asking", plan: await planOf(all), into: ""};
   } catch (error) {
     if (!(error instanceof PlanError)) { leave(); return sayError(error); }
     importing.value = {stage: "failed", says: error.message, next: error.next, plan: null, into: ""};

@@ -23,6 +23,7 @@ const closeness = 0.36;  // of the distance that shows the whole animal
 const on_tousled: Op[] = ["smooth", "unify", "erase"];
 
 let serial = 0;
+const copies = new Set<string>();  // that are not thrown away yet
 
 interface TrialView { camera: Pinhole; width: number; height: number }
 
@@ -71,7 +72,9 @@ function keep(key: string, pair: Pair) {
 
 export async function drawPair(key: string, of: string, op: Op, command: Command, signal: AbortSignal) {
   const view = await viewOf(of);
+  if (signal.aborted) return;
   const {id} = await api.branchScene(of, {name: trialName()});
+  copies.add(id);
   try {
     const change = (body: Command) => api.change(id, "commands", body, `${page_id}-tool-${++serial}`);
     if (on_tousled.includes(op)) await change({op: "noise", flood: true, amount: 0.9, feature_size: 0.06, fields: ["direction", "length"]});
@@ -81,6 +84,10 @@ export async function drawPair(key: string, of: string, op: Op, command: Command
     await change(strokeOf(op, command, view, places));
     keep(key, {before, after: await draw(id, view, signal)});
   } finally {
+    copies.delete(id);
     await api.removeScene(id);
   }
 }
+
+/** While the page goes away: no time for anything but the requests. */
+addEventListener("pagehide", () => copies.forEach((id) => void api.removeScene(id).catch(() => undefined)));
