@@ -66,6 +66,7 @@ struct Options {
   double inclination = 0.45;
   std::string form;  // of the first fur; the server's choice when empty
   std::string fur_patches = "overlapping";
+  bool ground = false;  // whether it is visible at first
   // load, environment, skin_texture, run and amend; "-" is standard input
   std::string file;
   std::string format;     // "" for the file's ending

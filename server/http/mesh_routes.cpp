@@ -30,7 +30,7 @@ void get_mesh(Service& service, const Scene& scene, const Request& request, Resp
   }
   response.set_header("ETag", etag);
   response.set_header("Cache-Control", "no-cache");
-  if (wanted->fur) response.set_header("Pelage-Revision", std::to_string(now->revision));
+  response.set_header("Pelage-Revision", std::to_string(now->revision));
 }
 
 }  // namespace

@@ -111,6 +111,7 @@ test("the mirrored ring is seen, but not through the body", async () => {
   const mirroring = async (on) => {
     await studio.page.keyboard.press("x");
     await studio.page.waitForFunction((wanted) => document.querySelector('[aria-label="Mirror"]').ariaPressed === String(wanted), on);
+    await studio.page.waitForTimeout(150);  // the ring is drawn at the screen's next frame
   };
   const counts = {};
   for (const [view, key, at] of [["side", "4", [0.5, 0.5]], ["front", "1", [0.54, 0.5]]]) {

@@ -31,7 +31,8 @@ Query import_query(const Options& options, const std::string& format) {
   Query query{{"format", format},
               {"length", fmt::format("{}", options.length)},
               {"inclination", fmt::format("{}", options.inclination)},
-              {"fur_patches", options.fur_patches}};
+              {"fur_patches", options.fur_patches},
+              {"ground", options.ground ? "true" : "false"}};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) query.emplace_back(name, value);
   };

@@ -18,9 +18,9 @@ namespace {
 std::string new_scene_request_of(const Options& options) {
   const std::string form = options.form.empty() ? "" : ",\"form\":" + json_text(options.form);
   return fmt::format(
-      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}{}}},"fur_patches":{}}})",
+      R"({{"name":{},"model":{{"builtin":{},"triangles":{}}},"fur":{{"length":{},"inclination":{}{}}},"fur_patches":{},"ground":{}}})",
       json_text(options.name), json_text(options.builtin), options.triangles, options.length, options.inclination, form,
-      json_text(options.fur_patches));
+      json_text(options.fur_patches), options.ground);
 }
 
 /// Loads the model of a new scene, and removes the scene if that fails.

@@ -18,6 +18,7 @@ void add_fur(CLI::App* command, Options& options) {
       ->add_option("--fur-patches", options.fur_patches,
                    "How fur is laid: overlapping, hard, or own_uvs by the model's texture coordinates")
       ->capture_default_str();
+  command->add_flag("--ground", options.ground, "Begin with a visible ground below the model");
 }
 
 /// Adds the options that say how a file is read.

@@ -50,13 +50,15 @@ class Server:
         model: Optional[BuiltinModel] = None,
         fur: Optional[FirstGroom] = None,
         fur_patches: Optional[FurPatches] = None,
+        ground: Optional[bool] = None,
     ) -> Scene:
         """Makes a scene with a built-in model; `Scene.load` puts one from a file in its place.
 
         name: "scene" unless given. model: The creature of 5000 triangles unless given. fur: The first fur.
         fur_patches: How the sample tile is laid on the surface; "overlapping" unless given.
+        ground: Whether the ground below the model is visible at first.
         """
-        members = {"name": name, "model": model, "fur": fur, "fur_patches": fur_patches}
+        members = {"name": name, "model": model, "fur": fur, "fur_patches": fur_patches, "ground": ground}
         return Scene(self._connection, cast(SceneInfo, self._connection.post("/v1/scenes", given(members)).json))
 
     def open_file(self, path: Path, name: Optional[str] = None) -> Scene:
