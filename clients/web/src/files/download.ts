@@ -28,7 +28,8 @@ export function save(bytes: Blob, name: string) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
-const fileName = (open: Scene, ending: string) => `${open.name.replace(/[^\p{L}\p{N} ._-]+/gu, "_")}.${ending}`;
+/** Of letters, digits and a few signs, as every system takes them. */
+export const fileName = ({name}: {name: string}, ending: string) => `${name.replace(/[^\p{L}\p{N} ._-]+/gu, "_")}.${ending}`;
 
 /** Runs one download at a time, with its words and a way to stop it. */
 export async function make(says: string, work: (open: Scene, stop: AbortController) => Promise<void>) {

@@ -7,7 +7,7 @@ import {first_revision} from "../scene/steps";
 import {log_read, refresh, wants_log} from "../scene/session";
 import {framed, orbit, pinholeOf, type Orbit} from "../view/camera";
 import {plain_request, rest_quality} from "../view/quality";
-import {make, making, save} from "./download";
+import {fileName, make, making, save} from "./download";
 
 /** The newest one, to look at and to keep. */
 export interface Sheet { address: string; bytes: Blob; name: string; is_film: boolean }
@@ -29,7 +29,7 @@ function show(bytes: Blob, name: string, is_film = false) {
   sheet.value = {bytes, name, is_film, address: URL.createObjectURL(bytes)};
 }
 
-const fileName = (of: string, what: string, ending: string) => `${of.replace(/[^\p{L}\p{N} ._-]+/gu, "_")} ${what}.${ending}`;
+const fileNameOf = (of: string, what: string, ending: string) => fileName({name: `${of} ${what}`}, ending);
 
 async function pictureOf({scene, orbit: from, revision}: Cell, size: {width: number; height: number}, signal: AbortSignal): Promise<ImageBitmap> {
   const request: FrameRequest = {...plain_request.value, ...rest_quality.value, ...size, camera: pinholeOf(from), view: `${page_id}-sheet`, ...(revision === undefined ? {} : {revision})};
@@ -63,7 +63,7 @@ export const contactSheet = () => make("Drawing the contact sheet", async (scene
     {scene, orbit: framed(scene, "left", aspect), label: "Left"}, {scene, orbit: around(scene, 0.6 + Math.PI), label: "From behind"},
     {scene, orbit: framed(scene, "back", aspect), label: "Back"}, {scene, orbit: framed(scene, "top", aspect), label: "From above"},
   ];
-  show(await composed(cells, 3, "Drawing the contact sheet", stop), fileName(scene.name, "contact sheet", "png"));
+  show(await composed(cells, 3, "Drawing the contact sheet", stop), fileNameOf(scene.name, "contact sheet", "png"));
 });
 
 export const beforeAndAfter = () => make("Drawing before and after", async (scene, stop) => {
@@ -72,13 +72,13 @@ export const beforeAndAfter = () => make("Drawing before and after", async (scen
     await refresh();
   }
   const cells: Cell[] = [{scene, orbit: orbit.value, label: "The first groom", revision: first_revision.value}, {scene, orbit: orbit.value, label: "Now"}];
-  show(await composed(cells, 2, "Drawing before and after", stop), fileName(scene.name, "before and after", "png"));
+  show(await composed(cells, 2, "Drawing before and after", stop), fileNameOf(scene.name, "before and after", "png"));
 });
 
 export const sideBySide = (other: Scene) => make(`Drawing ${other.name} beside it`, async (scene, stop) => {
   const aspect = cell.width / cell.height;
   const cells: Cell[] = [scene, other].map((one) => ({scene: one, orbit: framed(one, "three_quarter", aspect), label: one.name}));
-  show(await composed(cells, 2, `Drawing ${other.name} beside it`, stop), fileName(scene.name, `and ${other.name}`, "png"));
+  show(await composed(cells, 2, `Drawing ${other.name} beside it`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
 });
 
 /** Draws all pictures first, so that the film has no pauses; then films them. */
@@ -89,7 +89,7 @@ export const turntable = () => make("Drawing the turntable", async (scene, stop)
     pictures.push(await pictureOf({scene, orbit: {...orbit.value, yaw: orbit.value.yaw + (2 * Math.PI * k) / film_frames}, label: ""}, film_size, stop.signal));
   }
   making.value = {says: "Filming", share: null, stop};
-  show(await filmOf(pictures), fileName(scene.name, "turntable", "webm"), true);
+  show(await filmOf(pictures), fileNameOf(scene.name, "turntable", "webm"), true);
 });
 
 async function filmOf(pictures: ImageBitmap[]): Promise<Blob> {

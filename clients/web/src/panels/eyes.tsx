@@ -1,10 +1,9 @@
 // Eyes: placed by a press on the model, in pairs; their handles are in the picture while this panel is open.
 import {useEffect} from "preact/hooks";
 import type {Command, Vector} from "../api/types";
-import {alike, inTheMiddle, partnerOf, sunk, type Eye} from "../scene/eyes";
+import {alike, inTheMiddle, pairSymmetry, partnerOf, sunk, type Eye} from "../scene/eyes";
 import {eyes} from "../scene/live_setting";
 import {run, scene} from "../scene/session";
-import {hand_symmetry} from "../tools/state";
 import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
 import {orbit, pinholeOf} from "../view/camera";
@@ -37,10 +36,9 @@ function clearing(eye: Eye): Command {
 
 function place(now: Eye[], took: (index: number) => void) {
   place_request.value = {says: "Press where the eye is to be; one on the side gets its pair.", take: (hit) => {
-    const like = now[now.length - 1], middle = {point: [0.5 * (Number(scene.value!.bounds.min[0]) + Number(scene.value!.bounds.max[0])), 0, 0], normal: [1, 0, 0]};
-    const symmetry = hand_symmetry.value.planes.length ? hand_symmetry.value : {planes: [middle]};
+    const like = now[now.length - 1];
     const alone = inTheMiddle(hit.point, (like?.radius ?? first_radius) * (scene.value?.size ?? 1));
-    const pair = proxy.value && !alone ? imagesOnSkin(hit, symmetry, proxy.value) : [];
+    const pair = proxy.value && !alone ? imagesOnSkin(hit, pairSymmetry(), proxy.value) : [];
     const placed = [hit, ...pair].map((one) => eyeAt(one, like)).slice(0, maxEyes() - now.length);
     took(now.length);
     void run({op: "set_eyes", eyes: [...now, ...placed]}, ...placed.map(clearing));

@@ -1,9 +1,9 @@
 // Eyes of the scene: pairs move, grow and turn together.
-import type {Settings, Vector} from "../api/types";
+import type {Settings, Symmetry, Vector} from "../api/types";
 import {kept} from "../api/identity";
-import {hand_symmetry} from "../tools/state";
+import {hand_symmetry, middle_plane} from "../tools/state";
 import {dot, norm, subtract} from "../view/vector";
-import {reflected, reflectedDirection} from "../view/mirror";
+import {planesOf, reflected, reflectedDirection} from "../view/mirror";
 import {scene} from "./session";
 
 export type Eye = Settings["eyes"][number];
@@ -14,13 +14,9 @@ export const alike = kept("eyes-alike", true);
 export const sunk = 0.35;
 const near = 0.03;  // sizes: eyes that are a mirror image of each other up to this are a pair
 
-/** The plane that pairs are mirrored by: the hand's, or the one through the middle of the model. */
-function plane() {
-  const own = hand_symmetry.value.planes[0];
-  if (own) return {point: (own.point ?? [0, 0, 0]) as Vector, normal: (own.normal ?? [1, 0, 0]) as Vector};
-  const {min, max} = scene.value!.bounds as {min: Vector; max: Vector};
-  return {point: [(min[0] + max[0]) / 2, 0, 0] as Vector, normal: [1, 0, 0] as Vector};
-}
+/** What pairs are mirrored by: the hand's first plane, or the one through the middle of the model. */
+export const pairSymmetry = (): Symmetry => ({planes: [hand_symmetry.value.planes[0] ?? middle_plane.value]});
+const plane = () => planesOf(pairSymmetry())[0]!;
 
 /** The other eye of a pair; -1 where there is none. */
 export function partnerOf(all: readonly Eye[], index: number): number {

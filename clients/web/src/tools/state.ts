@@ -23,12 +23,17 @@ export const smoothing = signal(false);
 const hasImages = ({planes, count = 1}: Symmetry) => planes.length > 0 || count > 1;
 const scene_symmetry = computed<Symmetry>(() => settings.value?.symmetry ?? {planes: []});
 
+/** The plane that halves the model from front to back. */
+export const middle_plane = computed(() => {
+  const {min, max} = scene.value?.bounds ?? {min: [0, 0, 0], max: [0, 0, 0]};
+  return {point: [(Number(min[0]) + Number(max[0])) / 2, 0, 0], normal: [1, 0, 0]};
+});
+
 /** What strokes are mirrored by: the scene's own symmetry, or the plane through the middle. */
 export const hand_symmetry = computed<Symmetry>(() => {
   if (!mirror.value || !scene.value) return {planes: []};
   if (hasImages(scene_symmetry.value)) return scene_symmetry.value;
-  const {min, max} = scene.value.bounds;
-  return {planes: [{point: [(Number(min[0]) + Number(max[0])) / 2, 0, 0], normal: [1, 0, 0]}]};
+  return {planes: [middle_plane.value]};
 });
 /** Said with each command, where it is not what the scene does anyway. */
 const said_symmetry = computed(() => (mirror.value || hasImages(scene_symmetry.value) ? {symmetry: hand_symmetry.value} : {}));
@@ -97,13 +102,16 @@ export function brushOf(op: Op, invert: boolean): Values {
   return sent;
 }
 
-/** Pixels that 1 of the brush's radius covers, where a pixel covers `units_per_pixel`. */
-export const brushScale = (units_per_pixel: number) => worldRadius(units_per_pixel) / units_per_pixel / Number(brush.value["radius"]);
+/** How many pixels 1 of the brush's radius covers, where a pixel covers `units_per_pixel` of the model's unit. */
+export function brushScale(units_per_pixel: number): number {
+  const units = brush.value["units"];
+  if (units === "pixels") return 1;
+  return (units === "world" ? 1 : scene.value?.size ?? 1) / units_per_pixel;
+}
 
 /** The brush's radius in the model's unit at a point where one pixel covers `units_per_pixel`. */
 export function worldRadius(units_per_pixel: number): number {
-  const radius = Number(brush.value["radius"]);
-  const units = brush.value["units"];
+  const radius = Number(brush.value["radius"]), units = brush.value["units"];
   if (units === "world") return radius;
-  return units === "pixels" ? radius * units_per_pixel : radius * (scene.value?.size ?? 1);
+  return radius * (units === "pixels" ? units_per_pixel : scene.value?.size ?? 1);
 }
