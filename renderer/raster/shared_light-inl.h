@@ -41,7 +41,6 @@ struct KnotColours {
 template <bool by_colour>
 struct LightAlong {
   static constexpr ColourTag tag{};
-  static constexpr float beyond_tip = 1;  // points; what is taller gets more light than the tip
   std::span<const glm::vec4> points;
   KnotColours colours;
   float first, step;  // of the points, at the first knot and from knot to knot
@@ -52,52 +51,95 @@ struct LightAlong {
     first = -lit.from * over, step = taller * over / static_cast<float>(colours.own.size() - 1);
   }
 
-  HWY_INLINE Colour at(int knot) const {
-    const float last = static_cast<float>(points.size() - 1) + beyond_tip;
-    const float place = std::clamp(first + static_cast<float>(knot) * step, 0.0f, last);
-    const int low = std::min(static_cast<int>(place), static_cast<int>(points.size()) - 2);
-    const Colour a = hn::LoadU(tag, &points[static_cast<std::size_t>(low)].x),
-                 b = hn::LoadU(tag, &points[static_cast<std::size_t>(low) + 1].x);
-    const Colour sent = hn::MulAdd(hn::Sub(b, a), hn::Set(tag, place - static_cast<float>(low)), a);
-    if constexpr (!by_colour) return sent;
-    return hn::Mul(hn::Max(sent, hn::Zero(tag)), colours.at(static_cast<std::size_t>(knot)));
+  /// The points end one beyond the tip: what is taller gets more light than the tip.
+  HWY_INLINE float place_of(int knot) const {
+    return std::clamp(first + static_cast<float>(knot) * step, 0.0f, static_cast<float>(points.size()));
+  }
+  /// Of the one beyond the tip: by how much the tip has more light than the point before it.
+  HWY_INLINE Colour light_of(int point) const {
+    const bool beyond = point == static_cast<int>(points.size());
+    const glm::vec4* light = &points[static_cast<std::size_t>(beyond ? point - 1 : point)];
+    const Colour here = hn::LoadU(tag, &light->x);
+    return beyond ? hn::Sub(here, hn::LoadU(tag, &(light - 1)->x)) : here;
+  }
+  /// How much of a point's light is sent at a place that is no further than one from it; the tip's stays beyond it.
+  HWY_INLINE float share_of(int point, float place) const {
+    const float after = place - static_cast<float>(point);
+    const bool is_tip = point + 1 == static_cast<int>(points.size());
+    return after > 0 && is_tip ? 1 : std::max(1 - std::abs(after), 0.0f);
+  }
+  HWY_INLINE Colour colour_of(int knot) const {
+    return by_colour ? colours.at(static_cast<std::size_t>(knot)) : hn::Set(tag, 1.0f);
+  }
+};
+
+/// A piece of a strand between two drawn knots sends what all of its knots do, however few are drawn: its ends have the
+/// light of their own places, and more or less of each point's light, so that the mean is that of all knots. No end
+/// takes less than nothing of a point. So light stays positive, and what two lights give together is their sum.
+template <bool by_colour>
+class PieceLight {
+ public:
+  HWY_INLINE PieceLight(const LightAlong<by_colour>& light, int begin, int end)
+      : light_(light), begin_place_(light.place_of(begin)), end_place_(light.place_of(end)) {
+    begin_colour_ = light.colour_of(begin), end_colour_ = light.colour_of(end);
+    const float share = 1 / static_cast<float>(end - begin);
+    low_ = std::min(static_cast<int>(begin_place_), static_cast<int>(light.points.size()) - 1);
+    add(begin_place_, 0.5f * share, begin_colour_);
+    for (int k = begin + 1; k < end; ++k) add(light.place_of(k), share, light.colour_of(k));
+    add(end_place_, 0.5f * share, end_colour_);
+    next_point(), next_point();
   }
 
-  /// What the knots between two that are drawn send beyond the straight line between these, in the mean: so much more
-  /// each of them sends, so that a strand sends what it does, however few are drawn.
-  HWY_INLINE Colour left_out(int begin, Colour at_begin, int end, Colour at_end) const {
-    Colour sum = hn::Zero(tag);
-    const float over = 1 / static_cast<float>(std::max(end - begin, 1));
-    const Colour rise = hn::Mul(hn::Sub(at_end, at_begin), hn::Set(tag, over));
-    Colour straight = at_begin;
-    for (int k = begin + 1; k < end; ++k)
-      straight = hn::Add(straight, rise), sum = hn::Add(sum, hn::Sub(at(k), straight));
-    return hn::Mul(sum, hn::Set(tag, over));
+  Colour at_begin = hn::Zero(tag), at_end = hn::Zero(tag);
+
+ private:
+  static constexpr ColourTag tag{};
+
+  HWY_INLINE void add(float place, float share, Colour colour) {
+    while (place >= static_cast<float>(low_ + 1) && low_ + 1 < static_cast<int>(light_.points.size())) next_point();
+    const auto of_point = [&](int point) { return hn::Set(tag, share * light_.share_of(point, place)); };
+    mean_ = hn::MulAdd(colour, of_point(low_), mean_);
+    next_mean_ = hn::MulAdd(colour, of_point(low_ + 1), next_mean_);
   }
+
+  /// Gives both ends the light of the point `low_`.
+  HWY_INLINE void next_point() {
+    const auto half = [this](float place) { return hn::Set(tag, 0.5f * light_.share_of(low_, place)); };
+    const Colour at_own = hn::MulSub(begin_colour_, half(begin_place_), hn::Mul(end_colour_, half(end_place_)));
+    const Colour tilt = hn::Clamp(at_own, hn::Neg(mean_), mean_), light = light_.light_of(low_);
+    at_begin = hn::MulAdd(hn::Add(mean_, tilt), light, at_begin);
+    at_end = hn::MulAdd(hn::Sub(mean_, tilt), light, at_end);
+    mean_ = next_mean_, next_mean_ = hn::Zero(tag), ++low_;
+  }
+
+  const LightAlong<by_colour>& light_;
+  float begin_place_, end_place_;
+  Colour begin_colour_, end_colour_;
+  Colour mean_ = hn::Zero(tag), next_mean_ = hn::Zero(tag);  // of the point, and of the one after it
+  int low_ = 0;                                              // the point
 };
 
 inline constexpr float max_half = 65504;  // of half floats, in which knots keep light
 
-/// To the knots that are drawn of a strand, which lie `along` it.
+/// To the knots that are drawn of a strand, which lie `along` it: each has the mean of the pieces that it ends.
 template <bool by_colour>
 HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const float> along, PlacedKnot* knots) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));
   const hn::Rebind<hwy::float16_t, ColourTag> halves;
   const auto segments = static_cast<float>(light.colours.own.size() - 1);
   const auto knot_at = [&](std::size_t k) { return static_cast<int>(along[k] * segments + 0.5f); };
-  int knot = knot_at(0);
-  Colour sent = light.at(knot), more_before = hn::Zero(light.tag);
-  for (std::size_t k = 0; k < along.size(); ++k) {
-    const bool is_last = k + 1 == along.size();
-    const int next = is_last ? knot : knot_at(k + 1);
-    const Colour at_next = is_last ? sent : light.at(next);
-    const Colour more_after = is_last ? more_before : light.left_out(knot, sent, next, at_next);
-    if (k == 0) more_before = more_after;
-    const Colour whole = hn::MulAdd(hn::Add(more_before, more_after), hn::Set(light.tag, 0.5f), sent);
-    const Colour shown = hn::Clamp(whole, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
-    hn::StoreU(hn::DemoteTo(halves, shown), halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
-    knot = next, sent = at_next, more_before = more_after;
+  const auto keep = [&](std::size_t k, Colour before, Colour after) {
+    const Colour mean = hn::Mul(hn::Add(before, after), hn::Set(light.tag, 0.5f));
+    const Colour kept = hn::Clamp(mean, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
+    hn::StoreU(hn::DemoteTo(halves, kept), halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
+  };
+  Colour before = hn::Zero(light.tag);
+  for (std::size_t k = 1; k < along.size(); ++k) {
+    const PieceLight<by_colour> piece(light, knot_at(k - 1), knot_at(k));
+    keep(k - 1, k == 1 ? piece.at_begin : before, piece.at_begin);
+    before = piece.at_end;
   }
+  keep(along.size() - 1, before, before);
 }
 
 HWY_INLINE KnotColours knot_colours(const StrandSet& set, std::uint32_t strand, float own) {

@@ -33,31 +33,77 @@ LightAlong light_along(Part part, uint strand, uint lit) {
                     factor);
 }
 
-vec3 light_at_knot(Part part, uint strand, LightAlong light, int knot) {
-  float beyond_tip = 1.0;  // points; what is taller gets more light than the tip
-  float place = clamp(light.first + float(knot) * light.step, 0.0, float(light.count - 1) + beyond_tip);
-  int low = min(int(place), light.count - 2);
-  vec3 a = lit_points[light.points + uint(low)].rgb, b = lit_points[light.points + uint(low) + 1].rgb;
-  vec3 sent = a + (b - a) * (place - float(low));
-  if (!is_coloured) return sent;
-  return max(sent, 0.0) * (unpacked_colour(colour_word(part, strand, knot)) + over_black) * light.factor;
+// The points end one beyond the tip: what is taller gets more light than the tip.
+float place_of(LightAlong light, int knot) {
+  return clamp(light.first + float(knot) * light.step, 0.0, float(light.count));
+}
+// Of the one beyond the tip: by how much the tip has more light than the point before it.
+vec3 light_of(LightAlong light, int point) {
+  if (point < light.count) return lit_points[light.points + uint(point)].rgb;
+  uint tip = light.points + uint(light.count - 1);
+  return lit_points[tip].rgb - lit_points[tip - 1u].rgb;
+}
+// How much of a point's light is sent at a place that is no further than one from it; the tip's stays beyond it.
+float share_of(LightAlong light, int point, float place) {
+  float after = place - float(point);
+  return after > 0.0 && point + 1 == light.count ? 1.0 : max(1.0 - abs(after), 0.0);
+}
+vec3 colour_of(Part part, uint strand, LightAlong light, int knot) {
+  if (!is_coloured) return vec3(1.0);
+  return (unpacked_colour(colour_word(part, strand, knot)) + over_black) * light.factor;
 }
 
-// Returns by how much the light of the knots between two drawn ones exceeds linear interpolation between these two, on
-// average.
-vec3 left_out(Part part, uint strand, LightAlong light, ivec2 ends, vec3 at_begin, vec3 at_end) {
-  vec3 sum = vec3(0.0), straight = at_begin;
-  float over = 1.0 / float(max(ends.y - ends.x, 1));
-  vec3 rise = (at_end - at_begin) * over;
-  for (int k = ends.x + 1; k < ends.y; ++k) {
-    straight += rise;
-    sum += light_at_knot(part, strand, light, k) - straight;
-  }
-  return sum * over;
+// A piece of a strand between two drawn knots: PieceLight of renderer/raster/shared_light-inl.h.
+struct PieceLight {
+  float begin_place, end_place;
+  vec3 begin_colour, end_colour;
+  int low;               // a point
+  vec3 mean, next_mean;  // of it, and of the one after it
+  vec3 at_begin, at_end;
+};
+
+// Gives both ends the light of the point `low`.
+void next_point(inout PieceLight piece, LightAlong light) {
+  vec3 tilt = 0.5 * (piece.begin_colour * share_of(light, piece.low, piece.begin_place) -
+                     piece.end_colour * share_of(light, piece.low, piece.end_place));
+  tilt = clamp(tilt, -piece.mean, piece.mean);
+  vec3 sent = light_of(light, piece.low);
+  piece.at_begin += (piece.mean + tilt) * sent;
+  piece.at_end += (piece.mean - tilt) * sent;
+  piece.mean = piece.next_mean;
+  piece.next_mean = vec3(0.0);
+  ++piece.low;
+}
+
+void add(inout PieceLight piece, LightAlong light, float place, float share, vec3 colour) {
+  while (place >= float(piece.low + 1) && piece.low + 1 < light.count) next_point(piece, light);
+  piece.mean += colour * (share * share_of(light, piece.low, place));
+  piece.next_mean += colour * (share * share_of(light, piece.low + 1, place));
+}
+
+PieceLight piece_light(Part part, uint strand, LightAlong light, int begin, int end) {
+  PieceLight piece = PieceLight(place_of(light, begin), place_of(light, end), colour_of(part, strand, light, begin),
+                                colour_of(part, strand, light, end), 0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  piece.low = min(int(piece.begin_place), light.count - 1);
+  float share = 1.0 / float(end - begin);
+  add(piece, light, piece.begin_place, 0.5 * share, piece.begin_colour);
+  for (int k = begin + 1; k < end; ++k)
+    add(piece, light, place_of(light, k), share, colour_of(part, strand, light, k));
+  add(piece, light, piece.end_place, 0.5 * share, piece.end_colour);
+  next_point(piece, light);
+  next_point(piece, light);
+  return piece;
 }
 
 int number_of(uint knot, int segments) {
   return int(unpackHalf2x16(knots[3 * knot + 2].y).y * float(segments) + 0.5);
+}
+
+void keep_light(uint knot, vec3 before, vec3 after) {
+  const float largest = 65504.0;  // of half floats
+  vec3 kept = clamp(0.5 * (before + after), is_coloured ? 0.0 : -largest, largest);
+  float along = unpackHalf2x16(knots[3 * knot + 2].y).y;
+  knots[3 * knot + 2] = uvec2(packHalf2x16(kept.rg), packHalf2x16(vec2(kept.b, along)));
 }
 
 void main() {
@@ -69,19 +115,13 @@ void main() {
   if (first_points[part.first + lit + 1] > lit_point_room) return;
   LightAlong light = light_along(part, strand, lit);
   int number = number_of(first, part.segments);
-  vec3 sent = light_at_knot(part, strand, light, number), more_before = vec3(0.0);
-  for (uint k = first; k < end; ++k) {
-    bool is_last = k + 1 == end;
-    int next = is_last ? number : number_of(k + 1, part.segments);
-    vec3 at_next = is_last ? sent : light_at_knot(part, strand, light, next);
-    vec3 more_after = is_last ? more_before : left_out(part, strand, light, ivec2(number, next), sent, at_next);
-    if (k == first) more_before = more_after;
-    const float largest = 65504.0;  // of half floats
-    vec3 shown = clamp((more_before + more_after) * 0.5 + sent, is_coloured ? 0.0 : -largest, largest);
-    float along = unpackHalf2x16(knots[3 * k + 2].y).y;
-    knots[3 * k + 2] = uvec2(packHalf2x16(shown.rg), packHalf2x16(vec2(shown.b, along)));
+  vec3 before = vec3(0.0);
+  for (uint k = first + 1u; k < end; ++k) {
+    int next = number_of(k, part.segments);
+    PieceLight piece = piece_light(part, strand, light, number, next);
+    keep_light(k - 1u, k == first + 1u ? piece.at_begin : before, piece.at_begin);
+    before = piece.at_end;
     number = next;
-    sent = at_next;
-    more_before = more_after;
   }
+  keep_light(end - 1u, before, before);
 }
