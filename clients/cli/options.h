@@ -35,6 +35,7 @@ enum class Action {
   remove,
   info,
   subdivide,
+  turn,
   compare,
   trade,
   farm,

@@ -183,10 +183,11 @@ struct FrameRequest {
   ToneMap tone_map = ToneMap::filmic;
   std::optional<Look> look;  // in place of the scene's, for this frame
   FrameFormat format = FrameFormat::png;
-  int lossy_quality = 0;                           // of JPEG and WebP, [0, 100]; 0: as the knobs ask (lossy_quality)
-  ExrType exr_type = ExrType::half;                // depth and position are always single
-  std::vector<Aov> aovs{Aov::beauty};              // of an EXR: at least one, each once
-  Overlay overlay = Overlay::none;                 // not in an EXR
+  int lossy_quality = 0;               // of JPEG and WebP, [0, 100]; 0: as the knobs ask (lossy_quality)
+  ExrType exr_type = ExrType::half;    // depth and position are always single
+  std::vector<Aov> aovs{Aov::beauty};  // of an EXR: at least one, each once
+  Overlay overlay = Overlay::none;     // not in an EXR
+  bool masked = false;                 // only triangles with a corner whose mask is above .5, and what grows on them
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::optional<Tracing> progressive =
       {};  // rasterized strands now, traced ones while somebody waits for them (`after_pass`)

@@ -80,4 +80,10 @@ struct Subdivide {
   bool masked = false;
 };
 
+/// Which way the model stands: the axes that point up and forward now point along +Y and +Z from then on. They differ
+/// in more than sign.
+struct TurnModel {
+  Axis up = Axis::plus_y, front = Axis::plus_z;
+};
+
 }  // namespace pelage

@@ -64,6 +64,7 @@ Result<int> decode_steps(std::string_view text) {
 }
 
 Result<Subdivide> decode_subdivide(std::string_view text) { return decode_optional_document<Subdivide>(text); }
+Result<TurnModel> decode_turn_model(std::string_view text) { return decode_optional_document<TurnModel>(text); }
 
 Result<BranchRequest> decode_branch(std::string_view text) { return decode_optional_document<BranchRequest>(text); }
 

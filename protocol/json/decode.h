@@ -79,6 +79,8 @@ Result<std::uint64_t> decode_revision(std::string_view text);
 
 /// `{"levels": n, "masked": false}`; both have defaults, and the body may be empty.
 Result<Subdivide> decode_subdivide(std::string_view text);
+/// `{"up": "z", "front": "-y"}`; both have defaults.
+Result<TurnModel> decode_turn_model(std::string_view text);
 /// `{"name": ..., "revision": n}`, both optional; an empty body is {}.
 Result<BranchRequest> decode_branch(std::string_view text);
 /// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.

@@ -165,6 +165,9 @@ void members(V& v, Visited<V, FrameRequest>& c) {
          "(direction and colours: 1; length: the longest fur; others: the field's range). Grey where nothing changed. "
          "bald and wire hide the frame: the skin in plain grey without its fur, to find places "
          "on it, and the same with the edges of its triangles.");
+  v.boolean("masked", c.masked,
+            "Draws only triangles with a corner whose mask is above 0.5, their fur, and the whiskers and eyes on them: "
+            "what tools may change. The rest casts no shadow. The scene stays as it is.");
   v.special("progressive", c.progressive,
             "Draws rasterized strands at once; all strands of the same revision are then traced while somebody waits "
             "for them with "

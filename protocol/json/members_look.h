@@ -274,10 +274,12 @@ void members(V& v, Visited<V, Look>& c) {
          "model's where it has colours.");
   v.number("ambient", c.ambient, {0, 4, "factor"}, "Strength of the light from all around.");
   v.number("diffuse", c.diffuse, {0, 4, "factor"}, "Strength of diffuse light.");
-  v.number("specular", c.specular, {0, 4, "factor"}, "Strength of the highlight.");
+  v.number("specular", c.specular, {0, 4, "factor"},
+           "Strength of the highlight. Used by lengyel, kajiya, kajiya_kay and scheuermann.");
   v.number("diffuse_exponent", c.diffuse_exponent, {0, 1000000, "exponent"},
-           "How fast diffuse light falls as the light turns to the strand's own line.");
-  v.number("specular_exponent", c.specular_exponent, {0, 1000000, "exponent"}, "Sharpness of the highlight.");
+           "How fast diffuse light falls as the light turns to the strand's own line. Used by lengyel and kajiya.");
+  v.number("specular_exponent", c.specular_exponent, {0, 1000000, "exponent"},
+           "Sharpness of the highlight. Used by lengyel, kajiya, kajiya_kay and scheuermann.");
   v.number("back_attenuation", c.back_attenuation, {0.001, 1, "share"},
            "How far behind the skin a light may stand before its light is gone, as the sine of the angle. Used by "
            "lengyel, kajiya and kajiya_kay.");

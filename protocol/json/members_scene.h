@@ -89,6 +89,13 @@ void members(V& v, Visited<V, Subdivide>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, TurnModel>& c) {
+  v.type("TurnModel", "How a model is turned, by its axes as it stands now.");
+  v.name("up", c.up, json_names::axes, "The axis that is to point up.");
+  v.name("front", c.front, json_names::axes, "The axis that is to point forward, on another line than `up`.");
+}
+
+template <class V>
 void members(V& v, Visited<V, StepsBody>& c) {
   v.type("Steps", "How many steps of the undo log.");
   v.integer("steps", c.steps, {1, 1000000}, "How many steps.");
@@ -196,7 +203,7 @@ void members(V& v, Visited<V, MeshRequest>& c) {
   v.boolean("fur", c.fur,
             "Whether each vertex also says where the strand on it stands now, by the fields and the coat's lean curve: "
             "the attributes _FUR_MIDDLE and _FUR_TIP lead from the vertex to half of the strand's length and to its "
-            "tip. They are 0 where the skin is bald.");
+            "tip, which is 0 where the skin is bald, and _MASK is the mask there.");
 }
 
 template <class V>

@@ -335,6 +335,7 @@ template RevisionBody read(const Value&);
 template Revisions read(const Value&);
 template AtRevision read(const Value&);
 template Subdivide read(const Value&);
+template TurnModel read(const Value&);
 template BranchRequest read(const Value&);
 template AmendRequest read(const Value&);
 template Batch read(const Value&);

@@ -98,11 +98,13 @@ Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles) {
 ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
   constexpr std::size_t middle = UnitStrand::places / 2 - 1, tip = UnitStrand::places - 1;
   ProxyFur fur;
+  const std::span<const float> mask = fields.values(Field::mask);
   for (const std::uint32_t vertex : proxy.vertices) {
     const UnitStrand strand = strand_at(vertex, mesh, fields, coat);
     const double length = fields.length().empty() ? 0 : mesh.size * double{fields.length()[vertex]};
     fur.middles.emplace_back(length * strand.offsets[middle]);
     fur.tips.emplace_back(length * strand.offsets[tip]);
+    fur.mask.push_back(mask.empty() ? 1 : mask[vertex]);
   }
   return fur;
 }
@@ -116,6 +118,7 @@ std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur) {
   if (fur != nullptr) {
     attributes["_FUR_MIDDLE"] = file.add(std::span(fur->middles));
     attributes["_FUR_TIP"] = file.add(std::span(fur->tips));
+    attributes["_MASK"] = file.add(std::span(fur->mask));
   }
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}};
   file.set_scene("skin", GltfJson::array({skin}), mesh.centre);

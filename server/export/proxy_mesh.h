@@ -28,15 +28,17 @@ struct ProxyMesh {
 /// a triangle of the mesh. Refused (invalid) below limits::proxy_size.
 Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles);
 
-/// Where the strand on each position stands: from the root to half of its length and to its tip, in the model's unit.
+/// Where the strand on each position stands: from the root to half of its length and to its tip, in the model's unit;
+/// and the mask there.
 struct ProxyFur {
   std::vector<glm::vec3> middles, tips;
+  std::vector<float> mask;
 };
 ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
 
 /// A binary glTF 2.0 file: one mesh with POSITION, NORMAL and indices (16 bits where they suffice), on one node whose
-/// translation is the centre. With fur the mesh has the attributes _FUR_MIDDLE and _FUR_TIP as well. There is a
-/// triangle at least.
+/// translation is the centre. With fur the mesh has the attributes _FUR_MIDDLE, _FUR_TIP and _MASK as well. There
+/// is a triangle at least.
 std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur = nullptr);
 
 }  // namespace pelage

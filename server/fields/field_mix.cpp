@@ -123,4 +123,32 @@ FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& afte
   return result;
 }
 
+FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
+                const std::vector<EditLayer>& layers) {
+  assert(before.positions.size() == fields.size() && after.positions.size() == fields.size());
+  constexpr Field field = Field::direction;
+  FieldSet result = fields;
+  if (fields.at_default(field)) return result;
+  const auto along = [&](std::uint32_t vertex, glm::dvec4 value) {
+    const Frame from = frame_of(before, vertex), to = frame_of(after, vertex);
+    const glm::dvec3 direction = turn * (value.x * from.tangent + value.y * from.bitangent);
+    return glm::dvec4(glm::dot(direction, to.tangent), glm::dot(direction, to.bitangent), 0, 0);
+  };
+  for (std::uint32_t v = 0; v < fields.size(); ++v)
+    result.set(field, v, stored(field, along(v, glm::dvec4(fields.value(field, v)))));
+  if (fields.untouched(under_sheet, field)) return result;
+  StackWriter writer(result, field, layers.size());
+  for (std::uint32_t v = 0; v < fields.size(); ++v) {
+    EditLayerStack stack = stack_at(fields, field, v, layers.size());
+    if (!stack.covered) continue;
+    stack.base = along(v, stack.base);
+    for (std::size_t k = 0; k < layers.size(); ++k) stack.added[k] = along(v, stack.added[k]);
+    writer.put(v, stack, layers);
+  }
+  FieldDelta delta;
+  writer.finish(delta);
+  result.apply(delta);
+  return result;
+}
+
 }  // namespace pelage

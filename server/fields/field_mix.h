@@ -29,4 +29,9 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
 FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
                     const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
 
+/// All fields and edit layers on a mesh that has been turned: directions turn along. Both meshes have the same
+/// vertices, which `turn` rotates from `before` to `after`.
+FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
+                const std::vector<EditLayer>& layers = {});
+
 }  // namespace pelage

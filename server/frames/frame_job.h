@@ -57,7 +57,9 @@ struct FrameJob {
   }
   /// What is drawn, when drawing begins.
   SnapshotPtr snapshot() const { return order.view.fixed ? order.view.snapshot : order.scene->snapshot(); }
-  bool shows_same(const FrameJob& other) const { return revision == other.revision && moment == other.moment; }
+  bool shows_same(const FrameJob& other) const {
+    return revision == other.revision && moment == other.moment && order.request.masked == other.order.request.masked;
+  }
 };
 
 /// Refuses (invalid, "/max_seconds") what is expected to take longer than was asked for.

@@ -25,9 +25,32 @@ FurGuide make_guide(const GuideCurve& curve, const SceneView& scene) {
 
 }  // namespace
 
+namespace {
+
+/// Of each triangle of the model whether it is hidden; empty where none is.
+std::vector<bool> hidden_triangles(const SceneView& scene) {
+  if (!scene.masked || scene.fields.at_default(Field::mask)) return {};
+  const std::span<const float> mask = scene.fields.values(Field::mask);
+  const std::vector<glm::uvec3>& triangles = scene.model.surface.mesh().triangles;
+  std::vector<bool> hidden(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    hidden[t] = std::max({mask[triangles[t].x], mask[triangles[t].y], mask[triangles[t].z]}) <= 0.5f;
+  return std::find(hidden.begin(), hidden.end(), true) == hidden.end() ? std::vector<bool>() : hidden;
+}
+
+bool stands_on(const std::vector<bool>& hidden, const SceneView& scene, const glm::dvec3& place) {
+  if (hidden.empty()) return false;
+  const Surface& surface = scene.model.surface;
+  return hidden[surface.nearest(surface.mesh().to_internal(place)).triangle];
+}
+
+}  // namespace
+
 FurCurves make_curves(const CurveGroup& group, const SceneView& scene) {
   FurCurves made;
-  for (const GuideCurve& curve : group.curves) made.guides.push_back(make_guide(curve, scene));
+  const std::vector<bool> hidden = hidden_triangles(scene);
+  for (const GuideCurve& curve : group.curves)
+    if (!stands_on(hidden, scene, curve.front())) made.guides.push_back(make_guide(curve, scene));
   made.width_root = group.width_root, made.width_tip = group.width_tip;
   made.root_colour = group.root_colour, made.tip_colour = group.tip_colour;
   made.fill = group.fill, made.spread = group.spread, made.seed = group.seed;
@@ -94,15 +117,6 @@ FurGround make_ground(const Ground& ground, const Mesh& mesh) {
   return {static_cast<float>(height), static_cast<float>(ground.shadow), static_cast<float>(ground.contact)};
 }
 
-/// Returns the id under which the renderer caches the model in its present colours.
-std::uint64_t copy_id(const SceneView& scene) {
-  if (!scene.skin_texture) return scene.copy_id;
-  std::uint64_t picture = 0;
-  const char* digits = scene.settings.skin_texture.data();
-  std::from_chars(digits, digits + 16, picture, 16);
-  return mix_bits(scene.copy_id ^ picture);
-}
-
 FurPaint make_paint(const FieldSet& fields) {
   const auto numbers = [&](Field field) { return std::span(fields.values(field)); };
   return {
@@ -113,11 +127,26 @@ FurPaint make_paint(const FieldSet& fields) {
 
 }  // namespace
 
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture) {
+std::uint64_t copy_id(const SceneView& scene) {
+  std::uint64_t id = scene.copy_id;
+  if (scene.skin_texture) {
+    std::uint64_t picture = 0;
+    const char* digits = scene.settings.skin_texture.data();
+    std::from_chars(digits, digits + 16, picture, 16);
+    id = mix_bits(id ^ picture);
+  }
+  const std::vector<bool> hidden = hidden_triangles(scene);
+  for (std::size_t t = 0; t < hidden.size(); ++t)
+    if (hidden[t]) id = mix_bits(id ^ (t + 1));
+  return id;
+}
+
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture, const std::vector<bool>& hidden) {
   FurPieces pieces;
   pieces.triangles.reserve(patches.pieces.size());
   pieces.corners.reserve(patches.pieces.size());
   for (const Piece& piece : patches.pieces) {
+    if (!hidden.empty() && hidden[piece.triangle]) continue;
     pieces.triangles.push_back(mesh.triangles[piece.triangle]);
     std::array<FurCorner, 3>& corners = pieces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -136,7 +165,7 @@ FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_pictur
 ModelArrays make_arrays(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
   const RawImage* picture = scene.skin_texture;
-  ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr), {}};
+  ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr, hidden_triangles(scene)), {}};
   if (picture) {
     arrays.images.push_back({picture->width, picture->height, picture->rgba});
   } else {
@@ -179,7 +208,7 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   const std::uint64_t copy = copy_id(scene);
   const bool known = renderer.has(copy);
   if (known && (!shells || renderer.has_shells(copy))) return renderer.update(copy, fields);
-  if (!known) renderer.forget(scene.copy_id);  // in other colours
+  if (!known) renderer.forget(scene.copy_id);  // in other colours, or with other triangles hidden
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
   UploadCount count = known ? renderer.update(copy, fields) : renderer.add(model, fields);
@@ -204,7 +233,9 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   frame.environment = scene.settings.environment;
   if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);
   for (const Light& light : scene.settings.lights) frame.lights.push_back(make_light(light, mesh));
-  for (const Eye& eye : scene.settings.eyes) frame.eyes.push_back(make_eye(eye, mesh));
+  const std::vector<bool> hidden = hidden_triangles(scene);
+  for (const Eye& eye : scene.settings.eyes)
+    if (!stands_on(hidden, scene, eye.position)) frame.eyes.push_back(make_eye(eye, mesh));
   for (const CurveGroup& group : scene.settings.curves) frame.curves.push_back(make_curves(group, scene));
   if (const std::optional<double> moment = moment_of(scene, request)) {
     for (FurCurves& curves : frame.curves) {

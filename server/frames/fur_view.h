@@ -32,6 +32,9 @@ std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, con
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
                        const std::vector<glm::vec2>* moved = nullptr, bool shells = false);
 
+/// Returns the id by which the renderer caches the model in its present colours, without what is hidden.
+std::uint64_t copy_id(const SceneView& scene);
+
 /// What is drawn of a model: its triangles as patches have them, with the place of each corner on the sample tile, the
 /// patch's share there and the model's own look.
 struct FurPieces {
@@ -39,7 +42,9 @@ struct FurPieces {
   std::vector<std::array<FurCorner, 3>> corners;
 };
 /// With `has_picture`, corners carry the model's texture coordinates and name image 0 in place of the model's own look.
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture = false);
+/// `hidden`, of each triangle of the mesh, leaves out its pieces; empty for none.
+FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture = false,
+                      const std::vector<bool>& hidden = {});
 
 /// What a FurModel points into beside the scene's mesh and picture.
 struct ModelArrays {

@@ -17,7 +17,7 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
   if (!start) return start.status();
   Shown& shown = start->shown;
   begun_ = std::make_unique<Begun>();
-  begun_->scene = shown.snapshot;
+  begun_->scene = shown.snapshot, begun_->masked = request.masked;
   begun_->aovs = aovs;
   begun_->picture = {.revision = shown.revision(),
                      .report = {},
@@ -27,7 +27,7 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
                      .timings = start->timings,
                      .counters = start->counters,
                      .past = request.revision ? shown.snapshot : nullptr};
-  const SceneView view = begun_->scene->view();
+  const SceneView view = begun_->view();
   const double open = request.knobs.trace.shutter;
   const bool blurred = shown.moment && open > 0;
   begun_->opening = blurred ? moved_at(view, *shown.moment - open / 2) : shown.direction;
@@ -53,13 +53,13 @@ Status SceneTracer::resume(std::unique_ptr<Aside> aside, const GoOn& go_on) {
 
 Status SceneTracer::with_views(const Begun& begun,
                                const std::function<Status(const FurModel&, const FurFields&)>& use) {
-  const SceneView view = begun.scene->view();
+  const SceneView view = begun.view();
   const Mesh& mesh = view.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
   FurFields fields = make_fields(view, skin, std::span(&all, 1), begun.opening.get());
   if (begun.closing) fields.closing = *begun.closing;
-  return use(make_model(view, arrays_of(begun.scene)), fields);
+  return use(make_model(view, arrays_of(begun)), fields);
 }
 
 LinearPicture SceneTracer::picture() const {
@@ -69,14 +69,11 @@ LinearPicture SceneTracer::picture() const {
   return picture;
 }
 
-const ModelArrays& SceneTracer::arrays_of(const SnapshotPtr& scene) {
-  const SceneView now = scene->view();
-  if (arrays_of_) {
-    const SceneView last = arrays_of_->view();
-    if (&last.model == &now.model && last.skin_texture == now.skin_texture) return arrays_;
-  }
-  arrays_ = make_arrays(now);
-  arrays_of_ = scene;
+const ModelArrays& SceneTracer::arrays_of(const Begun& begun) {
+  const SceneView now = begun.view();
+  const std::uint64_t id = copy_id(now);
+  if (!arrays_of_ || &arrays_of_->view().model != &now.model || arrays_id_ != id)
+    arrays_ = make_arrays(now), arrays_of_ = begun.scene, arrays_id_ = id;
   return arrays_;
 }
 

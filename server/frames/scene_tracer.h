@@ -30,6 +30,8 @@ class SceneTracer : public PictureTracer {
   /// A picture with what it is traced from.
   struct Begun : Aside {
     SnapshotPtr scene;
+    bool masked = false;
+    SceneView view() const { return scene->view(masked); }
     MovedDirection opening, closing;  // null for fur at rest, and for none that is blurred
     std::vector<Aov> aovs;
     LinearPicture picture;  // all but report and AOVs
@@ -37,13 +39,14 @@ class SceneTracer : public PictureTracer {
   };
   /// Calls use(model, fields) with views of what a picture is traced from.
   Status with_views(const Begun& begun, const std::function<Status(const FurModel&, const FurFields&)>& use);
-  const ModelArrays& arrays_of(const SnapshotPtr& scene);
+  const ModelArrays& arrays_of(const Begun& begun);
 
   FrameService& frames_;
   Tracer tracer_;
   std::unique_ptr<Begun> begun_;
   // Of the last model in its colours, which `arrays_of_` keeps alive.
   SnapshotPtr arrays_of_;
+  std::uint64_t arrays_id_ = 0;  // copy_id of these
   ModelArrays arrays_;
 };
 

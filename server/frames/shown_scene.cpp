@@ -27,7 +27,7 @@ Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastS
 
 Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
            const FieldSet* compared) {
-  const SceneView view = snapshot->view();
+  const SceneView view = snapshot->view(request.masked);
   const Mesh& mesh = view.model.surface.mesh();
   Shown now{.snapshot = snapshot, .fur = make_frame(view, request), .placement = {mesh.centre, mesh.size}};
   now.moment = moment_of(view, request);

@@ -206,9 +206,10 @@ Status Journal::replace_model(const StoredScene& scene) {
   });
 }
 
-Status Journal::subdivide_model(const StoredScene& scene) {
+Status Journal::reshape_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
   const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
+  const PrepareOptions& way = scene.model.prepare;
   const std::lock_guard lock(writing_);
   return change(scene.id, [&](LogTail& tail) {
     tail = {scene.first_revision, scene.first_revision};
@@ -216,7 +217,9 @@ Status Journal::subdivide_model(const StoredScene& scene) {
     Status changed = writer_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
     Statement update = writer_->prepare(
-        "UPDATE scenes SET first_revision = ?, first_groom = ?, subdivisions = ?, settings = ? WHERE id = ?");
+        "UPDATE scenes SET up = ?, front = ?, first_revision = ?, first_groom = ?, subdivisions = ?, settings = ?"
+        " WHERE id = ?");
+    update.number(static_cast<std::uint64_t>(way.up)).number(static_cast<std::uint64_t>(way.front));
     update.number(scene.first_revision).blob(first_groom).blob(subdivisions);
     changed = bind_settings(update, scene.first_settings).text(scene.id).run();
     if (changed.ok()) changed = seal_scene(*writer_, scene.id);

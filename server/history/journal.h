@@ -29,7 +29,9 @@ struct StoredModel {
   PrepareOptions prepare = {};
   std::string raw;  // encode_raw_model
   FurPatches fur_patches = FurPatches::overlapping;
-  std::vector<ChosenTriangles> subdivisions = {};  // carried out one after the other on the prepared model
+  // Carried out one after the other on the prepared model. One without triangles splits nothing: it says that the
+  // scene's groom is older than its log, as after a turn.
+  std::vector<ChosenTriangles> subdivisions = {};
 };
 
 struct StoredScene {
@@ -85,10 +87,10 @@ class Journal {
   Status add_scene(const StoredScene& scene);
   /// Puts a new model in place of the old one and its log.
   Status replace_model(const StoredScene& scene);
-  /// Replaces all subdivisions of the scene's model, its first revision, groom and settings, and empties its log. The
-  /// source of the model stays, whatever `scene` says of it, and so do the scene's pictures, one of which its settings
-  /// may name.
-  Status subdivide_model(const StoredScene& scene);
+  /// Replaces all subdivisions of the scene's model, the axes that point up and forward, its first revision, groom and
+  /// settings, and empties its log. The rest of the model's source stays, whatever `scene` says of it, and so do the
+  /// scene's pictures, one of which its settings may name.
+  Status reshape_model(const StoredScene& scene);
   Status remove_scene(const std::string& id);
   /// Fails when the entry's settings or commands name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry) { return append(scene, std::span(&entry, 1)); }

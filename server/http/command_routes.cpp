@@ -37,20 +37,35 @@ void run_commands(Service& service, Scene& scene, const Request& request, Respon
   reply_answer(response, service.scenes.execute(scene, *commands, *options));
 }
 
-void subdivide(Service& service, Scene& scene, const Request& request, Response& response) {
+/// Makes the scene's model another one out of itself: `change(how, options)`.
+template <class How, class Change>
+void change_model(Service& service, Scene& scene, const Request& request, Response& response, const Result<How>& how,
+                  const Change& change) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const auto if_match = if_match_of(request);
   if (!if_match) return reply_problem(response, if_match.status());
-  const auto how = decode_subdivide(request.body);
   if (!how) return reply_problem(response, how.status());
   const std::uint64_t old_model = model_id_of(scene);
   const ClientSocket client(request);
   const ExecuteOptions options{
       .if_match = *if_match, .cancel = cancel_of(client), .request = keyed_request_of(request)};
-  const auto summary = service.scenes.subdivide(scene, *how, options);
+  const Result<SceneSummary> summary = change(*how, options);
   if (!summary) return reply_problem(response, summary.status());
   if (model_id_of(scene) != old_model) service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);
+}
+
+void subdivide(Service& service, Scene& scene, const Request& request, Response& response) {
+  change_model(service, scene, request, response, decode_subdivide(request.body),
+               [&](const Subdivide& how, const ExecuteOptions& options) {
+                 return service.scenes.subdivide(scene, how, options);
+               });
+}
+
+void turn(Service& service, Scene& scene, const Request& request, Response& response) {
+  change_model(
+      service, scene, request, response, decode_turn_model(request.body),
+      [&](const TurnModel& how, const ExecuteOptions& options) { return service.scenes.turn(scene, how, options); });
 }
 
 Result<HistoryMove> undo_of(const std::string& body) {
@@ -149,6 +164,10 @@ void add_command_routes(httplib::Server& server, Service& service) {
   post(
       server, service, "subdivide",
       [&](Scene& scene, const Request& request, Response& response) { subdivide(service, scene, request, response); },
+      answer_scene);
+  post(
+      server, service, "turn",
+      [&](Scene& scene, const Request& request, Response& response) { turn(service, scene, request, response); },
       answer_scene);
   post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
     move(scene, undo_of(request.body), request, response);

@@ -29,7 +29,7 @@ Status check_loss(const Scene& scene) {
   for (const std::vector<Command>& step : scene.effective_log()) commands += step.size();
   std::string lost = commands == 0 ? "" : fmt::format("{} {}", commands, commands == 1 ? "command" : "commands");
   if (!scene.model()->subdivisions.empty())  // which begin a log of their own with the groom that was there
-    lost += fmt::format("{}what was there before it was subdivided", lost.empty() ? "" : " and ");
+    lost += fmt::format("{}what was there before it was subdivided or turned", lost.empty() ? "" : " and ");
   if (lost.empty()) return {};
   return failure(Code::conflict, "A new model would lose the scene's groom: " + lost + ".", "/discard",
                  "1, where the groom may be lost");

@@ -69,7 +69,7 @@ class Carrier {
   }
 
   glm::dvec3 carried(const RigidMove& move, glm::dvec3 model) const {
-    return rest_.mesh().to_model(move.place(rest_.mesh().to_internal(model)));
+    return moved_.to_model(move.place(rest_.mesh().to_internal(model)));
   }
 
   const Surface& rest_;

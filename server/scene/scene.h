@@ -143,6 +143,11 @@ class Scene {
   /// (invalid, "/levels") beyond the limit of triangles.
   Result<SceneSummary> subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options = {});
 
+  /// Turns the model to stand another way, with its fur and what stands on it; checkpoints are dropped. An empty log
+  /// starts at the next revision, unless it stands that way already: then nothing changes. `id` is the new model's.
+  /// Refused (invalid, "/front") where both axes lie on one line.
+  Result<SceneSummary> turn(const TurnModel& how, std::uint64_t id, const ExecuteOptions& options = {});
+
   /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
   Status remove();
 

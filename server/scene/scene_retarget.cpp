@@ -1,11 +1,13 @@
-// What a scene gives to other models, and takes from itself on a finer one.
+// What a scene gives to other models, and takes from itself on a finer one, or on one that stands another way.
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "server/fields/field_mix.h"
 #include "server/groom/evaluate.h"
 #include "server/history/journal.h"
 #include "server/scene/model.h"
+#include "server/scene/moving_model.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -57,11 +59,64 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   auto settings = std::make_shared<SceneSettings>(*now.settings);
   settings->checkpoints.clear();  // of revisions that are gone
   StoredScene stored{id_, name_, {}, now.revision + 1, {}, settings, options.request};
+  const ModelReport& report = now.model->surface.mesh().report;
   stored.model.subdivisions = finer->model->subdivisions;
+  stored.model.prepare.up = report.up, stored.model.prepare.front = report.front;
   stored.first_groom = difference(FieldSet(finer->fields.size()), finer->fields);
   History history = new_history(stored.first_revision, *settings);
   SnapshotPtr fresh = beginning(finer->model, std::move(finer->fields), history, now.skin_texture);
-  Status begun = begin_anew(fresh, history, [&] { return journal_.subdivide_model(stored); });
+  Status begun = begin_anew(fresh, history, [&] { return journal_.reshape_model(stored); });
+  return begun.ok() ? Result<SceneSummary>(summary()) : begun;
+}
+
+namespace {
+
+/// The axes of a model's file that point up and forward after it has been turned.
+PrepareOptions turned_axes(PrepareOptions stored, const TurnModel& how) {
+  const glm::dmat3 turn = turn_of(how.up, how.front) * turn_of(stored.up, stored.front);
+  stored.up = axis_turned_to(turn, Axis::plus_y), stored.front = axis_turned_to(turn, Axis::plus_z);
+  return stored;
+}
+
+SceneSettings turned_settings(const SceneSettings& settings, const Surface& before, const Mesh& after,
+                              const glm::dmat3& turn) {
+  const std::vector<glm::dmat3> turns(after.positions.size(), turn);
+  SceneSettings turned = carried_along(settings, before, after, turns);
+  for (Eye& eye : turned.eyes)
+    if (eye.look_at) eye.look_at = turn * *eye.look_at;
+  turned.checkpoints.clear();  // of revisions that are gone
+  return turned;
+}
+
+}  // namespace
+
+Result<SceneSummary> Scene::turn(const TurnModel& how, std::uint64_t id, const ExecuteOptions& options) {
+  if (how.up == how.front || glm::determinant(turn_of(how.up, how.front)) == 0)
+    return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
+  const Result<ChangeTurns::Turn> in_turn = begin_change(options);
+  if (!in_turn) return in_turn.status();
+  const bool stands = how.up == Axis::plus_y && how.front == Axis::plus_z;
+  if (options.dry_run || stands) return summary();
+  const SceneSnapshot& now = *present_;
+  Result<StoredScene> stored = journal_.scene(id_);
+  if (!stored) return stored.status();
+  const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored->model.raw)));
+  if (!raw) return raw.status();
+  stored->model.prepare = turned_axes(stored->model.prepare, how);
+  stored->model.subdivisions.push_back({});
+  const auto model = build_model(*raw, stored->model, id);
+  if (!model) return model.status();
+
+  const Surface& before = now.model->surface;
+  const Mesh& after = (*model)->surface.mesh();
+  const glm::dmat3 turn = turn_of(how.up, how.front);
+  FieldSet fields = turned(*now.fields, before.mesh(), after, turn, now.settings->layers);
+  const auto settings = std::make_shared<const SceneSettings>(turned_settings(*now.settings, before, after, turn));
+  stored->first_revision = now.revision + 1, stored->first_settings = settings, stored->request = options.request;
+  stored->first_groom = difference(FieldSet(fields.size()), fields);
+  History history = new_history(stored->first_revision, *settings);
+  SnapshotPtr fresh = beginning(*model, std::move(fields), history, now.skin_texture);
+  Status begun = begin_anew(fresh, history, [&] { return journal_.reshape_model(*stored); });
   return begun.ok() ? Result<SceneSummary>(summary()) : begun;
 }
 

@@ -312,6 +312,10 @@ Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, c
   return scene.subdivide(how, ++impl_->last_model, execute);
 }
 
+Result<SceneSummary> SceneStore::turn(Scene& scene, const TurnModel& how, const ExecuteOptions& execute) {
+  return scene.turn(how, ++impl_->last_model, execute);
+}
+
 Result<std::vector<GroomSource>> SceneStore::sources_of(const std::vector<Command>& commands) const {
   std::vector<GroomSource> sources;
   for (std::size_t k = 0; k < commands.size(); ++k) {

@@ -68,6 +68,8 @@ class SceneStore {
 
   /// Finer triangles for the scene's model, as Scene::subdivide.
   Result<SceneSummary> subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute = {});
+  /// Turns the scene's model, as Scene::turn.
+  Result<SceneSummary> turn(Scene& scene, const TurnModel& how, const ExecuteOptions& execute = {});
 
   /// The grooms that the retargets among the commands take, copied before their target is locked. Refused (invalid):
   /// "/scene" where there is no such scene, "/revision" where its model has no such revision; in a batch after

@@ -18,10 +18,10 @@ std::optional<std::vector<VertexRange>> RecentChanges::since(std::uint64_t numbe
   return merge_ranges(std::move(touched));
 }
 
-SceneView SceneSnapshot::view() const {
-  if (!pose) return {*model, *fields, *settings, revision, skin_texture.get(), copy_id};
+SceneView SceneSnapshot::view(bool masked) const {
+  if (!pose) return {*model, *fields, *settings, revision, skin_texture.get(), copy_id, nullptr, masked};
   const BodySwing* swing = pose->swing ? &*pose->swing : nullptr;
-  return {*pose->model, *fields, pose->settings, revision, skin_texture.get(), pose->model->id, swing};
+  return {*pose->model, *fields, pose->settings, revision, skin_texture.get(), pose->model->id, swing, masked};
 }
 
 std::size_t SceneSnapshot::bytes() const {

@@ -55,6 +55,7 @@ struct SceneView {
   const RawImage* skin_texture = nullptr;  // that the settings name; null for the model's own colours
   std::uint64_t copy_id = model.id;        // by which the renderer caches the model with these fields
   const BodySwing* swing = nullptr;        // null for a model that stands still
+  bool masked = false;                     // FrameRequest::masked
 };
 
 /// All vertices of a model.
@@ -92,7 +93,7 @@ struct SceneSnapshot {
   RecentChanges changes = {};
 
   /// Returns the scene as it is posed. Valid as long as the snapshot lives.
-  SceneView view() const;
+  SceneView view(bool masked = false) const;
   /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
   std::size_t bytes() const;
 };

@@ -109,11 +109,6 @@ glm::dvec3 direction_of(Axis axis) {
   return direction;
 }
 
-/// Turns `up` to +Y and `front` to +Z.
-glm::dmat3 turn_to_house_axes(glm::dvec3 up, glm::dvec3 front) {
-  return glm::transpose(glm::dmat3(glm::cross(up, front), up, front));
-}
-
 Status check_count(std::size_t triangles) {
   if (triangles <= limits::model_triangles) return {};
   return refusal("The model has " + std::to_string(triangles) + " triangles.",
@@ -244,13 +239,26 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
   return std::move(prepared->mesh);
 }
 
+glm::dmat3 turn_of(Axis up, Axis front) {
+  const glm::dvec3 y = direction_of(up), z = direction_of(front);
+  return glm::transpose(glm::dmat3(glm::cross(y, z), y, z));
+}
+
+Axis axis_turned_to(const glm::dmat3& turn, Axis to) {
+  const glm::dvec3 from = glm::transpose(turn) * direction_of(to);
+  int line = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(from[k]) > std::abs(from[line])) line = k;
+  return static_cast<Axis>(2 * line + (from[line] < 0 ? 1 : 0));
+}
+
 Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOptions& options) {
   const auto [up, front] = std::pair(options.up, options.front);
   if (glm::dot(direction_of(up), direction_of(front)) != 0) {
     return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
   }
   if (Status status = check_triangle_count(raw); !status.ok()) return status;
-  const glm::dmat3 turn = turn_to_house_axes(direction_of(up), direction_of(front));
+  const glm::dmat3 turn = turn_of(up, front);
   const Result<Polygons> polygons = weld(raw, turn);
   if (!polygons.ok()) return polygons.status();
   if (polygons->faces.empty()) return refusal("The model has no face with three finite vertices.");

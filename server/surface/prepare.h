@@ -20,6 +20,11 @@ struct Frames {
 /// surface part of -Z, of -Y where that vanishes. Every vertex belongs to a triangle with an area.
 Frames make_frames(const Soup& soup);
 
+/// The rotation that turns `up` to +Y and `front` to +Z; they lie on different lines.
+glm::dmat3 turn_of(Axis up, Axis front);
+/// The axis that a rotation of axes onto axes takes to `to`.
+Axis axis_turned_to(const glm::dmat3& turn, Axis to);
+
 /// The unit tangent of a surface with this unit normal that points tailwards.
 glm::dvec3 tailward(glm::dvec3 normal);
 

@@ -244,3 +244,23 @@ test("scenes are branched and removed, with a question", async () => {
   await studio.page.waitForFunction((gone) => new URLSearchParams(location.search).get("scene") !== gone, branched);
   assert.ok(!(await server.get("/v1/scenes")).scenes.some(({id}) => id === branched));
 });
+
+test("a model that lies on its side is turned with its fur", async () => {
+  const {id} = await server.creature("lying", 1000);
+  const studio = await openStudio({scene: id});
+  await studio.ready();
+  const height = async () => { const {min, max} = (await server.get(`/v1/scenes/${id}`)).bounds; return max[1] - min[1]; };
+  const stood = await height();
+  await studio.panel("Files");
+  await studio.page.getByText("Turn the model").click();
+  await studio.page.getByRole("button", {name: "Roll over"}).click();
+  await studio.settled(server, id, 1);
+  assert.ok(await height() < 0.8 * stood, `${await height()} high, ${stood} before`);
+  await studio.page.waitForFunction(() => window.marks.frame.at(-1)?.revision === 1 && window.marks.proxy.at(-1)?.revision === 1);
+  for (let quarter = 0; quarter < 3; ++quarter) {
+    await studio.page.getByRole("button", {name: "Roll over"}).click();
+    await studio.settled(server, id, 2 + quarter);
+  }
+  assert.equal(await height(), stood);
+  await studio.finish();
+});

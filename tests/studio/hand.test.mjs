@@ -185,3 +185,36 @@ test("keys work where the pointer is", async () => {
   await page.locator('[data-tool="smooth"][aria-pressed="true"]').waitFor();
   await studio.finish();
 });
+
+test("what the mask protects is hidden and not touched, until it is shown again", async () => {
+  const own = (await server.creature("hidden", 3000)).id;
+  await server.post(`/v1/scenes/${own}/commands`, {op: "mask", sphere: {centre: [0, 0.75, 0.55], radius: 0.15}});  // its head
+  const studio = await openStudio({scene: own});
+  await studio.ready();
+  const {page} = studio;
+  const [x, y] = await studio.at(0.55, 0.6);  // its side
+  const hand = (wanted) => page.waitForFunction((what) => document.querySelector(".surface").dataset.hand === what, wanted);
+  const redness = async () => page.evaluate(([left, top]) => {
+    const canvas = document.querySelector("canvas.picture[data-front]"), box = canvas.getBoundingClientRect();
+    const pixel = new OffscreenCanvas(1, 1).getContext("2d");
+    pixel.drawImage(canvas, (left - box.left) * canvas.width / box.width, (top - box.top) * canvas.height / box.height, 1, 1, 0, 0, 1, 1);
+    const [red, , blue] = pixel.getImageData(0, 0, 1, 1).data;
+    return red - blue;  // fur of a fox is red, the background is grey
+  }, [x, y]);
+  await page.mouse.move(x, y);
+  await hand("groom");
+  const furry = await redness();
+  const frame = page.waitForRequest((request) => request.url().includes("/frames") && JSON.parse(request.postData()).masked === true);
+  await page.getByRole("button", {name: "Hide the rest"}).click();
+  await (await frame).response();
+  await page.waitForFunction(() => window.marks.proxy.length > 1);
+  await page.mouse.move(x + 3, y);
+  await hand("turn");
+  await page.mouse.move(...await studio.at(0.37, 0.45));
+  await hand("groom");
+  assert.ok(furry > 25 && (await redness()) < 12, `${furry} before, ${await redness()} after`);
+  await page.mouse.move(x, y);
+  await page.keyboard.press("Shift+M");
+  await hand("groom");
+  await studio.finish();
+});

@@ -48,9 +48,10 @@ FrameRequest small_frame(AutoView view, int size) {
 
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request) {
   const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
-  sync_scene(renderer, model.view(), {all}, nullptr, request.knobs.method == Method::shells);
+  const SceneView view = model.view(request.masked);
+  sync_scene(renderer, view, {all}, nullptr, request.knobs.method == Method::shells);
   renderer.clear_view_cache();
-  Result<Image> image = renderer.draw(make_frame(model.view(), request));
+  Result<Image> image = renderer.draw(make_frame(view, request));
   if (!image) throw std::runtime_error(image.status().message);
   return std::move(image).value();
 }

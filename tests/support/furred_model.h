@@ -17,7 +17,9 @@ struct FurredModel {
   SceneSettings settings;
   std::optional<RawImage> skin_texture = {};  // named by settings.skin_texture
 
-  SceneView view() const { return {model, fields, settings, 0, skin_texture ? &*skin_texture : nullptr}; }
+  SceneView view(bool masked = false) const {
+    return {model, fields, settings, 0, skin_texture ? &*skin_texture : nullptr, model.id, nullptr, masked};
+  }
 };
 
 /// A model, prepared as the server does it.

@@ -20,6 +20,7 @@ ExitCode follow_guides(Session& session);
 ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);
 ExitCode subdivide_model(Session& session);
+ExitCode turn_model(Session& session);
 ExitCode remove_scene(Session& session);
 
 ExitCode run_file(Session& session);

@@ -35,6 +35,7 @@ Perform action_of(Action action) {
     case Action::remove: return remove_scene;
     case Action::info: return describe_scene;
     case Action::subdivide: return subdivide_model;
+    case Action::turn: return turn_model;
     default: return nullptr;
   }
 }

@@ -92,6 +92,18 @@ ExitCode subdivide_model(Session& session) {
                        }));
 }
 
+ExitCode turn_model(Session& session) {
+  const Options& options = session.options();
+  const std::string up = options.up.empty() ? "y" : options.up, front = options.front.empty() ? "z" : options.front;
+  const std::string body = fmt::format(R"({{"up":"{}","front":"{}"}})", up, front);
+  if (const auto checked = decode_turn_model(body); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  return print_summary(session, with_line("turning", [&] {
+                         return Session::accepted(session.connection().post_json(*path + "/turn", body));
+                       }));
+}
+
 ExitCode remove_scene(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());

@@ -28,6 +28,7 @@ constexpr Example all_examples[] = {
     {"environment", "pelage environment fox studio.exr --intensity 1.5 --turn-degrees 90"},
     {"skin-texture", "pelage skin-texture fox skin.png"},
     {"subdivide", "pelage subdivide fox --levels 1 --masked"},
+    {"turn", "pelage turn fox --up z --front -y"},
     {"list", "pelage list"},
     {"list", "pelage list --json | jq -r '.scenes[].name'"},
     {"info", "pelage info fox"},

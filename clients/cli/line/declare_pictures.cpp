@@ -77,6 +77,7 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--overlay", "overlay",
           "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
   hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
+  hand_on(command, frame, "--masked", "masked", "true draws only what the mask leaves to tools [false]");
   hand_on(command, frame, "--time", "time",
           "Seconds: the fur as the scene's wind has moved it by then [the scene's time]");
   hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");

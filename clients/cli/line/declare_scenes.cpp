@@ -96,6 +96,12 @@ void declare_model_actions(CLI::App& app, Options& options) {
   add_scene(subdivide, options);
   subdivide->add_option("--levels", options.levels, "How often, 1 to 8")->capture_default_str();
   subdivide->add_flag("--masked", options.masked, "Only triangles with a corner whose mask is above 0.5");
+
+  CLI::App* turn = add_action(app, options, Action::turn, "turn",
+                              "Turn a scene's model to stand another way, with its fur; its log starts empty");
+  add_scene(turn, options);
+  turn->add_option("--up", options.up, "Axis of the model as it stands that is to point up: x, -x, y, -y, z or -z [y]");
+  turn->add_option("--front", options.front, "Axis that is to point forward, on another line than up [z]");
 }
 
 }  // namespace pelage

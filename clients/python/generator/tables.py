@@ -96,4 +96,6 @@ REQUESTS = (
     Request("mesh", "MeshRequest", "bytes", "A light mesh of the model, as binary glTF."),
     Request("subdivide", "Subdivide", "SceneInfo",
             "Splits the triangles of the field mesh; its undo log starts empty.", parameters=(IF_MATCH,)),
+    Request("turn", "TurnModel", "SceneInfo",
+            "Turns the model to stand another way, with its fur; its undo log starts empty.", parameters=(IF_MATCH,)),
 )

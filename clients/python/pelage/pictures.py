@@ -211,6 +211,10 @@ class Pictures(Requests):
         headers = Options(None, False, if_match).headers
         return self._described(self._connection.post(f"{self._path}/subdivide", given(members), headers=headers))
 
+    def _turn(self, members: Dict[str, Any], if_match: Optional[int]) -> SceneInfo:
+        headers = Options(None, False, if_match).headers
+        return self._described(self._connection.post(f"{self._path}/turn", given(members), headers=headers))
+
     def _described(self, answer: Answer) -> SceneInfo:
         info = cast(SceneInfo, answer.json)
         self.revision = info["revision"]

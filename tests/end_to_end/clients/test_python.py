@@ -305,6 +305,7 @@ class Pictures(PackageTest):
         self.assertTrue(self.scene.mesh(triangles=200).startswith(b"glTF"))
         triangles = self.scene.info()["triangles"]
         self.assertEqual(self.scene.subdivide(levels=1)["triangles"], 4 * triangles)
+        self.assertEqual(self.scene.turn(up="z", front="-y")["undo_steps"], 0)
 
 
 class Files(PackageTest):

@@ -23,7 +23,7 @@ CONTRACT = json.loads((BIN / "openapi.json").read_text())
 # How each operation of the contract is reached.
 OPERATIONS = {
     "listScenes": "Server.scenes", "createScene": "Server.create", "describeScene": "Scene.info", "removeScene": "Scene.remove",
-    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "exportScene": "Scene.export", "openScene": "Server.open_file",
+    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "turn": "Scene.turn", "exportScene": "Scene.export", "openScene": "Server.open_file",
     "uploadEnvironment": "Scene.upload_environment", "uploadSkinTexture": "Scene.upload_skin_texture",
     "uploadPicture": "Scene.upload_picture", "getMap": "Scene.download_map", "uploadMap": "Scene.upload_map", "uploadGuides": "Scene.upload_guides",
     "runCommands": "Scene.run", "undo": "Scene.undo", "redo": "Scene.redo", "revert": "Scene.revert", "amend": "Scene.amend",
@@ -70,7 +70,7 @@ class Contract(unittest.TestCase):
         for name, schema, without in (("better_frames", "FrameRequest", {"revision"}), ("frame", "FrameRequest", {"progressive"}),
                                       ("load", "ImportOptions", set()), ("upload_map", "MapUpload", set()), ("upload_guides", "GuideUpload", set()),
                                       ("download_map", "MapRequest", set()), ("upload_environment", "EnvironmentUpload", set()),
-                                      ("mesh", "MeshRequest", set()), ("subdivide", "Subdivide", set()), ("pick", "View", set())):
+                                      ("mesh", "MeshRequest", set()), ("subdivide", "Subdivide", set()), ("turn", "TurnModel", set()), ("pick", "View", set())):
             with self.subTest(name):
                 self.assertLessEqual(members(schema) - without, set(inspect.signature(getattr(pelage.Scene, name)).parameters))
         self.assertEqual(members("NewScene"), set(inspect.signature(pelage.Server.create).parameters) - {"self"})

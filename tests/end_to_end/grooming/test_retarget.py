@@ -64,6 +64,29 @@ class Retarget(ServedTest):
         self.assert_problem(scene.post("subdivide", {}, headers={"If-Match": '"0"'}), 412)
         self.pelage("subdivide", scene.id, "--levels", 0, code=3)
 
+    def test_a_model_is_turned_with_its_fur_and_the_groom_is_not_lost_unasked(self):
+        scene = self.server.new_scene("creature", 3000)
+        scene.run(flood([0, 0, -1], lean=0.8))
+        before = scene.info()
+        printed = self.pelage("turn", scene.id, "--up", "z", "--front", "-y").stdout
+        self.assertIn("revision", printed)
+        after = scene.info()
+        self.assertEqual((after["revision"], after["undo_steps"]), (before["revision"] + 1, 0))
+        for axis, along in (("y", 2), ("z", 1)):  # what pointed forward points up
+            turned = after["bounds"]["max"]["xyz".index(axis)] - after["bounds"]["min"]["xyz".index(axis)]
+            self.assertAlmostEqual(turned, before["bounds"]["max"][along] - before["bounds"]["min"][along], 5)
+        lost = self.server.call("PUT", f"{scene.path}/model?format=obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assert_problem(lost, 409, "/discard")
+        self.assertIn("turned", lost.json["detail"])
+        self.assert_problem(scene.post("turn", {"up": "x", "front": "-x"}), 422, "/front")
+        self.assert_problem(scene.post("turn", {}, headers={"If-Match": '"0"'}), 412)
+        self.pelage("turn", scene.id, "--up", "w", code=3)
+        picture = self.picture(scene)
+        self.server.terminate()
+        self.server.start()
+        self.assertEqual(scene.info(), after)
+        self.assertEqual(self.picture(scene), picture)
+
     def test_fields_of_another_scene(self):
         source = self.server.new_scene("creature", 3000, name="source")
         source.run(flood([0, 1, 0.2]))

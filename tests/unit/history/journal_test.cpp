@@ -443,7 +443,7 @@ TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
     const auto journal = open();
     ASSERT_TRUE(journal->add_scene(scene("a")).ok());
     ASSERT_TRUE(journal->append("a", entry(4)).ok());
-    ASSERT_TRUE(journal->subdivide_model(finer).ok());
+    ASSERT_TRUE(journal->reshape_model(finer).ok());
   }
   {
     const auto journal = open();
@@ -459,7 +459,7 @@ TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
     ASSERT_TRUE(journal->replace_model(scene("a")).ok());
     EXPECT_TRUE(journal->scene("a")->model.subdivisions.empty()) << "a new model is not subdivided";
     EXPECT_FALSE(journal->scene("a")->first_settings);
-    ASSERT_TRUE(journal->subdivide_model(finer).ok());
+    ASSERT_TRUE(journal->reshape_model(finer).ok());
   }
   for (const char* damage :
        {"x'010000'", "x'01000000'", "x'010000000500000005000000'", "x'0200000000000000020000000200000003000000'"}) {

@@ -380,6 +380,15 @@ TEST(DecodeSubdivide, HasDefaultsAndLimits) {
   EXPECT_EQ(decode_subdivide(R"({"mask": true})").status().nearest, "masked");
 }
 
+TEST(DecodeTurnModel, NamesAxes) {
+  EXPECT_EQ(decode_turn_model("")->up, Axis::plus_y);
+  const auto lying = decode_turn_model(R"({"up": "z", "front": "-y"})");
+  ASSERT_TRUE(lying.ok());
+  EXPECT_EQ(lying->up, Axis::plus_z);
+  EXPECT_EQ(lying->front, Axis::minus_y);
+  EXPECT_EQ(decode_turn_model(R"({"up": "w"})").status().pointer, "/up");
+}
+
 TEST(DecodeRetarget, NamesItsSource) {
   const auto commands = decode_commands(R"({"op": "retarget", "scene": "abc", "fields": ["length"]})");
   ASSERT_TRUE(commands.ok());

@@ -16,6 +16,7 @@ export type FrameEstimate = Schemas["FrameEstimate"];
 export type FrameCounters = Schemas["FrameCounters"];
 export type TraceReport = Schemas["TraceReport"];
 export type Pick = Schemas["Pick"];
+export type TurnModel = Schemas["TurnModel"];
 export type RecipeRequest = Schemas["RecipeRequest"];
 export type RecipeStep = Schemas["RecipeStep"];
 export type Comparison = Schemas["Comparison"];

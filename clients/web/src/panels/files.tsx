@@ -1,7 +1,8 @@
 // Scenes, models from files, samples and downloads.
 import {useEffect} from "preact/hooks";
 import {sayError} from "../scene/messages";
-import {listScenes} from "../scene/session";
+import {listScenes, scene} from "../scene/session";
+import {turnModel, turns} from "../scene/turn";
 import {importing, take} from "../files/import";
 import {model_endings} from "../files/plan";
 import {makeSample, preparing, samples} from "../files/samples";
@@ -35,6 +36,19 @@ function OpenFiles() {
   );
 }
 
+/** For a model that lies on its side or looks the other way. */
+function Turn() {
+  if (!scene.value) return null;
+  return (
+    <details class="group"><summary>Turn the model</summary>
+      <div class="pair">
+        {turns.map((turn) => <button key={turn.says} type="button" title={turn.title} onClick={() => void turnModel(turn)}>{turn.says}</button>)}
+      </div>
+      <p class="help">A quarter each time. Fur, mask, layers and eyes turn with it. The steps so far become one that cannot be undone.</p>
+    </details>
+  );
+}
+
 function Samples() {
   return (
     <section>
@@ -53,6 +67,7 @@ export function FilesPanel() {
     <>
       {importing.value && <ImportCard now={importing.value} />}
       <OpenFiles />
+      <Turn />
       <Downloads />
       <Samples />
       <SceneList />

@@ -11,14 +11,14 @@ import {FileButton} from "./file_button";
 
 type Look = Settings["look"];
 
-/** One line for each model; a model that is not here shows its name alone. */
-const models: Record<string, string> = {
-  energy_conserving: "Light in equals light out, through and around the fibre. The truest.",
-  marschner: "Three highlights of a hair, with the glints of its cross-section.",
-  scheuermann: "Two shifted highlights, one white and one in the hair's colour. Quick.",
-  kajiya_kay: "One highlight around a cylinder, and diffuse light.",
-  kajiya: "A hair as a thin cylinder, with shadow inside the fur.",
-  lengyel: "Light at vertices only: the baseline of the first fur shells.",
+/** The name and one line for each model; a model that is not here shows its name in the contract alone. */
+const models: Record<string, {title: string; line: string}> = {
+  energy_conserving: {title: "True to light", line: "Light goes through and around the fibre; none is made, none is lost."},
+  marschner: {title: "Marschner", line: "Three highlights of a hair, with the glints of its cross-section."},
+  scheuermann: {title: "Scheuermann", line: "Two shifted highlights, one white and one in the hair's colour. Quick."},
+  kajiya_kay: {title: "Kajiya-Kay", line: "One highlight around a cylinder, and diffuse light."},
+  kajiya: {title: "Kajiya", line: "A hair as a thin cylinder, with shadow inside the fur."},
+  lengyel: {title: "First fur shells", line: "Light at vertices only."},
 };
 
 function Shading({now}: {now: Look}) {
@@ -30,7 +30,7 @@ function Shading({now}: {now: Look}) {
       {ordered.map((name) => (
         <label key={name}>
           <input type="radio" name="shading" checked={now.shading === name} onChange={() => look.set({...now, shading: name as Look["shading"]}, true)} />
-          <span><b>{words(name)}</b>{models[name] && <small>{models[name]}</small>}</span>
+          <span><b>{models[name]?.title ?? words(name)}</b>{models[name] && <small>{models[name].line}</small>}</span>
         </label>
       ))}
     </fieldset>
@@ -48,12 +48,14 @@ function Fur({now}: {now: Look}) {
   const members = membersOf(schemas.value["Look"] ?? {}, ["shading", "fibre", "skin"]);
   const fibre = membersOf(schemas.value["Fibre"] ?? {});
   const inner = (now.fibre ?? {}) as Record<string, unknown>;
+  const not_read = notOf(String(now.shading), fibre);
+  if (inner["absorption"] !== "melanin") not_read.add("eumelanin").add("pheomelanin");
   return (
     <>
-      <Form members={members} values={now} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
+      <Form members={members} values={now} hidden={notOf(String(now.shading), members)} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
       <details class="group">
         <summary>Fibre</summary>
-        <Form members={fibre} values={inner} hidden={notOf(String(now.shading), fibre)} set={(name, value, done) => look.set({...now, fibre: {...inner, [name]: value}} as Look, done)} />
+        <Form members={fibre} values={inner} hidden={not_read} set={(name, value, done) => look.set({...now, fibre: {...inner, [name]: value}} as Look, done)} />
       </details>
     </>
   );

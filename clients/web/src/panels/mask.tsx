@@ -9,12 +9,14 @@ import {Icon} from "../tools/icons";
 import {panel} from "../shell/places";
 import {forbidden, membersOf} from "../tools/schema";
 import {current, setValue, valuesOf} from "../tools/state";
-import {overlay} from "../view/quality";
+import {masked, overlay} from "../view/quality";
 import {place_request} from "../view/surface";
 
 /** How far the edge goes and how soft it gets; the contract's defaults unless set by hand. */
 const edge = kept<Record<string, unknown>>("mask-edge", {});
 const edge_members = ["distance", "units", "passes"];
+
+export const toggleMasked = () => { masked.value = !masked.value; };
 
 export function toggleMask() {
   overlay.value = overlay.value === "mask" ? "none" : "mask";
@@ -67,7 +69,8 @@ export function MaskSection() {
   return (
     <section aria-label="Mask">
       <div class="section-head"><h3>Mask</h3>
-        <button type="button" class="chip" aria-pressed={shown} title="Yellow where tools work, violet where they do not (M)" onClick={toggleMask}><Icon sign="eye" />Show</button></div>
+        <button type="button" class="chip" aria-pressed={shown} title="Yellow where tools work, violet where they do not (M)" onClick={toggleMask}><Icon sign="eye" />Show</button>
+        <button type="button" class="chip" aria-pressed={masked.value} title="Shows and touches only what tools may change (Shift+M)" onClick={toggleMasked}>Hide the rest</button></div>
       <div class="mask-buttons">
         <span>Paint</span>
         <button type="button" aria-pressed={paints(0)} title="Paint what tools leave alone" onClick={() => paint(0)}>Protect</button>

@@ -2,7 +2,7 @@
 import type {Op} from "../api/types";
 import {redo, undo} from "../scene/session";
 import {brush, current, inverting, mirror, setBrush, smoothing} from "../tools/state";
-import {invertMask, toggleMask} from "../panels/mask";
+import {invertMask, toggleMask, toggleMasked} from "../panels/mask";
 import {tools} from "../tools/catalogue";
 import {adjusting} from "../view/adjust";
 import {closePie, openPie} from "../view/pie_menu";
@@ -40,6 +40,7 @@ export const shortcuts: Shortcut[] = [
   {keys: "Ctrl+Z", says: "undo", group: "Groom", run: () => void undo()},
   {keys: "Ctrl+Shift+Z", says: "redo", group: "Groom", run: () => void redo()},
   {keys: "M", says: "show the mask", group: "Groom", run: toggleMask},
+  {keys: "Shift+M", says: "hide what the mask protects", group: "Groom", run: toggleMasked},
   {keys: "Ctrl+I", says: "invert the mask", group: "Groom", run: invertMask},
   {keys: "H", says: "the steps so far", group: "Groom", run: () => { panel.value = "history"; }},
   {keys: "?", says: "this sheet", group: "Groom", run: () => { dialog.value = dialog.value === "keys" ? null : "keys"; }},

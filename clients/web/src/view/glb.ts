@@ -8,6 +8,8 @@ export interface MeshArrays {
   /** From each position to half of its strand's length and to its tip. */
   middles: Float32Array;
   tips: Float32Array;
+  /** 1 where tools work, 0 where they leave fur alone. */
+  mask: Float32Array;
   origin: Vector;
 }
 
@@ -29,12 +31,12 @@ export function readGlb(bytes: ArrayBuffer): MeshArrays {
   const data = 20 + json_bytes + 8;
   const {attributes, indices: index} = gltf.meshes[0]!.primitives[0]!;
   const start = (accessor: number) => data + (gltf.bufferViews[gltf.accessors[accessor]!.bufferView]!.byteOffset ?? 0);
-  const floats = (name: string) => {
+  const floats = (name: string, channels = 3) => {
     const accessor = attributes[name]!;
-    return new Float32Array(bytes.slice(start(accessor), start(accessor) + gltf.accessors[accessor]!.count * 12));
+    return new Float32Array(bytes.slice(start(accessor), start(accessor) + gltf.accessors[accessor]!.count * 4 * channels));
   };
   const {count, componentType} = gltf.accessors[index]!, begin = start(index);
   const indices = componentType === short_indices ? new Uint16Array(bytes.slice(begin, begin + count * 2)) : new Uint32Array(bytes.slice(begin, begin + count * 4));
   return {positions: floats("POSITION"), normals: floats("NORMAL"), indices, middles: floats("_FUR_MIDDLE"), tips: floats("_FUR_TIP"),
-          origin: gltf.nodes[0]!.translation ?? [0, 0, 0]};
+          mask: floats("_MASK", 1), origin: gltf.nodes[0]!.translation ?? [0, 0, 0]};
 }

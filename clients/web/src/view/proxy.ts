@@ -37,21 +37,34 @@ function bvhOf(positions: Float32Array, indices: Uint16Array | Uint32Array): Mes
   return new MeshBVH(geometry, {indirect: true});
 }
 
+/** Only triangles with a corner that tools may change, as pictures of what is masked have them. */
+function maskedTriangles({indices, mask}: MeshArrays): Uint32Array {
+  const left: number[] = [];
+  for (let k = 0; k < indices.length; k += 3) {
+    const corners = [indices[k]!, indices[k + 1]!, indices[k + 2]!];
+    if (corners.some((vertex) => mask[vertex]! > 0.5)) left.push(...corners);
+  }
+  return Uint32Array.from(left);
+}
+
 /** The model at one revision; it never changes. */
 export class Proxy {
   private readonly skin: MeshBVH;
   private readonly fur: MeshBVH;
   private readonly ray = new Ray();
 
-  private constructor(private readonly mesh: MeshArrays, readonly revision: number) {
+  private constructor(private readonly mesh: MeshArrays, readonly revision: number, readonly masked: boolean) {
     const {hull, faces} = hullOf(mesh);
     this.skin = bvhOf(mesh.positions, mesh.indices);
     this.fur = bvhOf(hull, faces);
   }
 
-  static async load(scene: string): Promise<Proxy> {
+  /** `masked`: nothing is found where the mask protects the fur. */
+  static async load(scene: string, masked: boolean): Promise<Proxy> {
     const answer = await call(`${scenePath(scene)}/mesh?triangles=${proxy_triangles}&fur=true`);
-    return new Proxy(readGlb(await answer.arrayBuffer()), Number(answer.headers.get("Pelage-Revision")));
+    const mesh = readGlb(await answer.arrayBuffer());
+    if (masked) mesh.indices = maskedTriangles(mesh);
+    return new Proxy(mesh, Number(answer.headers.get("Pelage-Revision")), masked);
   }
 
   /** Where a ray hits the skin. */
@@ -71,11 +84,12 @@ export class Proxy {
 
   /** Strands of which a knot lies within `radius` of `centre`, about `most` of them, spread evenly. */
   strandsNear(centre: Vector, radius: number, most: number): StrandLine[] {
-    const {positions, normals, middles, tips, origin} = this.mesh;
+    const {positions, normals, middles, tips, mask, origin} = this.mesh;
     const local = subtract(centre, origin);
     const near: number[] = [];
     const within = (x: number, y: number, z: number) => (x - local[0]) ** 2 + (y - local[1]) ** 2 + (z - local[2]) ** 2 <= radius * radius;
     for (let k = 0; k < positions.length; k += 3) {
+      if (this.masked && mask[k / 3]! <= 0.5) continue;
       const [x, y, z] = [positions[k]!, positions[k + 1]!, positions[k + 2]!];
       if (within(x, y, z) || within(x + middles[k]!, y + middles[k + 1]!, z + middles[k + 2]!) || within(x + tips[k]!, y + tips[k + 1]!, z + tips[k + 2]!)) near.push(k / 3);
     }

@@ -16,6 +16,8 @@ export const overlay = kept<NonNullable<FrameRequest["overlay"]>>("overlay", "no
 export const overlay_from = signal<number | null>(null);
 export const background = kept<string>("background", "studio");
 export const exposure = kept("exposure", 0);
+/** Whether only what the mask leaves to tools is drawn and touched. Of this window, until it is left. */
+export const masked = signal(false);
 
 export const rest_quality = computed<Partial<FrameRequest>>(() => {
   const chosen = dial.value;
@@ -31,7 +33,7 @@ const overlay_request = computed<Partial<FrameRequest>>(() => {
 
 /** What all requests of this window share, without the overlay. */
 export const plain_request = computed<Partial<FrameRequest>>(() => ({
-  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value,
+  background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, ...(masked.value ? {masked: true} : {}),
   ...(moment.value === null ? {} : {time: moment.value}),
 }));
 export const shared_request = computed<Partial<FrameRequest>>(() => ({...plain_request.value, ...overlay_request.value}));

@@ -7,6 +7,7 @@ import {isOpen, model_id, revision, scene, shown_model} from "../scene/session";
 import {worldRadius} from "../tools/state";
 import {backward, orbit, Projection, type Orbit} from "./camera";
 import {shown} from "./frames";
+import {masked} from "./quality";
 import type {Hit, Proxy} from "./proxy";
 import {add, scale} from "./vector";
 
@@ -64,7 +65,7 @@ async function load(id: string): Promise<void> {
   const of = wanted;
   try {
     const {Proxy} = await import("./proxy");
-    const loaded = await Proxy.load(id);
+    const loaded = await Proxy.load(id, masked.peek());
     if (of !== wanted) return;
     proxy.value = loaded;
     mark("proxy", {at: performance.now(), revision: loaded.revision});
@@ -79,16 +80,21 @@ const calm = 250;  // ms without a new revision until the fur is read anew
 export function followModel(): () => void {
   let timer = 0, last_model = "";
   const stop = effect(() => {
-    const [now, model, id, newest] = [shown_model.value, model_id.value, scene.value?.id, revision.value];
+    const [now, model, id, newest, only_masked] = [shown_model.value, model_id.value, scene.value?.id, revision.value, masked.value];
     untracked(() => {
       clearTimeout(timer);
-      if (model !== last_model) proxy.value = null;  // nothing of the model before is found under the pointer
+      if (model !== last_model) {
+        proxy.value = null;  // nothing of the model before is found under the pointer
+        masked.value = false;
+      }
       last_model = model;
       if (!id) return;
       if (now !== wanted) {
         wanted = now;
         void load(id);
-      } else if (newest !== proxy.value?.revision) {
+      } else if (only_masked !== proxy.value?.masked) {
+        void load(id);
+      } else if (newest !== proxy.value.revision) {
         timer = window.setTimeout(() => void load(id), calm);
       }
     });

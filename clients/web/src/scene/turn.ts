@@ -1,0 +1,24 @@
+// A model that lies on its side or looks the other way is turned as it stands, with its fur.
+import {call, scenePath} from "../api/client";
+import type {TurnModel} from "../api/types";
+import {sayError} from "./messages";
+import {scene} from "./session";
+
+type Turn = TurnModel & {says: string; title: string};
+
+/** Quarters, by the sides that come to point up and forward. */
+export const turns: Turn[] = [
+  {says: "Tip forward", title: "Its back comes to point up", up: "-z", front: "y"},
+  {says: "Roll over", title: "Its left comes to point up", up: "x", front: "z"},
+  {says: "Turn round", title: "Its left comes to point forward", up: "y", front: "x"},
+];
+
+export async function turnModel({up, front}: Turn) {
+  const open = scene.value;
+  if (!open) return;
+  try {
+    await call(`${scenePath(open.id)}/turn`, {json: {up, front} satisfies TurnModel});
+  } catch (error) {
+    sayError(error);
+  }
+}
