@@ -192,7 +192,7 @@ test("what the mask protects is hidden and not touched, until it is shown again"
   const studio = await openStudio({scene: own});
   await studio.ready();
   const {page} = studio;
-  const [x, y] = await studio.at(0.55, 0.6);  // its side
+  const [x, y] = await studio.at(0.6, 0.62);  // its hind side
   const hand = (wanted) => page.waitForFunction((what) => document.querySelector(".surface").dataset.hand === what, wanted);
   const redness = async () => page.evaluate(([left, top]) => {
     const canvas = document.querySelector("canvas.picture[data-front]"), box = canvas.getBoundingClientRect();
