@@ -251,3 +251,20 @@ test("a flood, and a blower that stays and is moved in the picture", async () =>
   assert.equal(commandsOf((await steps()).at(-1))[0].blower, placed.name);
   await studio.finish();
 });
+
+test("every tool that works everywhere does so at one press", async () => {
+  await fresh("all of it");
+  const tried = [];
+  for (const tool of await studio.page.locator(".palette [data-tool]").evaluateAll((tools) => tools.map(({dataset}) => dataset.tool))) {
+    await studio.tool(tool);
+    await studio.panel("Tool");
+    const everywhere = studio.page.getByRole("button", {name: /everywhere$/}).or(studio.page.getByRole("group", {name: /everywhere$/}).getByRole("button", {name: "Down"}));
+    if (await everywhere.count() === 0) continue;
+    const answer = studio.page.waitForResponse((response) => response.url().endsWith(`${id}/commands`));
+    await everywhere.click();
+    assert.equal((await answer).status(), 200, tool);
+    tried.push(tool);
+  }
+  assert.ok(tried.includes("comb") && tried.length > 6, tried.join(", "));
+  await studio.finish();
+});

@@ -15,7 +15,7 @@ export const presets: Partial<Record<Op, Preset[]>> = {
   ],
   blow: [{name: "Breeze", values: {}, brush: {strength: 0.3}}, {name: "Dryer", values: {lean: 0.8}, brush: {radius: 0.12, strength: 0.8}}],
   length: [
-    {name: "Short", values: {value: 0.012}}, {name: "Long", values: {value: 0.06}},
+    {name: "Short", values: {mode: "set", value: 0.015}}, {name: "Long", values: {mode: "set", value: 0.12}}, {name: "Flowing", values: {mode: "set", value: 0.22}},
     {name: "Grow", values: {mode: "scale", value: 1.15}}, {name: "Even out", values: {mode: "average"}},
   ],
   smooth: [{name: "Directions", values: {}}, {name: "Lengths too", values: {fields: ["direction", "length"]}}],

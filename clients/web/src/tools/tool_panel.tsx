@@ -18,9 +18,23 @@ import {ToolPicture} from "./tool_picture";
 const in_the_bar = ["radius", "strength"], main_brush = ["falloff"];
 const by_hand: Partial<Record<Op, string[]>> = {attract: ["radius", "units"]};
 
-function flood(tool: Tool) {
+function flood(tool: Tool, more: Record<string, unknown> = {}) {
   const {strength} = brushOf(tool.op, false);
-  void run(commandOf(tool.op, {flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
+  void run(commandOf(tool.op, {...more, flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
+}
+
+/** A stroke says where to comb to; all of the animal is combed to one side. */
+const sides = [{says: "Back", direction: [0, 0, -1]}, {says: "Down", direction: [0, -1, 0]}, {says: "Up", direction: [0, 1, 0]}];
+
+function Everywhere({tool, name}: {tool: Tool; name: string}) {
+  if (!tool.floods) return null;
+  if (tool.op !== "comb") return <button type="button" class="wide" onClick={() => flood(tool)}>{name} everywhere</button>;
+  return (
+    <div class="mask-buttons" role="group" aria-label={`${name} everywhere`}>
+      <span>Everywhere</span>
+      {sides.map(({says, direction}) => <button key={says} type="button" onClick={() => flood(tool, {direction})}>{says}</button>)}
+    </div>
+  );
 }
 
 /** Settings of the tool and the brush under a name. */
@@ -150,7 +164,7 @@ export function ToolPanel() {
       <Presets tool={tool} />
       <ToolSettings tool={tool} />
       <BrushSettings />
-      {tool.floods && <button type="button" class="wide" onClick={() => flood(tool)}>{name} everywhere</button>}
+      <Everywhere tool={tool} name={name} />
       {(op === "flow" || op === "interpolate") && <Guides op={op} />}
       {(op === "blow" || op === "attract") && <Standing op={op} />}
       <MaskSection />

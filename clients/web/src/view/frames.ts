@@ -31,6 +31,8 @@ export const shown = signal<Shown | null>(null);
 const wanted = signal(0);
 /** Whether what is seen is older than what is to be seen. */
 export const outdated = computed(() => shown.value?.state !== wanted.value);
+/** Whether the picture at rest is seen: until something changes the server has time for other pictures. */
+export const resting = computed(() => !outdated.value && (shown.value?.stage === "rest" || shown.value?.stage === "traced"));
 /** Whether a better picture is on its way: what is seen is old, small or coarse, or its strands are still traced. */
 export const pending = computed(() => {
   const seen = shown.value;
