@@ -262,7 +262,7 @@ test("every tool that works everywhere does so at one press", async () => {
     if (await everywhere.count() === 0) continue;
     const answer = studio.page.waitForResponse((response) => response.url().endsWith(`${id}/commands`));
     await everywhere.click();
-    assert.equal((await answer).status(), 200, tool);
+    assert.equal((await answer).status(), 200, `${tool}: ${await (await answer).text()}`);
     tried.push(tool);
   }
   assert.ok(tried.includes("comb") && tried.length > 6, tried.join(", "));
