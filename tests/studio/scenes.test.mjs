@@ -77,6 +77,19 @@ test("a stroke stays with the scene that it began on", async () => {
   assert.equal(after[1].revision, before[1].revision, "the other scene was groomed");
 });
 
+/** How many cells of a sheet show something, each another thing. */
+const differentCells = (image, [columns, rows]) => {
+  const pen = new OffscreenCanvas(image.naturalWidth, image.naturalHeight).getContext("2d", {willReadFrequently: true});
+  pen.drawImage(image, 0, 0);
+  const [width, height] = [Math.floor(image.naturalWidth / columns), Math.floor(image.naturalHeight / rows)], seen = new Set();
+  for (let k = 0; k < columns * rows; ++k) {
+    const {data} = pen.getImageData((k % columns) * width, Math.floor(k / columns) * height, width, height - 60);
+    const colours = new Set(new Uint32Array(data.buffer));
+    if (colours.size > 500) seen.add(data.reduce((sum, byte, at) => (sum * 31 + byte * (at % 7 + 1)) % 1000003, 7));
+  }
+  return seen.size;
+};
+
 test("the list shows scenes by their pictures, and sheets are made at one press", async () => {
   const shown = (await server.creature("sheet", 1000)).id, other = (await server.creature("besides", 1000)).id;
   const studio = await openStudio({scene: shown});
@@ -91,6 +104,7 @@ test("the list shows scenes by their pictures, and sheets are made at one press"
     await picture.waitFor({timeout: 90000});
     const [width, height] = await picture.evaluate((image) => [image.naturalWidth, image.naturalHeight]);
     assert.ok(width >= 1280 && height >= 500, `${width} x ${height}`);
+    if (button === "Contact sheet") assert.equal(await picture.evaluate(differentCells, [3, 2]), 6);
     const saved = page.waitForEvent("download");
     await page.getByRole("button", {name: "Download", exact: true}).click();
     assert.equal((await saved).suggestedFilename(), `sheet ${ending}`);

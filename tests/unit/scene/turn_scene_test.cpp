@@ -91,19 +91,22 @@ TEST_F(TurnSceneTest, ARestartTurnsItAgain) {
 }
 
 TEST_F(TurnSceneTest, LayersTurnAlong) {
-  const auto with = [&](bool muted) {
-    const auto scene = make(Builtin::torus, 500);
-    Comb comb = comb_at(*scene, 5);
-    comb.edit_layer = "a";
-    EXPECT_TRUE(store_->execute(*scene, {ChangeEditLayer{.action = EditLayerAction::add, .name = "a"}, comb}).ok());
-    const ChangeEditLayer mute{.action = EditLayerAction::set, .name = "a", .muted = true};
-    const auto silence = [&] { EXPECT_TRUE(store_->execute(*scene, {mute}).ok()); };
-    if (muted) silence();
-    turn(*scene);
-    if (!muted) silence();
-    return leans(*scene);
+  const auto scene = make(Builtin::torus, 500);
+  Comb comb = comb_at(*scene, 5);
+  comb.edit_layer = "a";
+  const auto mute = [&](bool muted) {
+    const ChangeEditLayer change{.action = EditLayerAction::set, .name = "a", .muted = muted};
+    EXPECT_TRUE(store_->execute(*scene, {change}).ok());
   };
-  EXPECT_LT(furthest(with(true), with(false), glm::dmat3(1)), 1e-4);
+  EXPECT_TRUE(store_->execute(*scene, {ChangeEditLayer{.action = EditLayerAction::add, .name = "a"}, comb}).ok());
+  const std::vector<glm::dvec3> combed = leans(*scene);
+  mute(true);
+  const std::vector<glm::dvec3> plain = leans(*scene);
+  EXPECT_GT(furthest(combed, plain, glm::dmat3(1)), 0.1);
+  turn(*scene);
+  EXPECT_LT(furthest(plain, leans(*scene), turn_of(lying)), 1e-4);
+  mute(false);
+  EXPECT_LT(furthest(combed, leans(*scene), turn_of(lying)), 1e-4);
 }
 
 TEST_F(TurnSceneTest, WhatStandsAlreadyStaysAndOneLineIsRefused) {
