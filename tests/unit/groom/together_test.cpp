@@ -100,6 +100,24 @@ TEST_F(Together, ACombAcrossThePlaneIsMirroredToRounding) {
   EXPECT_GT(changed, 20u);
 }
 
+TEST_F(Together, TheBrushsOwnSymmetryTakesThePlaceOfTheScenesWithAStrokeAndWithout) {
+  Length longer;
+  longer.mode = LengthMode::scale, longer.value = 1.5;
+  longer.stroke = through({{0.8, 0.2, 0.4}});
+  longer.brush.radius = 0.1;
+  Attract pull;
+  pull.point = {1.2, 0.2, 0.4}, pull.radius = 0.4, pull.strength = 1;
+  const auto expect = [&](auto command) {
+    const FieldSet alone = after(command, {}), mirrored = after(command, mirror_);
+    ASSERT_NE(alone.hash(), mirrored.hash());
+    command.brush.symmetry = mirror_;
+    EXPECT_EQ(after(command, {}).hash(), mirrored.hash());
+    command.brush.symmetry = Symmetry{};
+    EXPECT_EQ(after(command, mirror_).hash(), alone.hash());
+  };
+  expect(longer), expect(pull);
+}
+
 TEST_F(Together, OneImageAloneKeepsItsChange) {
   Length longer;
   longer.mode = LengthMode::scale, longer.value = 1.5;
