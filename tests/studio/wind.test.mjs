@@ -36,3 +36,19 @@ test("a breeze is started, played, paused and kept", async () => {
   assert.ok(Math.abs((await settings()).wind.time - shown) < 0.01);
   await studio.finish();
 });
+
+test("the wind turns about the animal, and keeps how far it blows up", async () => {
+  const {id} = await server.creature("heading", 1000);
+  await server.post(`/v1/scenes/${id}/commands`, {op: "set_wind", wind: {speed: 0.5, direction: [1, 0.5, 0]}});
+  const studio = await openStudio({scene: id});
+  await studio.ready();
+  await studio.panel("Wind");
+  const heading = studio.page.getByLabel("Blows to its");
+  assert.equal(await heading.inputValue(), "90");
+  await heading.fill("180");
+  await studio.settled(server, id, 2);
+  const {direction} = (await server.get(`/v1/scenes/${id}/settings`)).wind;
+  [0, 0.5, -1].forEach((wanted, k) => assert.ok(Math.abs(direction[k] - wanted) < 1e-6, direction.join(" ")));
+  await studio.page.locator("output", {hasText: /^back$/}).waitFor();
+  await studio.finish();
+});

@@ -1,5 +1,6 @@
 // The wind that moves the fur, and a clock to watch it by.
-import type {Settings} from "../api/types";
+import {useId} from "preact/hooks";
+import type {Settings, Vector} from "../api/types";
 import {wind} from "../scene/live_setting";
 import {Form} from "../tools/form";
 import {membersOf, schemas, type Member} from "../tools/schema";
@@ -34,15 +35,42 @@ function Clock({now}: {now: Wind}) {
   );
 }
 
+const sides = ["front", "front left", "left", "back left", "back", "back right", "right", "front right"];  // of the animal, every 45 degrees
+
+/** Turns the wind about the animal; how far it blows up or down stays. */
+function Heading({now}: {now: Wind}) {
+  const id = useId();
+  const [x, y, z] = (now.direction ?? [1, 0, 0]) as Vector;
+  const degrees = Math.round((Math.atan2(x, z) * 180) / Math.PI), level = Math.hypot(x, z) || 1;
+  const turn = (to: number, done: boolean) => {
+    const angle = (to * Math.PI) / 180;
+    wind.set({...now, direction: [level * Math.sin(angle), y, level * Math.cos(angle)]}, done);
+  };
+  return (
+    <div class="row">
+      <label for={id}>Blows to its</label>
+      <input id={id} type="range" min="-180" max="180" step="1" value={degrees} aria-valuetext={sides[(Math.round(degrees / 45) + 8) % 8]}
+             onInput={(event) => turn(Number(event.currentTarget.value), false)} onChange={(event) => turn(Number(event.currentTarget.value), true)} />
+      <output>{sides[(Math.round(degrees / 45) + 8) % 8]}</output>
+    </div>
+  );
+}
+
+/** What is seen at once; the others are one press further. */
+const first_members = ["speed", "gusts", "turbulence"];
+
 export function WindPanel() {
   const now = wind.value.value;
   if (!now) return null;
   const members = membersOf(schemas.value["Wind"] ?? {}).map((member) => withUsualEnds(member, now));
+  const form = (some: Member[]) => <Form members={some} values={now} set={(name, value, done) => wind.set({...now, [name]: value} as Wind, done)} />;
   return (
     <section>
       <h2>Wind</h2>
       <Clock now={now} />
-      <Form members={members} values={now} set={(name, value, done) => wind.set({...now, [name]: value} as Wind, done)} />
+      <Heading now={now} />
+      {form(members.filter(({name}) => first_members.includes(name)))}
+      <details class="group"><summary>More of the wind</summary>{form(members.filter(({name}) => !first_members.includes(name)))}</details>
       <p class="help">The wind turns the lean of the fur and leaves the groom as it is. Paint the field stiffness where fur is to move less.</p>
     </section>
   );

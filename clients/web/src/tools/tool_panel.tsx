@@ -31,7 +31,7 @@ function Everywhere({tool, name}: {tool: Tool; name: string}) {
   if (tool.op !== "comb") return <button type="button" class="wide" onClick={() => flood(tool)}>{name} everywhere</button>;
   return (
     <div class="mask-buttons" role="group" aria-label={`${name} everywhere`}>
-      <span>Everywhere</span>
+      <span>All fur</span>
       {sides.map(({says, direction}) => <button key={says} type="button" onClick={() => flood(tool, {direction})}>{says}</button>)}
     </div>
   );
