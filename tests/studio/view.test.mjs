@@ -128,3 +128,24 @@ test("the mirrored ring is seen, but not through the body", async () => {
   assert.ok(counts.front.mirrored > counts.front.alone + 300, `${counts.front.mirrored} pixels, not more than the ${counts.front.alone} of one ring`);
   await studio.finish();
 });
+
+test("a picture that is given up while its bytes come says nothing", async () => {
+  const studio = await openStudio({scene: id, before: () => {
+    const blob = Response.prototype.blob;
+    Response.prototype.blob = async function () {
+      if (window.slow_bytes) await new Promise((go) => setTimeout(go, 250));
+      return blob.call(this).catch((error) => { window.given_up = (window.given_up ?? 0) + 1; throw error; });
+    };
+  }});
+  await studio.ready();
+  await studio.seen("rest");
+  const {page} = studio;
+  await page.evaluate(() => { window.slow_bytes = true; });
+  for (let tries = 0; tries < 40 && !(await page.evaluate(() => window.given_up)); ++tries) {
+    await page.keyboard.press(String(1 + (tries % 4)));
+    await page.waitForTimeout(700 + 60 * (tries % 8));
+  }
+  assert.ok(await page.evaluate(() => window.given_up) > 0);
+  assert.equal(await page.locator(".message-error").count(), 0);
+  await studio.finish();
+});

@@ -132,12 +132,21 @@ export function timingsOf(text: string): Record<string, number> {
 }
 
 /** A frame; null where nothing newer came within `news.wait` seconds. */
+/** What an answer holds. Its request may be given up, or the connection lost, while it still comes. */
+async function bytesOf(answer: Response, signal?: AbortSignal): Promise<Blob> {
+  try {
+    return await answer.blob();
+  } catch (error) {
+    throw signal?.aborted ? new Aborted() : new Offline(String(error));
+  }
+}
+
 export async function drawFrame(id: string, request: FrameRequest, news: FrameNews | null, signal?: AbortSignal): Promise<Picture | null> {
   const query = news ? "?" + Object.entries(news).map(([name, value]) => `${name}=${value}`).join("&") : "";
   const answer = await call(`${at(id)}/frames${query}`, {json: request, ...(signal ? {signal} : {})});
   if (answer.status === 304) return null;
   return {
-    bytes: await answer.blob(),
+    bytes: await bytesOf(answer, signal),
     revision: Number(answer.headers.get("Pelage-Revision")),
     knobs: json_header(answer, "Pelage-Quality") as Knobs,
     trace: json_header(answer, "Pelage-Trace") as TraceReport | null,
