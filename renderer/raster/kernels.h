@@ -48,7 +48,7 @@ void light_strands(const RasterScene& scene, const GrownPart& part, std::span<co
 /// Returns the strand whose light a strand takes: one of the first `own` of its part, or the strand itself where that
 /// one is much shorter, and so has no light for the upper half.
 inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uint32_t own) {
-  constexpr float taller = 1.3f;
+  constexpr float taller = 1.2f;
   std::uint32_t lit = id;
   while (lit >= own) lit = set.neighbour[lit];
   return set.roots[id].reach > taller * set.roots[lit].reach ? id : lit;

@@ -87,7 +87,11 @@ class PieceLight {
     add(begin_place_, 0.5f * share, begin_colour_);
     for (int k = begin + 1; k < end; ++k) add(light.place_of(k), share, light.colour_of(k));
     add(end_place_, 0.5f * share, end_colour_);
-    next_point(), next_point();
+    next_point();
+    const bool ends_beyond = low_ == static_cast<int>(light_.points.size());
+    if (!ends_beyond) next_point();
+    even_out();
+    if (ends_beyond) next_point();  // what tips gain is no light that all points have
   }
 
   Colour at_begin = hn::Zero(tag), at_end = hn::Zero(tag);
@@ -109,14 +113,28 @@ class PieceLight {
     const Colour tilt = hn::Clamp(at_own, hn::Neg(mean_), mean_), light = light_.light_of(low_);
     at_begin = hn::MulAdd(hn::Add(mean_, tilt), light, at_begin);
     at_end = hn::MulAdd(hn::Sub(mean_, tilt), light, at_end);
+    all_ = hn::Add(all_, mean_), wanted_ = hn::Add(wanted_, at_own), tilt_ = hn::Add(tilt_, tilt);
     mean_ = next_mean_, next_mean_ = hn::Zero(tag), ++low_;
+  }
+
+  /// Light that is the same at all points is the same at both ends: what one end got too much of goes to the other.
+  HWY_INLINE void even_out() {
+    const Colour zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), least = hn::Set(tag, 1e-12f);
+    const Colour missing = hn::Sub(wanted_, tilt_);  // at the begin
+    const auto share = [&](Colour part, Colour of) { return hn::Clamp(hn::Div(part, hn::Max(of, least)), zero, one); };
+    const Colour from_end = hn::Mul(share(missing, hn::Sub(all_, tilt_)), at_end),
+                 from_begin = hn::Mul(share(hn::Neg(missing), hn::Add(all_, tilt_)), at_begin);
+    at_begin = hn::Add(at_begin, hn::Sub(from_end, from_begin));
+    at_end = hn::Sub(at_end, hn::Sub(from_end, from_begin));
   }
 
   const LightAlong<by_colour>& light_;
   float begin_place_, end_place_;
   Colour begin_colour_, end_colour_;
   Colour mean_ = hn::Zero(tag), next_mean_ = hn::Zero(tag);  // of the point, and of the one after it
-  int low_ = 0;                                              // the point
+  // Of all points: means, and how the light of the begin differs from the mean, as wanted and as it is.
+  Colour all_ = hn::Zero(tag), wanted_ = hn::Zero(tag), tilt_ = hn::Zero(tag);
+  int low_ = 0;  // the point
 };
 
 inline constexpr float max_half = 65504;  // of half floats, in which knots keep light

@@ -60,19 +60,32 @@ struct PieceLight {
   int low;               // a point
   vec3 mean, next_mean;  // of it, and of the one after it
   vec3 at_begin, at_end;
+  vec3 all, wanted, tilt;  // of all points: means, and how the begin differs, as wanted and as it is
 };
 
 // Gives both ends the light of the point `low`.
 void next_point(inout PieceLight piece, LightAlong light) {
-  vec3 tilt = 0.5 * (piece.begin_colour * share_of(light, piece.low, piece.begin_place) -
+  vec3 wanted = 0.5 * (piece.begin_colour * share_of(light, piece.low, piece.begin_place) -
                      piece.end_colour * share_of(light, piece.low, piece.end_place));
-  tilt = clamp(tilt, -piece.mean, piece.mean);
+  vec3 tilt = clamp(wanted, -piece.mean, piece.mean);
   vec3 sent = light_of(light, piece.low);
   piece.at_begin += (piece.mean + tilt) * sent;
   piece.at_end += (piece.mean - tilt) * sent;
+  piece.all += piece.mean;
+  piece.wanted += wanted;
+  piece.tilt += tilt;
   piece.mean = piece.next_mean;
   piece.next_mean = vec3(0.0);
   ++piece.low;
+}
+
+// Light that is the same at all points is the same at both ends.
+void even_out(inout PieceLight piece) {
+  vec3 missing = piece.wanted - piece.tilt;  // at the begin
+  vec3 from_end = clamp(missing / max(piece.all - piece.tilt, 1e-12), 0.0, 1.0) * piece.at_end;
+  vec3 from_begin = clamp(-missing / max(piece.all + piece.tilt, 1e-12), 0.0, 1.0) * piece.at_begin;
+  piece.at_begin += from_end - from_begin;
+  piece.at_end -= from_end - from_begin;
 }
 
 void add(inout PieceLight piece, LightAlong light, float place, float share, vec3 colour) {
@@ -83,7 +96,8 @@ void add(inout PieceLight piece, LightAlong light, float place, float share, vec
 
 PieceLight piece_light(Part part, uint strand, LightAlong light, int begin, int end) {
   PieceLight piece = PieceLight(place_of(light, begin), place_of(light, end), colour_of(part, strand, light, begin),
-                                colour_of(part, strand, light, end), 0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+                                colour_of(part, strand, light, end), 0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
+                                vec3(0.0), vec3(0.0));
   piece.low = min(int(piece.begin_place), light.count - 1);
   float share = 1.0 / float(end - begin);
   add(piece, light, piece.begin_place, 0.5 * share, piece.begin_colour);
@@ -91,7 +105,10 @@ PieceLight piece_light(Part part, uint strand, LightAlong light, int begin, int 
     add(piece, light, place_of(light, k), share, colour_of(part, strand, light, k));
   add(piece, light, piece.end_place, 0.5 * share, piece.end_colour);
   next_point(piece, light);
-  next_point(piece, light);
+  bool ends_beyond = piece.low == light.count;
+  if (!ends_beyond) next_point(piece, light);
+  even_out(piece);
+  if (ends_beyond) next_point(piece, light);  // what tips gain is no light that all points have
   return piece;
 }
 

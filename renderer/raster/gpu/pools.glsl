@@ -24,5 +24,5 @@ uint to_mean_word(Part part, uint strand) { return pool_words[root_at(part, part
 uint lit_strand(Part part, uint strand, uint own) {
   uint lit = strand;
   while (lit >= own) lit = neighbour_of(part, lit);
-  return root_reach(part, strand) > 1.3 * root_reach(part, lit) ? strand : lit;
+  return root_reach(part, strand) > 1.2 * root_reach(part, lit) ? strand : lit;
 }

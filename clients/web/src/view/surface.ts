@@ -67,6 +67,7 @@ async function load(id: string): Promise<void> {
     const {Proxy} = await import("./proxy");
     const loaded = await Proxy.load(id, masked.peek());
     if (of !== wanted) return;
+    if (loaded.masked !== masked.peek()) return void load(id);
     proxy.value = loaded;
     mark("proxy", {at: performance.now(), revision: loaded.revision});
   } catch (error) {
@@ -92,9 +93,9 @@ export function followModel(): () => void {
       if (now !== wanted) {
         wanted = now;
         void load(id);
-      } else if (only_masked !== proxy.value?.masked) {
+      } else if (proxy.value && only_masked !== proxy.value.masked) {
         void load(id);
-      } else if (newest !== proxy.value.revision) {
+      } else if (newest !== proxy.value?.revision) {
         timer = window.setTimeout(() => void load(id), calm);
       }
     });
