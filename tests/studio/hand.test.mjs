@@ -165,6 +165,8 @@ test("a part of the model is chosen by a press, and is all that tools change the
   await studio.page.getByRole("button", {name: "A part…"}).click();
   await studio.page.getByText("Press on the part").waitFor();
   const sent = studio.page.waitForRequest((request) => request.url().endsWith(`${id}/commands`));
+  await studio.page.mouse.move(...await studio.at(0.5, 0.55));
+  await studio.page.waitForFunction(() => document.querySelector(".surface").dataset.hand === "groom");
   await studio.page.mouse.click(...await studio.at(0.5, 0.55));
   const {op, part} = (await sent).postDataJSON();
   assert.equal((await (await sent).response()).status(), 200);
