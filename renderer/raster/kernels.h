@@ -46,7 +46,7 @@ void light_strands(const RasterScene& scene, const GrownPart& part, std::span<co
                    LitPoints& light);
 
 /// Returns the strand whose light a strand takes: one of the first `own` of its part, or the strand itself where that
-/// one is much shorter, and so has no light for the upper half.
+/// one is shorter by a sixth, and so has no light for the tip.
 inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uint32_t own) {
   constexpr float taller = 1.2f;
   std::uint32_t lit = id;
