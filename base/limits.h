@@ -34,6 +34,7 @@ inline constexpr std::size_t flow_curves = 64;
 inline constexpr std::size_t flow_points = 256;        // of each curve
 inline constexpr int passes = 10'000;                  // of smoothing
 inline constexpr std::size_t mask_vertices = 100'000;  // named in one command
+inline constexpr std::size_t named_materials = 256;    // of a model
 inline constexpr std::size_t blowers = 64;             // and as many attractors
 inline constexpr std::size_t edit_layers = 14;
 inline constexpr double min_groomed_weight = 0.05;  // of an edit layer that tools change

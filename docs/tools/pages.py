@@ -79,7 +79,7 @@ The mask says how much every tool may change: all where it is 1, nothing where i
 takes everything, vertices, a box, a sphere, a connected part or an uploaded picture ([maps](../maps.md)), and combines it with
 the mask that is there; grow, shrink, smooth and invert change it; [paint](paint.md) brushes it. Below: a band of the body is
 chosen, its edge smoothed, and the fur made three times as long; `{"op": "mask"}` ends with everything chosen.""", "Mask",
-                 "MaskBox", "MaskSphere", "MaskPart", "MaskPicture"),
+                 "MaskBox", "MaskSphere", "MaskPart", "MaskMaterial", "MaskPicture"),
     "map": page("Map", """
 Reads a field from an uploaded picture through the model's own texture coordinates. `PUT .../maps/{field}` and `pelage map put`
 upload a picture and run this command, and `pelage map get` writes one; [maps](../maps.md) has the files and their encodings. The

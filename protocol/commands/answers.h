@@ -89,6 +89,14 @@ struct NumberedPart {
   bool operator==(const NumberedPart&) const = default;
 };
 
+/// What a file calls some of its faces.
+struct MaterialReport {
+  std::string name;
+  std::size_t triangles = 0;
+  bool bare = false;  // named after what has no fur, and begun without
+  bool operator==(const MaterialReport&) const = default;
+};
+
 /// What preparation made of a model.
 struct ModelReport {
   std::size_t source_vertices = 0;
@@ -101,6 +109,7 @@ struct ModelReport {
   Axis up = Axis::plus_y, front = Axis::plus_z;  // of the file, as they were taken
   std::string pose = {};                         // "NAME@SECONDS" that it stands in; "" as the file has it
   std::vector<std::string> animations = {};      // that the file has
+  std::vector<MaterialReport> materials = {};    // that have names, in the order of their first triangles
   std::vector<Repair> repairs;
   // Parts that may be wound the wrong way. They are open, so that no side is known to be outside, and the sign of the
   // little volume that they enclose contradicts their winding.
@@ -116,6 +125,7 @@ struct SceneSummary {
   std::string model;          // "creature" or "obj", ...
   std::string model_id = {};  // follows from the mesh: equal while it is, 32 hex digits
   std::string fur_patches = "overlapping";
+  std::optional<double> metres_per_unit = {};  // of the model's file, where its format says it
   ModelReport report;
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone

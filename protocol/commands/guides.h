@@ -2,6 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
+
+#include "protocol/commands/creature.h"
+#include "protocol/commands/export.h"
 
 namespace pelage {
 
@@ -12,9 +16,19 @@ enum class GuideFormat { usda, hair, json };
 /// tip leans to, and its length.
 struct GuideUpload {
   GuideFormat format = GuideFormat::usda;
-  int keys = 1024;                   // at most, chosen evenly; [1, 1024]
-  std::optional<double> sigma = {};  // of the Interpolate, sizes, above 0; absent: from the distance between roots
-  double strength = 1;               // [0, 1]
+  int keys = 1024;                       // at most, chosen evenly; [1, 1024]
+  std::optional<double> sigma = {};      // of the Interpolate, sizes, above 0; absent: from the distance between roots
+  double strength = 1;                   // [0, 1]
+  std::optional<AssetFrame> frame = {};  // of the file's places; absent: source of usda and hair, pelage of json
+  std::optional<double> metres_per_unit =
+      {};  // of the model's file, above 0; absent: what its format says, if anything
+};
+
+/// What a file of guide curves holds.
+struct GuideFile {
+  std::vector<GuideCurve> curves;     // in the file's coordinates, each of at least two points, root first
+  std::optional<Axis> up = {};        // +y or +z, where the file says it
+  std::optional<double> metres = {};  // that its unit is, above 0, where the file says it
 };
 
 }  // namespace pelage

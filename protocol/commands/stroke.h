@@ -68,7 +68,8 @@ struct Brush {
   double cut_off_degrees = 90;      // angle to the front from which faces count as back-facing, [0, 180]
   bool invert = false;              // the tool's opposite, where it has one
   double strand_from = 0,
-         strand_to = 1;  // from root to tip, [0, 1]: the part of the strand that changes; of colours only
+         strand_to = 1;    // from root to tip, [0, 1]: the part of the strand that changes; of colours only
+  std::string alpha = {};  // uploaded picture that each dab prints; "" for none
   std::optional<Symmetry> symmetry = {};  // absent: the scene's
 };
 

@@ -338,6 +338,9 @@ struct MaskSphere {
 struct MaskPart {
   glm::dvec3 position{0};
 };  // the connected part nearest to it
+struct MaskMaterial {
+  std::string name = {};
+};  // one of the model's report
 enum class PictureChannel {
   luminance,
   red,
@@ -356,8 +359,9 @@ struct ChangeMask {
   static constexpr Inputs inputs = Inputs::placed;
   static constexpr Work work = Work::own;
   MaskAction action = MaskAction::select;
-  std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskPicture> shape = {};  // of select
-  MaskCombine combine = MaskCombine::replace;                                                  // of select
+  std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskMaterial, MaskPicture> shape =
+      {};                                      // of select
+  MaskCombine combine = MaskCombine::replace;  // of select
   double value = 1;        // of select: what the chosen get, [0, 1]; with replace the others get 1 - value
   double distance = 0.02;  // of grow and shrink: along the surface, in `units`
   Units units = Units::relative;

@@ -308,6 +308,12 @@ void members(V& v, Visited<V, MaskPart>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, MaskMaterial>& c) {
+  v.type("MaskMaterial", "All faces to which the model's file gives a material.");
+  v.label(required("name"), c.name, "Name of the material, as in `materials` of the scene.");
+}
+
+template <class V>
 void members(V& v, Visited<V, MaskPicture>& c) {
   v.type(
       "MaskPicture",
@@ -352,6 +358,7 @@ void members(V& v, Visited<V, ChangeMask>& c) {
     v.template alternative<MaskBox>("box", c.shape, "Chooses what lies in a box.");
     v.template alternative<MaskSphere>("sphere", c.shape, "Chooses what lies in a sphere.");
     v.template alternative<MaskPart>("part", c.shape);
+    v.template alternative<MaskMaterial>("material", c.shape);
     v.template alternative<MaskPicture>("picture", c.shape);
     v.name("combine", c.combine, json_names::mask_combines,
            "How the shape joins the mask that is there. With replace the rest gets 1 - value.");

@@ -160,6 +160,10 @@ inline constexpr std::array<Name<ExportFormat>, 6> export_formats{{{"usda", Expo
                                                                    {"cards", ExportFormat::cards},
                                                                    {"fields", ExportFormat::fields},
                                                                    {"pelage", ExportFormat::pelage}}};
+inline constexpr std::array<Name<CurveBasis>, 2> curve_bases{
+    {{"linear", CurveBasis::linear}, {"cubic", CurveBasis::cubic}}};
+inline constexpr std::array<Name<AssetFrame>, 2> asset_frames{
+    {{"source", AssetFrame::source}, {"pelage", AssetFrame::pelage}}};
 inline constexpr std::array<Name<GuideFormat>, 3> guide_formats{
     {{"usda", GuideFormat::usda}, {"hair", GuideFormat::hair}, {"json", GuideFormat::json}}};
 inline constexpr std::array<Name<FrameFormat>, 7> frame_formats{{{"png", FrameFormat::png},

@@ -34,6 +34,7 @@ inline constexpr Range direction_part{-1e6, 1e6, "any length"};
 inline constexpr Range share{0, 1, "share"};
 inline constexpr Range whole_number{0, 4294967295.0};
 inline constexpr Range screen_coordinate{-1e6, 1e6, "pixels"};  // pixels
+inline constexpr Range metres{1e-9, 1e9, "metres"};
 inline constexpr Range half_circle{0, 180, "degrees"};
 inline constexpr Range edit_layer_weight{-4, 4, "factor"};
 inline constexpr Range clump_size{0.001, 0.5, "sizes"};

@@ -250,6 +250,15 @@ void check(const Value& value, const ExportRequest& wanted) {
     value.refuse_below("shells", "The format has no layers.", "format shells");
   if (given(value, "cards") && wanted.format != ExportFormat::cards)
     value.refuse_below("cards", "The format has no cards.", "format cards");
+  for (const char* name : {"basis", "skin"}) {
+    if (given(value, name) && wanted.format != ExportFormat::usda)
+      value.refuse_below(name, "Only USD holds that.", "format usda");
+  }
+  if (given(value, "frame") && wanted.format == ExportFormat::pelage)
+    value.refuse_below("frame", "The format keeps the scene with its axes.", "another format");
+  const bool has_unit = wanted.format != ExportFormat::pelage && wanted.format != ExportFormat::hair;
+  if (given(value, "metres_per_unit") && !has_unit)
+    value.refuse_below("metres_per_unit", "The format says no unit.", "format usda, shells, cards or fields");
 }
 
 // Which members of a command go together.

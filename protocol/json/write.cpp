@@ -79,7 +79,7 @@ class MemberWriter {
   }
   void label(MemberName name, const std::string& text, const char* = "") { json_[name.text] = text; }
   void picture(MemberName name, const std::string& text, const char* = "", const char* word_for_none = "") {
-    json_[name.text] = text.empty() ? word_for_none : text;
+    if (says(name, text.empty())) json_[name.text] = text.empty() ? word_for_none : text;
   }
   void hash(MemberName name, FieldsHash hash, const char* = "") { json_[name.text] = to_hex(hash); }
   void json(MemberName name, const std::string& text, const char* = "") {

@@ -109,14 +109,14 @@ void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat,
 
 /// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
 /// readers move those that two scenes share from one to the other.
-void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, glm::dvec3 centre) {
+void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, const FilePlace& place) {
   GltfJson scenes = GltfJson::array(), nodes = GltfJson::array(), meshes = GltfJson::array();
   const auto add_mesh = [&](const std::string& name, GltfJson primitives) {
     meshes.push_back({{"name", name}, {"primitives", std::move(primitives)}});
     return meshes.size() - 1;
   };
   const auto add_node = [&](const std::string& name, std::size_t mesh) {
-    nodes.push_back({{"name", name}, {"mesh", mesh}, {"translation", json_of(centre)}});
+    nodes.push_back(node_of(name, mesh, place));
     return nodes.size() - 1;
   };
   add_mesh("body", std::move(body));
@@ -158,7 +158,7 @@ Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& stran
   }
   result.triangles += scene.model.surface.mesh().triangles.size();
   set_materials(file, used, scene.settings.coat, overlap * cell);
-  set_scenes(file, std::move(body), levels, scene.model.surface.mesh().centre);
+  set_scenes(file, std::move(body), levels, strands.place);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
   result.glb = std::move(*glb);

@@ -40,7 +40,7 @@ ExportFile strand_file(const std::shared_ptr<const ExportedStrands>& strands, co
     return file;
   }
   file.content_type = "model/vnd.usda", file.ending = ".usda";
-  file.parts = usda_parts(strands, file.about.revision, request.every > 1 && !request.widen);
+  file.parts = usda_parts(strands, {file.about.revision, request.every > 1 && !request.widen, request.basis});
   return file;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <glm/gtc/quaternion.hpp>
 
 namespace pelage {
 
@@ -94,12 +95,20 @@ void GlbWriter::set_sampler(int wrap) {
       GltfJson::array({{{"magFilter", linear}, {"minFilter", trilinear}, {"wrapS", wrap}, {"wrapT", wrap}}}));
 }
 
-void GlbWriter::set_scene(const char* name, GltfJson primitives, glm::dvec3 centre, GltfJson extras) {
+GltfJson node_of(const std::string& name, std::size_t mesh, glm::dvec3 centre, const glm::dmat3& turn, double scale) {
+  const glm::dquat rotation = glm::quat_cast(turn);
+  GltfJson node = {{"name", name}, {"mesh", mesh}, {"translation", json_of(centre)}};
+  if (turn != glm::dmat3(1)) node["rotation"] = GltfJson::array({rotation.x, rotation.y, rotation.z, rotation.w});
+  if (scale != 1) node["scale"] = json_of(glm::dvec3(scale));
+  return node;
+}
+
+void GlbWriter::set_scene(GltfJson node, GltfJson primitives, GltfJson extras) {
   GltfJson mesh = {{"primitives", std::move(primitives)}};
   if (!extras.is_null()) mesh["extras"] = std::move(extras);
   set("scene", 0);
   set("scenes", GltfJson::array({{{"nodes", GltfJson::array({0})}}}));
-  set("nodes", GltfJson::array({{{"name", name}, {"mesh", 0}, {"translation", json_of(centre)}}}));
+  set("nodes", GltfJson::array({std::move(node)}));
   set("meshes", GltfJson::array({std::move(mesh)}));
 }
 

@@ -37,8 +37,8 @@ class GlbWriter {
   void set(const std::string& name, GltfJson value) { document_[name] = std::move(value); }
   /// The sampler of all textures: trilinear, and at the borders `wrap`.
   void set_sampler(int wrap);
-  /// One scene with one node, which stands at `centre` and has a mesh of these primitives.
-  void set_scene(const char* name, GltfJson primitives, glm::dvec3 centre, GltfJson extras = {});
+  /// One scene with one node, of mesh 0, which has these primitives.
+  void set_scene(GltfJson node, GltfJson primitives, GltfJson extras = {});
 
   /// The whole file. Buffers, views, accessors, images and asset are what was added. Refused (too_large) where it would
   /// be larger than it may be.
@@ -60,6 +60,10 @@ class GlbWriter {
 };
 
 GltfJson json_of(glm::dvec3 v);
+
+/// A node with a mesh, which stands at a centre, turned (a rotation) and scaled about it.
+GltfJson node_of(const std::string& name, std::size_t mesh, glm::dvec3 centre, const glm::dmat3& turn = glm::dmat3(1),
+                 double scale = 1);
 
 inline constexpr int clamped = 33071, repeated = 10497;  // GL's numbers, which glTF takes
 

@@ -94,7 +94,7 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const int atlas = file.add_png(encode_png(atlas_of(scene.settings.coat), true));
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}, {"material", 0}};
   const GltfJson layers = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
-  file.set_scene("skin", GltfJson::array({skin}), mesh.centre, layers);
+  file.set_scene(node_of("skin", 0, strands.place), GltfJson::array({skin}), layers);
   GltfJson material = material_of("skin", dull);
   material["occlusionTexture"] = {{"index", 0}, {"strength", 0}};
   file.set("materials", GltfJson::array({material}));

@@ -121,7 +121,7 @@ std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur) {
     attributes["_MASK"] = file.add(std::span(fur->mask));
   }
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}};
-  file.set_scene("skin", GltfJson::array({skin}), mesh.centre);
+  file.set_scene(node_of("skin", 0, mesh.centre), GltfJson::array({skin}));
   return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
 }
 

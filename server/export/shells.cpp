@@ -25,8 +25,9 @@ namespace {
 /// What all layers share, and the members of the file that grow with each.
 class ShellFile {
  public:
-  ShellFile(const SceneView& scene, const CornerMesh& shells, const VertexColours& colours, const Slices& slices)
-      : scene_(scene), shells_(shells), colours_(colours), slices_(slices) {
+  ShellFile(const SceneView& scene, const FilePlace& place, const CornerMesh& shells, const VertexColours& colours,
+            const Slices& slices)
+      : scene_(scene), place_(place), shells_(shells), colours_(colours), slices_(slices) {
     if (shells.triangles.empty()) return;  // glTF has no empty arrays
     const Mesh& mesh = scene.model.surface.mesh();
     std::vector<glm::vec3> normals;
@@ -77,7 +78,7 @@ class ShellFile {
   }
 
   Result<std::string> finish() {
-    file_.set_scene("fur", primitives_, scene_.model.surface.mesh().centre);
+    file_.set_scene(node_of("fur", 0, place_), primitives_);
     file_.set("materials", materials_);
     if (textures_.empty()) return file_.finish();
     file_.set("textures", textures_);
@@ -87,6 +88,7 @@ class ShellFile {
 
  private:
   const SceneView& scene_;
+  const FilePlace& place_;
   const CornerMesh& shells_;
   const VertexColours& colours_;
   const Slices& slices_;
@@ -111,7 +113,7 @@ Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& s
   const CornerMesh shells = make_corner_mesh(scene);
   const VertexColours colours(scene.model.surface, strands);
   const Slices slices = bake_slices(scene.settings.coat);
-  ShellFile file(scene, shells, colours, slices);
+  ShellFile file(scene, strands.place, shells, colours, slices);
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;
   const std::vector<std::string> textures = layer_textures(slices, layers);

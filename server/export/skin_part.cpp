@@ -27,6 +27,10 @@ GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& 
           {"material", material}};
 }
 
+GltfJson node_of(const std::string& name, std::size_t mesh, const FilePlace& place) {
+  return node_of(name, mesh, place.metres * place.centre, place.turn, place.metres);
+}
+
 GltfJson material_of(const std::string& name, double roughness) {
   return {{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", roughness}}}};
 }

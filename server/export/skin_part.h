@@ -18,6 +18,8 @@ GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& 
 
 inline constexpr double dull = 0.9, wet = 0.12;  // roughness of skin and eyes
 
+/// A node of a mesh that stands about the model's centre.
+GltfJson node_of(const std::string& name, std::size_t mesh, const FilePlace& place);
 /// A material without metal, in the colours of its vertices.
 GltfJson material_of(const std::string& name, double roughness);
 

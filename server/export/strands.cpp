@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "renderer/strands/grow.h"
 #include "server/frames/fur_view.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
@@ -64,6 +65,26 @@ ExportRequest needed(ExportRequest request, double expected) {
 
 }  // namespace
 
+FilePlace file_place(const Mesh& mesh, const ExportRequest& request) {
+  const double metres = request.metres_per_unit.value_or(1);
+  if (request.frame == AssetFrame::pelage) return {mesh.centre, glm::dmat3(1), metres, Axis::plus_y};
+  const glm::dmat3 turn = glm::transpose(turn_of(mesh.report.up, mesh.report.front));
+  return {turn * mesh.centre, turn, metres, mesh.report.up};
+}
+
+namespace {
+
+ExportedSkin skin_of(const Mesh& mesh, const FilePlace& place) {
+  ExportedSkin skin;
+  skin.triangles = mesh.triangles, skin.uvs = mesh.texture_uv;
+  for (const glm::vec3 position : mesh.positions)
+    skin.points.emplace_back(place.turn * glm::dvec3(position) * mesh.size);
+  for (const glm::vec3 normal : mesh.normals) skin.normals.emplace_back(place.turn * glm::dvec3(normal));
+  return skin;
+}
+
+}  // namespace
+
 std::uint64_t ExportedStrands::count() const {
   return std::accumulate(sets.begin(), sets.end(), std::uint64_t{0},
                          [](std::uint64_t sum, const StrandSet& set) { return sum + set.count(); });
@@ -88,7 +109,8 @@ Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportReque
   const Grower grower(model, fields, recipe_of(frame, model, request));
   const std::vector<StrandChunk> chunks = make_chunks(model, frame.coat, strands_each * request.every);
   ExportedStrands strands;
-  strands.centre = mesh.centre, strands.size = mesh.size;
+  strands.place = file_place(mesh, request), strands.size = mesh.size;
+  if (request.skin) strands.skin = skin_of(mesh, strands.place);
   strands.sets.resize(chunks.size());
   for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()), [&](std::uint32_t i) {
     cancel.check();

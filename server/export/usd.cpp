@@ -50,6 +50,16 @@ class Parts {
     add_text(fmt::format("] (\n            interpolation = \"{}\"\n        )\n", interpolation));
   }
 
+  /// What `print(out)` writes.
+  template <class Print>
+  void add(const Print& print) {
+    parts_.push_back([print](const Sink& sink) {
+      Buffered out(sink);
+      print(out);
+      return out.finish();
+    });
+  }
+
   std::vector<FilePart> take() { return std::move(parts_); }
 
  private:
@@ -57,7 +67,50 @@ class Parts {
   std::vector<FilePart> parts_;
 };
 
-std::string header(const ExportedStrands& strands, Revision revision) {
+/// USD knows Y and Z alone.
+bool is_z(Axis up) { return up == Axis::plus_z || up == Axis::minus_z; }
+
+/// Numbers that follow each other, between brackets.
+template <class Values, class Print>
+void print_list(Buffered& out, std::string_view declaration, const Values& values, const Print& print) {
+  out.print("        {} = [", declaration);
+  for (std::size_t i = 0; i < values.size() && out.going(); ++i) {
+    if (i > 0) out.print(", ");
+    print(values[i]);
+  }
+  out.print("]");
+}
+
+void print_skin(Buffered& out, const ExportedSkin& skin) {
+  const auto vector = [&out](glm::vec3 v) { print_vector(out, v); };
+  out.print("\n    def Mesh \"skin\"\n    {{\n        uniform token subdivisionScheme = \"none\"\n");
+  print_list(out, "int[] faceVertexCounts", skin.triangles, [&out](const glm::uvec3&) { out.print("3"); });
+  out.print("\n");
+  print_list(out, "int[] faceVertexIndices", skin.triangles,
+             [&out](const glm::uvec3& t) { out.print("{}, {}, {}", t.x, t.y, t.z); });
+  out.print("\n");
+  print_list(out, "point3f[] points", skin.points, vector);
+  out.print("\n");
+  print_list(out, "normal3f[] normals", skin.normals, vector);
+  out.print(" (\n            interpolation = \"vertex\"\n        )\n");
+  if (!skin.uvs.empty()) {
+    print_list(out, "texCoord2f[] primvars:st", skin.uvs, [&out](const std::array<glm::vec2, 3>& uv) {
+      out.print("({}, {}), ({}, {}), ({}, {})", uv[0].x, uv[0].y, uv[1].x, uv[1].y, uv[2].x, uv[2].y);
+    });
+    out.print(" (\n            interpolation = \"faceVarying\"\n        )\n");
+  }
+  out.print("    }}\n");
+}
+
+/// The curve through the points, which cubic ones reach from end to end where they are pinned.
+const char* tokens_of(CurveBasis basis) {
+  return basis == CurveBasis::linear ? "\"linear\"\n        uniform token wrap = \"nonperiodic\""
+                                     : "\"cubic\"\n        uniform token basis = \"catmullRom\"\n"
+                                       "        uniform token wrap = \"pinned\"";
+}
+
+std::string header(const ExportedStrands& strands, const UsdaForm& form) {
+  const glm::dvec3 centre = strands.place.centre;
   return fmt::format(R"(#usda 1.0
 (
     customLayerData = {{
@@ -65,8 +118,8 @@ std::string header(const ExportedStrands& strands, Revision revision) {
         int revision = {}
     }}
     defaultPrim = "groom"
-    metersPerUnit = 1
-    upAxis = "Y"
+    metersPerUnit = {}
+    upAxis = "{}"
 )
 
 def Xform "groom" (
@@ -78,10 +131,10 @@ def Xform "groom" (
 
     def BasisCurves "fur"
     {{
-        uniform token type = "linear"
-        uniform token wrap = "nonperiodic"
+        uniform token type = {}
 )",
-                     revision, strands.centre.x, strands.centre.y, strands.centre.z);
+                     form.revision, strands.place.metres, is_z(strands.place.up) ? "Z" : "Y", centre.x, centre.y,
+                     centre.z, tokens_of(form.basis));
 }
 
 std::string extent(const ExportedStrands& strands) {
@@ -89,7 +142,7 @@ std::string extent(const ExportedStrands& strands) {
   bool any = false;
   for (const StrandSet& set : strands.sets) {
     for (const StrandPoint& point : set.points) {
-      const glm::vec3 place = strands.model_offset(point), half(strands.model_width(point) / 2);
+      const glm::vec3 place = strands.file_offset(point), half(strands.model_width(point) / 2);
       low = any ? glm::min(low, place - half) : place - half;
       high = any ? glm::max(high, place + half) : place + half;
       any = true;
@@ -103,11 +156,13 @@ void add_points(const ExportedStrands& strands, Parts& parts) {
   parts.add_array("int[] curveVertexCounts", false, "",
                   [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.strands.segments + 1); });
   parts.add_array("point3f[] points", true, "", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
-    print_vector(out, strands.model_offset(set.strands.points[i]));
+    print_vector(out, strands.file_offset(set.strands.points[i]));
   });
-  parts.add_array("float[] widths", true, "vertex", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
-    out.print("{}", strands.model_width(set.strands.points[i]));
-  });
+  for (const char* name : {"float[] widths", "float[] primvars:groom_width"}) {
+    parts.add_array(name, true, "vertex", [&strands](Buffered& out, const FileSet& set, std::size_t i) {
+      out.print("{}", strands.model_width(set.strands.points[i]));
+    });
+  }
   for (const char* name : {"color3f[] primvars:displayColor", "float3[] primvars:groom_color"}) {
     parts.add_array(name, true, "vertex", [](Buffered& out, const FileSet& set, std::size_t i) {
       print_vector(out, unpack_colour(set.strands.colours[i]));
@@ -130,6 +185,10 @@ void add_groom_names(bool as_guides, Parts& parts) {
                   [](Buffered& out, const FileSet& set, std::size_t i) { out.print("{}", set.before + i); });
   parts.add_array("int[] primvars:groom_group_id", false, "uniform",
                   [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.group); });
+  parts.add_array("string[] primvars:groom_group_name", false, "uniform",
+                  [](Buffered& out, const FileSet& set, std::size_t) {
+                    out.print("{}", set.group == 0 ? "\"fur\"" : "\"whiskers\"");
+                  });
   parts.add_text(
       fmt::format("        int[] primvars:groom_guide = [{}] (\n            interpolation = \"constant\"\n        )\n",
                   as_guides ? 1 : 0));
@@ -137,14 +196,15 @@ void add_groom_names(bool as_guides, Parts& parts) {
 
 }  // namespace
 
-std::vector<FilePart> usda_parts(const std::shared_ptr<const ExportedStrands>& strands, Revision revision,
-                                 bool as_guides) {
+std::vector<FilePart> usda_parts(const std::shared_ptr<const ExportedStrands>& strands, const UsdaForm& form) {
   Parts parts(strands);
-  parts.add_text(header(*strands, revision) + extent(*strands));
+  parts.add_text(header(*strands, form) + extent(*strands));
   add_points(*strands, parts);
   add_root_uvs(*strands, parts);
-  add_groom_names(as_guides, parts);
-  parts.add_text("    }\n}\n");
+  add_groom_names(form.as_guides, parts);
+  parts.add_text("    }\n");
+  if (strands->skin) parts.add([strands](Buffered& out) { print_skin(out, *strands->skin); });
+  parts.add_text("}\n");
   return parts.take();
 }
 

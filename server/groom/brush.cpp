@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "server/groom/vertex_frame.h"
+#include "server/maps/draw_map.h"
 #include "server/surface/geodesics.h"
 
 namespace pelage {
@@ -75,8 +76,25 @@ std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surfac
   return std::optional<StandingFur>(std::in_place, surface, fields, coat);
 }
 
-BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur)
-    : brush_(brush), surface_(surface), fur_(fur) {
+DabPlane::DabPlane(const Dab& dab, const Surface& surface) : centre_(dab.centre) {
+  constexpr double least = 1e-6;
+  const glm::dvec3 normal = surface.normal(surface.nearest(dab.centre));
+  const auto in_plane = [&](glm::dvec3 v) { return v - glm::dot(v, normal) * normal; };
+  along_ = in_plane(dab.motion);
+  for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+    if (!(glm::length(along_) > least)) along_ = in_plane(up);
+  along_ = glm::normalize(along_) / dab.radius;
+  across_ = glm::cross(along_, normal);
+}
+
+glm::dvec2 DabPlane::place_on_picture(glm::dvec3 position) const {
+  const glm::dvec3 apart = position - centre_;
+  return glm::clamp(0.5 + 0.5 * glm::dvec2(glm::dot(apart, across_), glm::dot(apart, along_)), 0.0, 1.0);
+}
+
+BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur,
+                         const MapPicture* alpha)
+    : brush_(brush), surface_(surface), fur_(fur), alpha_(alpha) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
         {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfaceSample>(sample.place)});
@@ -141,6 +159,7 @@ std::vector<Dab> BrushStroke::moving_dabs() const {
 std::vector<Dab> BrushStroke::covering_dabs() const {
   std::vector<Dab> dabs = moving_dabs();
   if (!path_.empty()) dabs.insert(dabs.begin(), between(path_.front(), path_.front(), 0));
+  if (dabs.size() > 1) dabs.front().motion = dabs[1].motion;
   return dabs;
 }
 
@@ -203,12 +222,14 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
   const glm::dvec3 outwards = judge_by_normal ? surface_.normal(surface_.nearest(dab.centre)) : glm::dvec3(0);
   const double cut_off = brush_.cut_off_degrees == 90 ? 0 : std::cos(glm::radians(brush_.cut_off_degrees));
   const double strength = brush_.strength * (1 - brush_.pressure_to_strength * (1 - dab.pressure));
+  const std::optional<DabPlane> plane = alpha_ ? std::optional(DabPlane(dab, surface_)) : std::nullopt;
   for (const auto [v, distance, lift] : reached) {
     const glm::dvec3 position(mesh.positions[v]), normal(mesh.normals[v]);
     const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->position - position);
     // A tip is seen over the edge of a body, so that its root's facing counts less the higher on the strand the dab is.
     if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off - 2 * lift)) continue;
-    const double weight = strength * falloff_weight(brush_, distance);
+    double weight = strength * falloff_weight(brush_, distance);
+    if (plane) weight *= luminance_at(*alpha_, plane->place_on_picture(position));
     if (weight > 0) weights.push_back({v, weight});
   }
 }
@@ -233,7 +254,7 @@ namespace {
 std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface,
                                   const FieldSet& fields, const ToolExtras& extras) {
   const std::optional<StandingFur> fur = fur_reached(brush, surface, fields, extras.coat);
-  const BrushStroke painted(stroke, brush, surface, fur ? &*fur : nullptr);
+  const BrushStroke painted(stroke, brush, surface, fur ? &*fur : nullptr, extras.alpha);
   std::unordered_map<std::uint32_t, double> largest;
   std::vector<VertexWeight> weights;
   for (const Dab& dab : painted.covering_dabs()) {

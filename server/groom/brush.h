@@ -35,10 +35,21 @@ inline std::optional<double> internal_length(std::optional<double> value, Units 
 /// One print of the brush, in internal coordinates.
 struct Dab {
   glm::dvec3 centre{0};
-  glm::dvec3 motion{0};  // from the dab before; unit, or 0 where the brush stood still
+  glm::dvec3 motion{0};  // from the dab before, of the first one to the next; unit, or 0 where the brush stood still
   double step = 0;       // arc length that it stands for, in radii
   double pressure = 1;
   double radius = 0;  // sizes
+};
+
+/// Where a dab lies on the skin, for the picture that it prints.
+class DabPlane {
+ public:
+  DabPlane(const Dab& dab, const Surface& surface);
+  /// A place near the dab as one on its picture, [0, 1].
+  glm::dvec2 place_on_picture(glm::dvec3 position) const;
+
+ private:
+  glm::dvec3 centre_, along_, across_;  // the axes are one over the radius long
 };
 
 /// What one dab does to one vertex: strength x falloff x pressure, in [0, 1]. The mask is not in it.
@@ -51,8 +62,10 @@ struct VertexWeight {
 /// sampling rate nor the parts that it came in matter. The path between two samples on the surface follows the surface.
 class BrushStroke {
  public:
-  /// `fur` is what a brush reaches that does not reach for skin; it outlives the stroke.
-  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur = nullptr);
+  /// `fur` is what a brush reaches that does not reach for skin, `alpha` the picture that the brush names; both outlive
+  /// the stroke.
+  BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur = nullptr,
+              const MapPicture* alpha = nullptr);
 
   /// Dabs of a brush that moves; none for a stroke without length or a brush of radius 0.
   std::vector<Dab> moving_dabs() const;
@@ -91,6 +104,7 @@ class BrushStroke {
   Brush brush_;
   const Surface& surface_;
   const StandingFur* fur_;
+  const MapPicture* alpha_;
   std::vector<Node> path_;
   std::optional<PlacedCamera> camera_;  // of the stroke's view: front faces are judged from its position
   int view_height_ = 1;                 // pixels

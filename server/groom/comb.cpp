@@ -37,7 +37,7 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
 void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                  FieldDelta& delta) {
   const std::optional<StandingFur> fur = fur_reached(command.brush, surface, fields, extras.coat);
-  const BrushStroke stroke(*command.stroke, command.brush, surface, fur ? &*fur : nullptr);
+  const BrushStroke stroke(*command.stroke, command.brush, surface, fur ? &*fur : nullptr, extras.alpha);
   WorkingField directions(fields, Field::direction);
   std::vector<VertexWeight> weights;
   for (const Dab& dab : stroke.moving_dabs()) {

@@ -26,6 +26,7 @@ struct ToolExtras {
   const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
   const Surface* source = nullptr;      // retarget: the surface of `baseline`; required
   const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
+  const MapPicture* alpha = nullptr;    // of a brush that has one: required
   Cancel cancel = {};                   // asked between dabs, passes and images
 };
 

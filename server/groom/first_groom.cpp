@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "server/groom/fur_flow.h"
+#include "server/surface/materials.h"
 
 namespace pelage {
 
@@ -77,6 +78,7 @@ FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& canc
   FieldSet fields(mesh.positions.size());
   const AnimalLengths animal(mesh);
   const EdgeLimits edges(mesh);
+  const std::vector<bool> bare = bare_vertices(mesh);
   const std::vector<glm::dvec2> flow = fur_flow(mesh, cancel);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
@@ -86,6 +88,7 @@ FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& canc
     double scale = mesh.length_scale.empty() ? 1.0 : double{mesh.length_scale[v]};
     if (fur.form == GroomForm::animal) scale *= animal.at(glm::dvec3(mesh.positions[v]), normal);
     fields.set(v, stored_groom(inclination * heading, fur.length * scale, 0));
+    if (bare[v]) fields.set(Field::bare, v, glm::vec4(1, 0, 0, 0));
   }
   return fields;
 }

@@ -63,6 +63,16 @@ struct Chosen {
     }
     return chosen;
   }
+  Values operator()(const MaskMaterial& named) const {
+    const Mesh& mesh = surface.mesh();
+    Values chosen = none();
+    for (std::size_t t = 0; t < mesh.materials.size(); ++t) {
+      const std::uint16_t material = mesh.materials[t];
+      if (material == no_material || mesh.report.materials[material].name != named.name) continue;
+      for (int k = 0; k < 3; ++k) chosen[mesh.triangles[t][k]] = 1;
+    }
+    return chosen;
+  }
   Values operator()(const MaskPicture& named) const {
     assert(picture != nullptr);
     return read_channel(surface.mesh(), *picture, named.channel);

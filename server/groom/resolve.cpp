@@ -212,6 +212,7 @@ struct CheckTool {
     if (std::holds_alternative<MaskPicture>(command.shape)) {
       if (Status none = has_uvs("/picture/name"); !none.ok()) return none;
     }
+    if (const auto* material = std::get_if<MaskMaterial>(&command.shape)) return has_material(material->name);
     if (const auto* list = std::get_if<MaskVertices>(&command.shape)) {
       for (std::size_t k = 0; k < list->vertices.size(); ++k) {
         if (list->vertices[k] < mesh.positions.size()) continue;
@@ -291,6 +292,15 @@ struct CheckTool {
     if (has_own_uvs(mesh)) return {};
     return failure(Code::invalid, "the model has no texture coordinates to read a picture by", std::move(pointer),
                    "a model with texture coordinates; docs/models.md says which have some");
+  }
+  Status has_material(const std::string& name) const {
+    const std::vector<MaterialReport>& materials = mesh.report.materials;
+    const auto has_name = [&](const MaterialReport& material) { return material.name == name; };
+    if (std::any_of(materials.begin(), materials.end(), has_name)) return {};
+    std::string known;
+    for (const MaterialReport& material : materials) known += (known.empty() ? "" : " | ") + material.name;
+    return failure(Code::invalid, "The model has no material of that name.", "/material/name",
+                   known.empty() ? "a model whose file names materials" : known);
   }
   template <Unplaced Other>
   Status operator()(const Other&) const {

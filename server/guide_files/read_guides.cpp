@@ -20,21 +20,20 @@ Status check(const std::vector<GuideCurve>& curves) {
   return {};
 }
 
-Result<std::vector<GuideCurve>> read(GuideFormat format, std::string_view bytes) {
-  switch (format) {
-    case GuideFormat::usda: return read_usda_curves(bytes);
-    case GuideFormat::hair: return read_hair_curves(bytes);
-    default: return read_json_curves(bytes);
-  }
+Result<GuideFile> read(GuideFormat format, std::string_view bytes) {
+  if (format == GuideFormat::usda) return read_usda_curves(bytes);
+  Result<std::vector<GuideCurve>> curves =
+      format == GuideFormat::hair ? read_hair_curves(bytes) : read_json_curves(bytes);
+  return curves ? Result<GuideFile>(GuideFile{std::move(*curves)}) : curves.status();
 }
 
 }  // namespace
 
-Result<std::vector<GuideCurve>> read_guides(GuideFormat format, std::string_view bytes) {
-  Result<std::vector<GuideCurve>> curves = read(format, bytes);
-  if (!curves) return curves;
-  if (Status status = check(*curves); !status.ok()) return status;
-  return curves;
+Result<GuideFile> read_guides(GuideFormat format, std::string_view bytes) {
+  Result<GuideFile> file = read(format, bytes);
+  if (!file) return file;
+  if (Status status = check(file->curves); !status.ok()) return status;
+  return file;
 }
 
 }  // namespace pelage

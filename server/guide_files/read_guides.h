@@ -12,13 +12,13 @@
 
 namespace pelage {
 
-/// The curves of a file, in its coordinates, each of at least two points, root first. Refused (invalid), saying where:
+/// What a file holds. Refused (invalid), saying where:
 /// what is cut off or is no such file, a number that is not finite, a curve of one point, and a file without curves.
 /// `usda`: all BasisCurves of USD as text, where their Xforms put them; control points of cubic ones count as points.
 /// `hair`: HAIR (cyHair). `json`: {"curves": [[[x, y, z], ...], ...]}.
-Result<std::vector<GuideCurve>> read_guides(GuideFormat format, std::string_view bytes);
+Result<GuideFile> read_guides(GuideFormat format, std::string_view bytes);
 
-Result<std::vector<GuideCurve>> read_usda_curves(std::string_view text);
+Result<GuideFile> read_usda_curves(std::string_view text);
 Result<std::vector<GuideCurve>> read_hair_curves(std::string_view bytes);
 Result<std::vector<GuideCurve>> read_json_curves(std::string_view text);
 

@@ -65,14 +65,52 @@ class UsdaReader {
  public:
   explicit UsdaReader(std::string_view text) : tokens_(text) {}
 
-  Result<std::vector<GuideCurve>> read() {
-    if (tokens_.peek().is('(')) tokens_.take(), tokens_.skip_group();
+  Result<GuideFile> read() {
+    if (tokens_.peek().is('('))
+      if (Status status = read_metadata(); !status.ok()) return status;
     Prim root;
     if (Status status = read_body(root, 0); !status.ok()) return status;
-    return std::move(curves_);
+    file_.curves = std::move(curves_);
+    return std::move(file_);
   }
 
  private:
+  /// What the file says of its axes and unit.
+  Status read_metadata() {
+    tokens_.take();
+    std::string name;
+    for (UsdaToken token = tokens_.take(); !token.is(')'); token = tokens_.take()) {
+      if (token.kind == UsdaToken::Kind::end) return broken_guides("it is cut off.");
+      if (token.kind == UsdaToken::Kind::word) name = token.text;
+      if (!token.is('=')) continue;
+      Status status;
+      if (name == "upAxis")
+        status = read_up();
+      else if (name == "metersPerUnit")
+        status = read_metres();
+      else
+        tokens_.skip_value();
+      if (!status.ok()) return status;
+    }
+    return {};
+  }
+
+  Status read_up() {
+    const std::string_view axis = tokens_.take().text;
+    if (axis != "Y" && axis != "Z") return broken_guides("its upAxis is neither Y nor Z.");
+    file_.up = axis == "Z" ? Axis::plus_z : Axis::plus_y;
+    return {};
+  }
+
+  Status read_metres() {
+    std::vector<double> numbers;
+    if (Status status = read_numbers(numbers); !status.ok()) return status;
+    if (numbers.size() != 1 || !(numbers[0] > 0) || !std::isfinite(numbers[0]))
+      return broken_guides("its metersPerUnit is not above 0.");
+    file_.metres = numbers[0];
+    return {};
+  }
+
   /// What stands in a prim, its closing mark with it.
   Status read_body(Prim& prim, int depth) {
     if (depth > deepest) return broken_guides("its prims lie too deep.");
@@ -186,12 +224,13 @@ class UsdaReader {
   }
 
   UsdaTokens tokens_;
+  GuideFile file_;
   std::vector<GuideCurve> curves_;
 };
 
 }  // namespace
 
-Result<std::vector<GuideCurve>> read_usda_curves(std::string_view text) {
+Result<GuideFile> read_usda_curves(std::string_view text) {
   if (!text.starts_with("#usda")) return broken_guides("it does not begin with #usda; usdcat writes USD as text.");
   return UsdaReader(text).read();
 }

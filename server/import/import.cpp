@@ -132,8 +132,8 @@ Result<MapPicture> import_map(const std::string& worker, std::span<const std::by
   return decode_map_picture(std::as_bytes(std::span(*answer)));
 }
 
-Result<std::vector<GuideCurve>> import_guides(const std::string& worker, GuideFormat format,
-                                              std::span<const std::byte> bytes, const ImportLimits& limits) {
+Result<GuideFile> import_guides(const std::string& worker, GuideFormat format, std::span<const std::byte> bytes,
+                                const ImportLimits& limits) {
   const char* job = worker_guide_names[static_cast<std::size_t>(format)];
   const Result<std::string> answer = whole_answer(worker, job, "file", bytes, limits);
   if (!answer.ok()) return answer.status();

@@ -72,9 +72,9 @@ Result<SphericalHarmonics> import_environment(const std::string& worker, std::sp
 Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits = {});
 
-/// The same for a file of guide curves: each of at least two points, root first, in the file's coordinates.
-Result<std::vector<GuideCurve>> import_guides(const std::string& worker, GuideFormat format,
-                                              std::span<const std::byte> bytes, const ImportLimits& limits = {});
+/// The same for a file of guide curves.
+Result<GuideFile> import_guides(const std::string& worker, GuideFormat format, std::span<const std::byte> bytes,
+                                const ImportLimits& limits = {});
 
 /// The same for an exported scene (.pelage): its rows as they come. Also ends where `take` refuses them, as that does.
 using TakeRows = std::function<Status(std::string_view bytes)>;
@@ -89,8 +89,8 @@ Result<RawModel> decode_raw_model(std::span<const std::byte> bytes);
 /// limits::picture_pixels, curves of one point or with numbers that are not finite, and bytes that do not fit them.
 std::string encode_harmonics(const SphericalHarmonics& harmonics);
 Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> bytes);
-std::string encode_guides(const std::vector<GuideCurve>& curves);
-Result<std::vector<GuideCurve>> decode_guides(std::span<const std::byte> bytes);
+std::string encode_guides(const GuideFile& file);
+Result<GuideFile> decode_guides(std::span<const std::byte> bytes);
 std::string encode_raw_image(const RawImage& image);
 Result<RawImage> decode_raw_image(std::span<const std::byte> bytes);
 

@@ -12,8 +12,17 @@ namespace pelage {
 
 namespace {
 
-// "PELRAW2"; "PELRAW1" of journals from before notes were kept has the same but those.
-constexpr std::uint64_t raw_signature = 0x32'57'41'52'4c'45'50ULL, without_notes = 0x31'57'41'52'4c'45'50ULL;
+// "PELRAW3"; journals from before materials had names have "PELRAW2", and those from before notes were kept "PELRAW1",
+// which are the same but for that.
+constexpr std::uint64_t raw_signature = 0x33'57'41'52'4c'45'50ULL, without_names = 0x32'57'41'52'4c'45'50ULL,
+                        without_notes = 0x31'57'41'52'4c'45'50ULL;
+
+/// A material but for its name.
+struct StoredMaterial {
+  glm::vec3 base_colour{1};
+  std::int32_t image = -1;
+};
+static_assert(sizeof(StoredMaterial) == 16);
 
 class Writer {
  public:
@@ -128,7 +137,12 @@ void read_notes(Reader& in, RawModel& model) {
   }
 }
 
-RawModel read_model(Reader& in, bool has_notes) {
+/// What a journal's model holds beside what all hold.
+struct Beside {
+  bool notes = true, names = true;
+};
+
+RawModel read_model(Reader& in, Beside beside) {
   RawModel model;
   model.is_32_bit = in.value<std::uint8_t>() != 0;
   model.positions = in.array<glm::dvec3>();
@@ -137,7 +151,8 @@ RawModel read_model(Reader& in, bool has_notes) {
   model.corner_uv = in.array<glm::dvec2>();
   model.corner_colour = in.array<glm::vec4>();
   model.face_material = in.array<std::uint16_t>();
-  model.materials = in.array<RawMaterial>();
+  for (const StoredMaterial& material : in.array<StoredMaterial>())
+    model.materials.push_back({material.base_colour, material.image});
   model.length_scale = in.array<float>();
   const std::uint64_t images = in.value<std::uint64_t>();
   for (std::uint64_t i = 0; i < images && in.ok(); ++i) {
@@ -147,7 +162,10 @@ RawModel read_model(Reader& in, bool has_notes) {
     image.rgba = in.array<std::uint8_t>();
     model.images.push_back(std::move(image));
   }
-  if (has_notes) read_notes(in, model);
+  if (beside.notes) read_notes(in, model);
+  if (!beside.names) return model;
+  const std::vector<std::string> names = read_texts(in);
+  for (std::size_t i = 0; i < std::min(names.size(), model.materials.size()); ++i) model.materials[i].name = names[i];
   return model;
 }
 
@@ -200,7 +218,13 @@ std::string encode_raw_model(const RawModel& model) {
   out.array(model.corner_uv);
   out.array(model.corner_colour);
   out.array(model.face_material);
-  out.array(model.materials);
+  std::vector<StoredMaterial> materials;
+  std::vector<std::string> names;
+  for (const RawMaterial& material : model.materials) {
+    materials.push_back({material.base_colour, material.image});
+    names.push_back(material.name);
+  }
+  out.array(materials);
   out.array(model.length_scale);
   out.value(static_cast<std::uint64_t>(model.images.size()));
   for (const RawImage& image : model.images) {
@@ -209,15 +233,16 @@ std::string encode_raw_model(const RawModel& model) {
     out.array(image.rgba);
   }
   write_notes(out, model);
+  write_texts(out, names);
   return out.take();
 }
 
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   Reader in(bytes);
   const auto signature = in.value<std::uint64_t>();
-  if (signature != raw_signature && signature != without_notes)
+  if (signature != raw_signature && signature != without_names && signature != without_notes)
     return failure(Code::invalid, "The bytes are no raw model.");
-  RawModel model = read_model(in, signature == raw_signature);
+  RawModel model = read_model(in, {signature != without_notes, signature == raw_signature});
   if (!in.at_end()) return failure(Code::invalid, "The raw model is cut off, or counts more than it holds.");
   if (!counts_agree(model)) return failure(Code::invalid, "The counts of the raw model do not agree.");
   if (!indices_are_in_range(model)) return failure(Code::invalid, "An index of the raw model is out of range.");
@@ -225,25 +250,33 @@ Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   return model;
 }
 
-// Guide curves: their number, then of each the number of its points and these. Native byte order.
+// Guide curves: up and unit (-1 and 0 where the file does not say), their number, then of each the number of its points
+// and these. Native byte order.
 
-std::string encode_guides(const std::vector<GuideCurve>& curves) {
+std::string encode_guides(const GuideFile& file) {
   Writer out;
-  out.value(static_cast<std::uint64_t>(curves.size()));
-  for (const GuideCurve& curve : curves) out.array(curve);
+  out.value(static_cast<std::int8_t>(file.up ? static_cast<int>(*file.up) : -1));
+  out.value(file.metres.value_or(0));
+  out.value(static_cast<std::uint64_t>(file.curves.size()));
+  for (const GuideCurve& curve : file.curves) out.array(curve);
   return out.take();
 }
 
-Result<std::vector<GuideCurve>> decode_guides(std::span<const std::byte> bytes) {
+Result<GuideFile> decode_guides(std::span<const std::byte> bytes) {
   const Status misfit = failure(Code::invalid, "The bytes are no guide curves.");
   Reader in(bytes);
-  std::vector<GuideCurve> curves;
+  GuideFile file;
+  file.up = read_axis(in);
+  const auto metres = in.value<double>();
+  if (!(metres >= 0) || !std::isfinite(metres)) return misfit;
+  if (metres > 0) file.metres = metres;
+  std::vector<GuideCurve>& curves = file.curves;
   const auto count = in.value<std::uint64_t>();
   for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
     const GuideCurve& curve = curves.emplace_back(in.array<glm::dvec3>());
     if (curve.size() < 2 || !std::all_of(curve.begin(), curve.end(), is_finite)) return misfit;
   }
-  return in.at_end() ? Result<std::vector<GuideCurve>>(std::move(curves)) : misfit;
+  return in.at_end() ? Result<GuideFile>(std::move(file)) : misfit;
 }
 
 // The worker's answers for pictures: nine vectors of doubles, or width, height and bytes. Native byte order.

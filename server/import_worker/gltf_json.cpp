@@ -46,7 +46,7 @@ std::string printable(std::string word) {
   word.resize(std::min<std::size_t>(word.size(), 200));
   std::replace_if(
       word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return word;
+  return json::parse(json(word).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
 
 std::string name_of(const json& items, std::int64_t number, const char* kind) {

@@ -40,9 +40,9 @@ Result<std::string> read_backplate(std::string&& bytes, const std::string&) {
 
 template <GuideFormat format>
 Result<std::string> read_curves(std::string&& bytes, const std::string&) {
-  const Result<std::vector<GuideCurve>> curves = read_guides(format, bytes);
-  if (!curves.ok()) return curves.status();
-  return encode_guides(*curves);
+  const Result<GuideFile> file = read_guides(format, bytes);
+  if (!file.ok()) return file.status();
+  return encode_guides(*file);
 }
 
 Result<std::string> read_saved(std::string&& bytes, const std::string&) { return read_saved_scene(std::move(bytes)); }

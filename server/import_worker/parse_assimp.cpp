@@ -39,6 +39,15 @@ bool find_texture(const aiMaterial& material, Texture& texture) {
   return false;
 }
 
+/// "" where the file gives it none, for which assimp has names of its own.
+std::string name_of(const aiMaterial& material) {
+  aiString name;
+  material.Get(AI_MATKEY_NAME, name);
+  const std::string_view text = name.C_Str();
+  const bool made_up = text.starts_with("%%%") || text == AI_DEFAULT_MATERIAL_NAME;
+  return made_up ? std::string() : gltf::printable(std::string(text));
+}
+
 /// glTF has linear factors; 3DS has colours as they were on the screen.
 glm::vec3 base_colour(const aiMaterial& material, ModelFormat format) {
   aiColor4D colour(1, 1, 1, 1);
@@ -64,6 +73,7 @@ Result<MaterialReader::Entry> MaterialReader::read(unsigned index) {
     const aiMaterial& source = *scene_.mMaterials[index];
     Texture texture;
     material.base_colour = base_colour(source, format_);
+    material.name = name_of(source);
     if (find_texture(source, texture)) {
       material.image = read_image(texture.path.C_Str());
       entry.uv_channel = texture.uv_channel;

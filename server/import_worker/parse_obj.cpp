@@ -12,6 +12,7 @@
 #include <streambuf>
 
 #include "server/import_worker/bundle.h"
+#include "server/import_worker/gltf_json.h"
 #include "server/import_worker/parse.h"
 #include "server/import_worker/read_picture.h"
 
@@ -108,7 +109,7 @@ class Materials {
  private:
   /// A picture under black counts as under white: many programs write black when there is a picture.
   RawMaterial made(const std::string& name) {
-    RawMaterial material;
+    RawMaterial material{.name = gltf::printable(name)};
     const auto found = known_.find(name);
     if (found == known_.end()) {
       if (!name.empty()) model_.lose("missing_materials", name);

@@ -48,6 +48,9 @@ struct MapTargets {
 MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale,
                     int tile = 0);
 
+/// How bright the picture is, [0, 1], at a place in [0, 1], v up: Rec. 709's weights of the file's own numbers.
+double luminance_at(const MapPicture& picture, glm::dvec2 place);
+
 /// One channel of the picture at every vertex, the file's own numbers held in [0, 1].
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel);
 

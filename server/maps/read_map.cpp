@@ -137,6 +137,11 @@ MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, Ma
   return targets;
 }
 
+double luminance_at(const MapPicture& picture, glm::dvec2 place) {
+  const auto colour = [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); };
+  return std::clamp(luminance(glm::dvec3(mixed(picture, place, colour))), 0.0, 1.0);
+}
+
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel) {
   const UvCorners uvs = make_uv_corners(mesh);
   const auto number = [&](glm::dvec4 rgba) {

@@ -231,13 +231,17 @@ std::vector<std::array<Corner, 3>> corners_of(const std::vector<std::array<Corne
 Mesh subdivide_mesh(const Mesh& mesh, const Middles& middles, const std::vector<ChildTriangle>& children) {
   Mesh subdivided = mesh;
   for (const glm::uvec2 parents : middles.parents) add_vertex(mesh, parents, subdivided);
-  subdivided.triangles.clear();
+  subdivided.triangles.clear(), subdivided.materials.clear();
+  for (MaterialReport& material : subdivided.report.materials) material.triangles = 0;
   subdivided.triangles.reserve(children.size());
   for (const ChildTriangle& child : children) {
     const auto at = [&](std::size_t c) {
       return c < 3 ? mesh.triangles[child.parent][static_cast<int>(c)] : middles.of[child.parent][c - 3];
     };
     subdivided.triangles.emplace_back(at(child.corners[0]), at(child.corners[1]), at(child.corners[2]));
+    if (mesh.materials.empty()) continue;
+    const std::uint16_t material = subdivided.materials.emplace_back(mesh.materials[child.parent]);
+    if (material != no_material) ++subdivided.report.materials[material].triangles;
   }
   subdivided.shading_normals = corners_of(mesh.shading_normals, children);
   subdivided.corners = corners_of(mesh.corners, children);

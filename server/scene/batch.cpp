@@ -91,7 +91,8 @@ Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& f
     fields.apply(all.delta);
     return all;
   }
-  const ToolExtras extras{settings.coat, step.baseline.get(), step.source.get(), step.picture.get(), cancel};
+  const ToolExtras extras{settings.coat,           step.baseline.get(),       step.source.get(),
+                          step.pictures.own.get(), step.pictures.alpha.get(), cancel};
   const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
   if (erases_edit_layer(images.front()))
     all.delta = erase_all_images(images, surface, fields, settings, extras);

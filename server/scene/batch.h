@@ -10,7 +10,7 @@
 #include "server/fields/field_set.h"
 #include "server/groom/cancel.h"
 #include "server/history/history.h"
-#include "server/import/map_picture.h"
+#include "server/scene/map_pictures.h"
 #include "server/surface/surface.h"
 
 namespace pelage {
@@ -28,9 +28,9 @@ struct Outcome {
 /// A resolved command, and what it reads beside the scene's fields.
 struct Step {
   Command command;
-  std::shared_ptr<const FieldSet> baseline;             // of erase: what it goes back to; of retarget: what it takes
-  std::shared_ptr<const Surface> source = nullptr;      // of retarget: where that lies
-  std::shared_ptr<const MapPicture> picture = nullptr;  // of map, and of a mask by a picture
+  std::shared_ptr<const FieldSet> baseline;         // of erase: what it goes back to; of retarget: what it takes
+  std::shared_ptr<const Surface> source = nullptr;  // of retarget: where that lies
+  ReadPictures pictures = {};
 };
 
 /// Extends the pointer of a refusal in a batch, so that it says which command the refusal is about.

@@ -5,6 +5,8 @@
 #include "base/limits.h"
 #include "server/groom/evaluation_cost.h"
 #include "server/guides/guide_keys.h"
+#include "server/scene/model.h"
+#include "server/surface/prepare.h"
 
 namespace pelage {
 
@@ -29,14 +31,41 @@ void warn(CommandAnswer& answer, std::size_t curves, std::size_t far, std::size_
     warnings.push_back(fmt::format("{} of {} curves are used, evenly by their order", used, curves - far));
 }
 
+bool is_z(Axis axis) { return axis == Axis::plus_z || axis == Axis::minus_z; }
+bool is_y(Axis axis) { return axis == Axis::plus_y || axis == Axis::minus_y; }
+
+/// Leads from a file with Y or Z up to axes with the other one up; nothing is turned to X.
+glm::dmat3 stood_up(Axis from, Axis to) {
+  const glm::dmat3 z_to_y(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
+  if (is_z(from) && is_y(to)) return z_to_y;
+  return is_y(from) && is_z(to) ? glm::transpose(z_to_y) : glm::dmat3(1);
+}
+
+/// The curves in the scene's own coordinates.
+std::vector<GuideCurve> in_scene(const GuideFile& file, const GuideUpload& upload, const SceneModel& model) {
+  const ModelReport& report = model.surface.mesh().report;
+  const bool as_source = upload.format != GuideFormat::json;
+  const bool source = upload.frame.value_or(as_source ? AssetFrame::source : AssetFrame::pelage) == AssetFrame::source;
+  const Axis up = source ? report.up : Axis::plus_y;
+  const std::optional<double> metres = upload.metres_per_unit ? upload.metres_per_unit : metres_of(model.name);
+  const double scale = file.metres && metres ? *file.metres / *metres : 1;
+  const glm::dmat3 turn =
+      scale * (source ? turn_of(report.up, report.front) : glm::dmat3(1)) * stood_up(file.up.value_or(up), up);
+  std::vector<GuideCurve> curves = file.curves;
+  for (GuideCurve& curve : curves)
+    for (glm::dvec3& point : curve) point = turn * point;
+  return curves;
+}
+
 }  // namespace
 
-Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, const std::vector<GuideCurve>& curves,
+Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, const GuideFile& file,
                                     const ExecuteOptions& options) {
   Interpolate command;
   command.strength = upload.strength;
   const SnapshotPtr now = scene.snapshot();
   const Surface& surface = now->model->surface;
+  const std::vector<GuideCurve> curves = in_scene(file, upload, *now->model);
   GuideKeys found = keys_of(curves, surface, now->settings->coat);
   command.keys = std::move(found.keys);
   thin(command, static_cast<std::size_t>(upload.keys), now->settings->symmetry, surface);

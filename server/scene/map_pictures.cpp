@@ -9,6 +9,7 @@
 #include "renderer/image/image.h"
 #include "renderer/image/npy.h"
 #include "renderer/picture_files/picture_files.h"
+#include "server/groom/brush.h"
 #include "server/maps/draw_map.h"
 #include "server/patches/patches.h"
 #include "server/scene/digest.h"
@@ -30,6 +31,11 @@ NamedPicture picture_of(const Command& command) {
   return shape ? NamedPicture{shape->name, "/picture/name"} : NamedPicture{};
 }
 
+NamedPicture alpha_of(const Command& command) {
+  const Brush* brush = brush_of(command);
+  return brush ? NamedPicture{brush->alpha, "/brush/alpha"} : NamedPicture{};
+}
+
 Status unknown_picture(std::string pointer) {
   return failure(Code::invalid, "there is no such picture here; upload it first", std::move(pointer));
 }
@@ -39,13 +45,14 @@ Status unknown_picture(std::string pointer) {
 std::vector<std::string> pictures_read_by(const std::vector<Command>& commands) {
   std::vector<std::string> names;
   for (const Command& command : commands) {
-    const std::string name = picture_of(command).name;
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    for (const std::string& name : {picture_of(command).name, alpha_of(command).name})
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
 }
 
 Result<std::shared_ptr<const MapPicture>> BatchPictures::read(const std::string& name, const char* pointer) {
+  if (name.empty()) return std::shared_ptr<const MapPicture>();
   if (const auto found = known_.find(name); found != known_.end()) return found->second;
   if (!journal_.has_picture(name)) return unknown_picture(pointer);
   if (known_.size() == max)
@@ -74,14 +81,15 @@ Status check_fit(const ApplyMap& map, const MapPicture& picture, std::size_t ver
 
 }  // namespace
 
-Result<std::shared_ptr<const MapPicture>> BatchPictures::find(const Command& command, std::size_t vertices) {
-  const NamedPicture named = picture_of(command);
-  if (named.name.empty()) return std::shared_ptr<const MapPicture>();
-  auto picture = read(named.name, named.pointer);
-  const auto* map = std::get_if<ApplyMap>(&command);
-  if (!picture || map == nullptr) return picture;
-  if (Status unfit = check_fit(*map, **picture, vertices); !unfit.ok()) return unfit;
-  return picture;
+Result<ReadPictures> BatchPictures::find(const Command& command, std::size_t vertices) {
+  const NamedPicture named = picture_of(command), alpha = alpha_of(command);
+  auto own = read(named.name, named.pointer);
+  if (!own) return own.status();
+  auto of_brush = read(alpha.name, alpha.pointer);
+  if (!of_brush) return of_brush.status();
+  if (const auto* map = std::get_if<ApplyMap>(&command))
+    if (Status unfit = check_fit(*map, **own, vertices); !unfit.ok()) return unfit;
+  return ReadPictures{std::move(*own), std::move(*of_brush)};
 }
 
 Status check_skin_texture(const std::string& name, const Journal& journal) {

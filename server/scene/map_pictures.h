@@ -18,6 +18,12 @@ namespace pelage {
 /// The names of the pictures that the commands read, each once.
 std::vector<std::string> pictures_read_by(const std::vector<Command>& commands);
 
+/// What a command reads; null for none.
+struct ReadPictures {
+  std::shared_ptr<const MapPicture> own;    // of map, and of a mask by a picture
+  std::shared_ptr<const MapPicture> alpha;  // of its brush
+};
+
 /// The pictures that the commands of a batch read, each once in memory.
 class BatchPictures {
  public:
@@ -25,10 +31,10 @@ class BatchPictures {
 
   explicit BatchPictures(const Journal& journal) : journal_(journal) {}
 
-  /// The picture that the command reads; null where it reads none. Refused (invalid) when the journal has none of that
+  /// The pictures that the command reads. Refused (invalid) when the journal has none of that
   /// name, when the batch reads too many, when vectors are to be read from a picture that holds no floats, and when a
   /// list of vertices is not as long as the mesh has `vertices`.
-  Result<std::shared_ptr<const MapPicture>> find(const Command& command, std::size_t vertices);
+  Result<ReadPictures> find(const Command& command, std::size_t vertices);
 
  private:
   Result<std::shared_ptr<const MapPicture>> read(const std::string& name, const char* pointer);

@@ -48,6 +48,10 @@ bool is_built_in(const std::string& name) {
 
 }  // namespace
 
+std::optional<double> metres_of(const std::string& name) {
+  return name == "gltf" || name == "glb" ? std::optional(1.0) : std::nullopt;
+}
+
 Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how) {
   Result<PreparedMesh> prepared = prepare_with_sources(raw, how.prepare);
   if (!prepared) return prepared.status();

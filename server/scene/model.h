@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "base/status.h"
 #include "protocol/commands/scene.h"
@@ -37,6 +39,10 @@ std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel&
 
 /// Lays a model and splits its triangles. Fails as both do.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
+
+/// Returns how many metres the unit of a model's file is, by the format that SceneModel::name says; none where the
+/// format does not say it.
+std::optional<double> metres_of(const std::string& name);
 
 // A scene's model and fields on finer triangles.
 

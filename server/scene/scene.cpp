@@ -213,9 +213,9 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   Result<Step> step =
       retarget ? with_source(*retarget, past.options.sources) : with_baseline(std::move(*resolved), past);
   if (!step) return step;
-  auto picture = past.pictures.find(step->command, present_->model->surface.mesh().positions.size());
-  if (!picture) return picture.status();
-  step->picture = std::move(*picture);
+  auto pictures = past.pictures.find(step->command, present_->model->surface.mesh().positions.size());
+  if (!pictures) return pictures.status();
+  step->pictures = std::move(*pictures);
   return step;
 }
 
@@ -316,6 +316,7 @@ SceneSummary Scene::summary() const {
           model.name,
           model.mesh_id,
           json_names::word_of(json_names::fur_patches, model.fur_patches),
+          metres_of(model.name),
           model.surface.mesh().report,
           present_->fields->hash(),
           history_.undo_steps(),

@@ -368,10 +368,9 @@ Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<cons
 
 Result<CommandAnswer> SceneStore::load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
                                               const ExecuteOptions& execute) {
-  const Result<std::vector<GuideCurve>> curves =
-      import_guides(impl_->worker, upload.format, bytes, ended_by(execute.cancel));
-  if (!curves) return curves.status();
-  return follow_guides(scene, upload, *curves, execute);
+  const Result<GuideFile> file = import_guides(impl_->worker, upload.format, bytes, ended_by(execute.cancel));
+  if (!file) return file.status();
+  return follow_guides(scene, upload, *file, execute);
 }
 
 Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage& picture,

@@ -24,6 +24,7 @@ struct RawImage {
 struct RawMaterial {
   glm::vec3 base_colour{1};  // linear; multiplies the image and the vertex colours
   int image = -1;            // index in RawModel::images, -1 for none
+  std::string name = {};     // that the file gives it; "" for none
 };
 
 /// In RawModel::corners: a vertex that the file does not have.
@@ -62,6 +63,9 @@ struct LookCorner {
   std::int32_t image = -1;  // index in Mesh::images
 };
 
+/// In Mesh::materials: one that the report does not name.
+inline constexpr std::uint16_t no_material = 0xffff;
+
 /// All per-vertex arrays have positions.size() entries; all per-triangle arrays triangles.size().
 /// Triangles are wound counter-clockwise seen from outside and hold three different vertices.
 struct Mesh {
@@ -73,9 +77,10 @@ struct Mesh {
   std::vector<std::array<LookCorner, 3>> corners;         // empty when the model has no colours of its own
   std::vector<std::array<glm::vec2, 3>> texture_uv;       // the file's own, v up, (0, 0) where bad; empty: none
   std::vector<RawImage> images;
-  std::vector<float> length_scale;  // for each vertex: the first groom's length over the asked one, (0, 4]
-  glm::dvec3 centre{0};             // of the box, model coordinates
-  double size = 1;                  // diagonal of the box, model's unit, > 0
+  std::vector<std::uint16_t> materials;  // of each triangle: index in report.materials, or no_material; empty: all none
+  std::vector<float> length_scale;       // for each vertex: the first groom's length over the asked one, (0, 4]
+  glm::dvec3 centre{0};                  // of the box, model coordinates
+  double size = 1;                       // diagonal of the box, model's unit, > 0
   ModelReport report;
 
   glm::dvec3 to_internal(glm::dvec3 model) const { return (model - centre) / size; }

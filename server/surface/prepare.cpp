@@ -7,6 +7,7 @@
 
 #include "base/limits.h"
 #include "server/surface/faces.h"
+#include "server/surface/materials.h"
 #include "server/surface/outliers.h"
 #include "server/surface/shading_normals.h"
 #include "server/surface/weld.h"
@@ -192,6 +193,7 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
   mesh.corners = look_corners(raw, soup);
   if (!mesh.corners.empty()) mesh.images = raw.images;
   mesh.texture_uv = texture_corners(raw, soup);
+  name_materials(raw, soup, mesh);
   mesh.report.source_vertices = raw.positions.size();
   mesh.report.source_faces = raw.face_sizes.size();
   mesh.report.vertices = mesh.positions.size();

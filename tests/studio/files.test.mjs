@@ -5,7 +5,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {test} from "node:test";
-import {gltfFolder, objFolder} from "./support/models.mjs";
+import {gltfFolder, hoofFile, objFolder} from "./support/models.mjs";
 import {openStudio, server, start} from "./support/own.mjs";
 import {bin} from "./support/server.mjs";
 
@@ -53,6 +53,19 @@ test("a folder with an OBJ, its materials and its picture becomes a scene with a
   assert.equal(scene.triangles, 12);
   assert.match(await linesOf(scene.id), /set_skin_texture/);
   await card().getByText("polygons were made into triangles").waitFor();
+});
+
+test("materials named after hooves are left bare, and tools work on one by its name", async () => {
+  await drop(hoofFile(folder));
+  const scene = await uploaded("strip");
+  await card().getByText("Left bare: Hoof.").waitFor();
+  await press("Good");
+  const sent = studio.page.waitForRequest((request) => request.url().endsWith(`${scene.id}/commands`));
+  await studio.page.getByRole("tab", {name: "Tool"}).click();
+  await studio.page.getByRole("combobox", {name: "Material"}).selectOption("Pelt");
+  assert.deepEqual((await sent).postDataJSON().material, {name: "Pelt"});
+  assert.equal((await (await sent).response()).status(), 200);
+  await studio.panel("Files");
 });
 
 test("of several pictures one is used, and the card says which", async () => {

@@ -175,6 +175,25 @@ test("a part of the model is chosen by a press, and is all that tools change the
   await studio.finish();
 });
 
+test("an alpha is sent as a picture, and each stroke names it", async () => {
+  const studio = await open();
+  const {page} = studio;
+  const put = page.waitForResponse((response) => response.url().endsWith(`${id}/pictures`));
+  await page.getByLabel("Alpha").selectOption("Streaks");
+  const {picture, width} = await (await put).json();
+  assert.equal(width, 64);
+  await page.waitForFunction(() => document.querySelector('select option[value="Streaks"]').selected);
+  const sent = page.waitForRequest((request) => request.url().includes(`${id}/commands`));
+  await studio.drag([[0.45, 0.55], [0.55, 0.55]]);
+  assert.equal((await sent).postDataJSON().brush.alpha, picture);
+  assert.equal((await (await sent).response()).status(), 200);
+  await page.getByLabel("Alpha").selectOption("");
+  const plain = page.waitForRequest((request) => request.url().includes(`${id}/commands`));
+  await studio.drag([[0.45, 0.55], [0.55, 0.55]]);
+  assert.equal((await plain).postDataJSON().brush.alpha, undefined);
+  await studio.finish();
+});
+
 test("keys work where the pointer is", async () => {
   const studio = await open();
   const {page} = studio;

@@ -23,6 +23,14 @@ void declare_export(CLI::App& app, Options& options) {
   command->add_flag_callback(
       "--no-curves", [&parameters] { parameters.emplace_back("curves", "false"); },
       "Without whiskers, lashes and brows");
+  command->add_flag_callback(
+      "--cubic", [&parameters] { parameters.emplace_back("basis", "cubic"); },
+      "USD: cubic curves through the points in place of straight lines");
+  command->add_flag_callback(
+      "--skin", [&parameters] { parameters.emplace_back("skin", "true"); }, "USD: with the model's mesh");
+  hand_on(command, parameters, "--frame", "frame",
+          "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source]");
+  hand_on(command, parameters, "--unit", "metres_per_unit", "Metres that the unit of the model's file is [1]");
   command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
 }
 
@@ -43,6 +51,11 @@ void declare_guides(CLI::App& app, Options& options) {
   hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
   hand_on(guides, parameters, "--sigma", "sigma", "Width over which one curve acts, sizes [from their distance]");
   hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
+  hand_on(
+      guides, parameters, "--frame", "frame",
+      "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source; pelage of json]");
+  hand_on(guides, parameters, "--unit", "metres_per_unit",
+          "Metres that the unit of the model's file is [1 of glTF; of others the curves have the same]");
 }
 
 void add_map(CLI::App* command, Options& options) {

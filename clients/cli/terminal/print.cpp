@@ -71,6 +71,8 @@ void print(const SceneSummary& summary) {
   fmt::print("axes        up {}, front {} of the file\n", word_of(axes, report.up), word_of(axes, report.front));
   if (!report.pose.empty()) fmt::print("pose        {}\n", report.pose);
   if (!report.animations.empty()) fmt::print("animations  {}\n", fmt::join(report.animations, ", "));
+  for (const MaterialReport& material : report.materials)
+    fmt::print("material    {}: {} triangles{}\n", material.name, material.triangles, material.bare ? ", bare" : "");
   for (const Repair& repair : report.repairs) {
     fmt::print("repaired    {}: {}{}\n", repair.code, repair.count,
                repair.names.empty() ? "" : fmt::format(" ({})", fmt::join(repair.names, ", ")));

@@ -50,6 +50,21 @@ class Hair:
         assert at + 12 * points == len(content)
 
 
+def standing(content):
+    """The box of the first mesh of a GLB where its first node puts it."""
+    size, = struct.unpack_from("<I", content, 12)
+    gltf = json.loads(content[20:20 + size])
+    node = gltf["nodes"][0]
+    position = gltf["accessors"][gltf["meshes"][node["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
+    x, y, z, w = node.get("rotation", [0, 0, 0, 1])
+    turn = numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+    corners = numpy.array([position["min"], position["max"]]) * node.get("scale", [1, 1, 1])
+    places = corners @ turn.T + node["translation"]
+    return [places.min(axis=0), places.max(axis=0)]
+
+
 class Export(ServedTest):
     def scene_of(self, builtin="sphere", length=0.05):
         scene = self.server.new_scene(builtin, 500, fur={"length": length, "inclination": 0})
@@ -122,6 +137,70 @@ class Export(ServedTest):
         self.assertEqual(len(torus.uvs), 2 * len(torus.counts))
         self.assertTrue((torus.uvs >= 0).all() and (torus.uvs <= 1).all() and torus.uvs.std() > 0.2)
         self.assertIsNone(self.usd(self.scene_of("sphere")).uvs)
+
+    def box(self):
+        """A furred box that stands far from its origin, in a file with z up that looks along y."""
+        places = [(x, y, z) for x in (10, 11) for y in (20, 22) for z in (30, 33)]
+        quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        text = "\n".join(["v %d %d %d" % place for place in places] + ["f " + " ".join(str(k + 1) for k in quad) for quad in quads])
+        scene = self.server.new_scene("plane", 2)
+        loaded = self.server.call("PUT", f"{scene.path}/model?format=obj&up=z&front=y&length=0.05", text.encode())
+        self.assertEqual(loaded.status, 200, loaded)
+        self.assertEqual(scene.run({"op": "set_coat", "coat": {"count": 100}}).status, 200)
+        return scene, numpy.array([[10, 20, 30], [11, 22, 33]])
+
+    def test_what_is_exported_lies_on_the_file_that_the_model_came_from(self):
+        scene, box = self.box()
+        turned = [scene.info()["bounds"][end] for end in ("min", "max")]
+        for query, wanted, up in (("", box, "Z"), ("&frame=pelage", turned, "Y")):
+            usd, hair = self.usd(scene, "?curves=true" + query), Hair(self.export(scene, "hair", "?curves=true" + query).body)
+            roots = usd.roots + usd.translate
+            numpy.testing.assert_allclose([roots.min(axis=0), roots.max(axis=0)], wanted, atol=0.05)
+            numpy.testing.assert_allclose(usd.points + usd.translate, hair.points, atol=1e-4)
+            self.assertIn(f'upAxis = "{up}"', usd.text)
+            self.assertIn("metersPerUnit = 1\n", usd.text)
+        self.assertIn("metersPerUnit = 0.01\n", self.usd(scene, "?metres_per_unit=0.01").text)
+        for format in ("shells", "cards", "fields"):
+            for query, wanted in (("", box), ("?metres_per_unit=0.01", 0.01 * box), ("?frame=pelage", turned)):
+                with self.subTest(format + query):
+                    numpy.testing.assert_allclose(standing(self.export(scene, format, query).body), wanted, atol=1e-4)
+        self.assertEqual(self.server.get(f"{scene.path}/export/hair?metres_per_unit=2").json["pointer"], "/metres_per_unit")
+        self.assertEqual(self.server.get(f"{scene.path}/export/pelage?frame=source").json["pointer"], "/frame")
+
+    def test_usd_has_cubic_curves_and_the_skin_where_they_are_asked_for(self):
+        scene, box = self.box()
+        scene.run({"op": "set_curves", "groups": [{"curves": [[[-10.5, 33, 21], [-10.5, 34, 21]]]}]})
+        plain, rich = self.usd(scene), self.usd(scene, "?basis=cubic&skin=true")
+        numpy.testing.assert_array_equal(rich.points, plain.points)
+        for text in ('type = "cubic"', 'basis = "catmullRom"', 'wrap = "pinned"', 'def Mesh "skin"'):
+            self.assertIn(text, rich.text)
+            self.assertNotIn(text, plain.text)
+        skin = rich.text[rich.text.index('def Mesh "skin"'):]
+        self.assertEqual(numbers(skin, "int[] faceVertexCounts").tolist(), 12 * [3])
+        points = numbers(skin, "point3f[] points").reshape(-1, 3) + rich.translate
+        numpy.testing.assert_allclose([points.min(axis=0), points.max(axis=0)], box, atol=1e-4)
+        triangles = points[numbers(skin, "int[] faceVertexIndices").astype(int).reshape(-1, 3)]
+        outwards = numpy.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        self.assertTrue(((triangles.mean(axis=1) - box.mean(axis=0)) * outwards).sum(axis=1).min() > 0)
+        numpy.testing.assert_array_equal(numbers(plain.text, "float[] primvars:groom_width"), plain.widths)
+        names = re.search(r"groom_group_name = \[(.*?)\]", plain.text)[1].split(", ")
+        self.assertEqual((names.count('"fur"'), names.count('"whiskers"')), (len(plain.counts) - 1, 1))
+        self.assertEqual(self.server.get(f"{scene.path}/export/hair?skin=true").json["pointer"], "/skin")
+
+    def test_guides_come_back_in_the_axes_and_unit_of_the_file(self):
+        scene, _ = self.box()
+        put = lambda content, query: self.server.call("PUT", f"{scene.path}/guides?{query}", content)
+        for format in ("usda", "hair"):
+            curves = self.export(scene, format, "?every=8").body
+            taken = put(curves, f"format={format}")
+            self.assertEqual(taken.status, 200, taken)
+            self.assertFalse([word for word in taken.json["results"][0]["warnings"] if "left out" in word])
+            self.assertEqual(put(curves, f"format={format}&frame=pelage").status, 422)
+        curve = "def BasisCurves \"c\" { int[] curveVertexCounts = [2] point3f[] points = [(%g, %g, %g), (%g, %g, %g)] }"
+        y_up = '#usda 1.0\n( metersPerUnit = 0.01 upAxis = "Y" )\n' + curve % (1050, 3300, -2100, 1060, 3310, -2100)
+        self.assertEqual(put(y_up.encode(), "format=usda&metres_per_unit=1").status, 200)
+        self.assertEqual(put(y_up.encode(), "format=usda&metres_per_unit=2").status, 422)
+        self.assertEqual(put(y_up.encode(), "format=usda").status, 422, "the unit of an OBJ is not known")
 
     def test_what_cannot_be_exported_is_refused(self):
         scene = self.scene_of()

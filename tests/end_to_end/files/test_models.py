@@ -131,6 +131,33 @@ class Uploads(ServedTest):
                 since = time.monotonic()
             last = now
 
+    def test_materials_are_named_chosen_and_left_bare(self):
+        scene = self.server.new_scene("plane", 2)
+        strip = [f"v {x} 0 {z}" for x in range(9) for z in (0, 1)]
+        faces = ["f %d %d %d %d" % (2 * x + 1, 2 * x + 2, 2 * x + 4, 2 * x + 3) for x in range(8)]
+        text = "\n".join([*strip, "usemtl Pelt", *faces[:5], "usemtl Hoof.L", *faces[5:]])
+        loaded = self.server.call("PUT", f"{scene.path}/model?format=obj", text.encode())
+        self.assertEqual(loaded.status, 200, loaded)
+        wanted = [{"name": "Pelt", "triangles": 10, "bare": False}, {"name": "Hoof.L", "triangles": 6, "bare": True}]
+        self.assertEqual(loaded.json["materials"], wanted)
+
+        def at(x):
+            camera = {"position": [x, 4, 0.5], "target": [x, 0, 0.5], "up": [0, 0, -1]}
+            return scene.post("pick", {"view": {"camera": camera, "width": 33, "height": 33}, "pixel": [16, 16]}).json
+
+        self.assertEqual((at(0.9)["painted"]["bare"], at(7.6)["painted"]["bare"]), (0, 1))
+        self.assertEqual(scene.run({"op": "mask", "material": {"name": "Hoof.L"}}).status, 200)
+        self.assertEqual((at(0.9)["painted"]["mask"], at(7.6)["painted"]["mask"]), (0, 1))
+        refused = scene.run({"op": "mask", "material": {"name": "Hoof"}})
+        self.assert_problem(refused, 422, "/material/name")
+        self.assertEqual(refused.json["limit"], "Pelt | Hoof.L")
+        self.assert_problem(scene.run({"op": "mask", "material": {"name": "Pelt"}, "all": {}}), 422)
+        self.server.terminate()
+        self.server.start()
+        self.assertEqual(scene.info()["materials"], wanted, "names are kept in the journal")
+        finer = scene.post("subdivide", {}).json["materials"]
+        self.assertEqual([(one["name"], one["triangles"]) for one in finer], [("Pelt", 40), ("Hoof.L", 24)])
+
     def test_a_polygon_of_many_spikes_loads(self):
         scene = self.server.new_scene("plane", 2)
         answer = self.server.call("PUT", f"{scene.path}/model?format=obj", spiky(20_000))

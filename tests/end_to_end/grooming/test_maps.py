@@ -129,6 +129,23 @@ class Maps(ServedTest):
         through = self.put(scene, "mask", png(numpy.full((2, 2, 3), 255)))
         self.assertEqual(self.changes(through), {"mask": 1.0}, "a map of the mask looks past the mask")
 
+    def test_a_brush_prints_an_alpha(self):
+        scene = self.server.new_scene("plane", 800)
+        half = numpy.zeros((16, 16, 3))
+        half[:, 8:] = 255
+        name = self.server.call("PUT", f"{scene.path}/pictures", png(half)).json["picture"]
+        stroke = {"samples": [{"position": [0, 0, 0.05]}, {"position": [0, 0, -0.05]}]}  # to -z, so that +x is right
+        brush = {"radius": 0.3, "strength": 1, "falloff": "constant", "alpha": name}
+        paint = {"op": "paint", "field": "density", "value": 0, "stroke": stroke, "brush": brush}
+        self.assertEqual(scene.run(paint).status, 200)
+        for x, wanted in ((-0.2, 1), (0.2, 0)):
+            view = {"camera": {"position": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
+            self.assertAlmostEqual(scene.post("pick", {"view": view, "pixel": [32, 32]}).json["painted"]["density"], wanted, 5)
+        again = self.server.new_scene("plane", 800)
+        self.assertEqual(again.run(json.loads(self.server.get(f"{scene.path}/log?format=jsonl").body.decode().splitlines()[-1])).status, 200)
+        self.assertEqual(again.info()["fields_hash"], scene.info()["fields_hash"])
+        self.assert_problem(scene.run(paint | {"brush": brush | {"alpha": "0" * 32}}), 422, "/brush/alpha")
+
     def test_a_batch_reads_few_pictures(self):
         scene = self.server.new_scene("torus", 600)
         names = [self.server.call("PUT", f"{scene.path}/pictures", png(numpy.full((1, 1, 3), k))).json["picture"] for k in range(9)]

@@ -39,6 +39,15 @@ export function objFolder(root, {two = false, materials = true} = {}) {
   return folder;
 }
 
+/** A strip with two materials, of which one is named after a hoof. */
+export function hoofFile(root) {
+  const file = join(root, "strip.obj");
+  const corners = Array.from({length: 9}, (_, x) => [`v ${x} 0 0`, `v ${x} 0 1`]).flat();
+  const faces = Array.from({length: 8}, (_, x) => `f ${[1, 2, 4, 3].map((k) => 2 * x + k).join(" ")}`);
+  writeFileSync(file, [...corners, "usemtl Pelt", ...faces.slice(0, 5), "usemtl Hoof", ...faces.slice(5), ""].join("\n"));
+  return file;
+}
+
 /** box.gltf with its buffer and its picture as files of their own. */
 export function gltfFolder(root) {
   const folder = join(root, "gltf");

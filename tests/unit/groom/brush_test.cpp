@@ -1,5 +1,8 @@
 #include "server/groom/brush.h"
 
+#include <cmath>
+#include <map>
+
 #include "tests/unit/groom/shapes.h"
 
 namespace pelage {
@@ -213,6 +216,46 @@ TEST_F(BrushTest, TheCutOffAngleTakesFacesThatTurnAway) {
   const std::size_t narrow = region_of(stroke, brush, sphere_, fields, {}).size();
   brush.cut_off_degrees = 180;
   EXPECT_GT(region_of(stroke, brush, sphere_, fields, {}).size(), 4 * narrow);
+}
+
+/// A picture whose right half is white, as seen with its top up.
+MapPicture right_half() {
+  constexpr int side = 16;
+  MapPicture picture{side, side, 8, {}, {}};
+  for (int k = 0; k < side * side; ++k) {
+    const float grey = k % side < side / 2 ? 0.0f : 1.0f;
+    picture.rgba.insert(picture.rgba.end(), {grey, grey, grey, 1});
+  }
+  return picture;
+}
+
+TEST_F(BrushTest, AnAlphaIsPrintedWithItsTopToWhereTheStrokeGoes) {
+  const MapPicture picture = right_half();
+  const Brush brush{.radius = 0.2, .falloff = Falloff::constant, .strength = 1};
+  const glm::dvec3 front(0, 0, 0.5 / std::sqrt(3.0));
+  for (const glm::dvec3 motion : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0)}) {
+    const BrushStroke plain(stroke_through(sphere_, {front}), brush, sphere_),
+        printed(stroke_through(sphere_, {front}), brush, sphere_, nullptr, &picture);
+    Dab dab = plain.covering_dabs().front();
+    dab.motion = motion;
+    const glm::dvec3 up = motion == glm::dvec3(0) ? glm::dvec3(0, 1, 0) : motion;
+    const glm::dvec3 right = glm::cross(up, glm::dvec3(0, 0, 1));
+    std::vector<VertexWeight> all, bright;
+    plain.weigh(dab, all), printed.weigh(dab, bright);
+    std::map<std::uint32_t, double> weights;
+    for (const auto [vertex, weight] : bright) weights[vertex] = weight;
+    ASSERT_GT(all.size(), 20u);
+    for (const auto [vertex, weight] : all) {
+      const double side = glm::dot(glm::dvec3(sphere_.mesh().positions[vertex]), right);
+      if (std::abs(side) < 0.03 || std::abs(side) > 0.17) continue;  // a pixel's width beside an edge
+      EXPECT_NEAR(weights[vertex], side > 0 ? weight : 0, 1e-6) << vertex;
+    }
+  }
+}
+
+TEST_F(BrushTest, TheFirstDabOfAStrokePointsToTheNext) {
+  const BrushStroke stroke(stroke_through(sphere_, {{0, 0, 0.3}, {0.2, 0, 0.3}}), {}, sphere_);
+  EXPECT_NEAR(glm::distance(stroke.covering_dabs().front().motion, glm::dvec3(1, 0, 0)), 0, 1e-12);
 }
 
 TEST_F(BrushTest, TheMaskScalesEveryWeight) {

@@ -19,8 +19,8 @@ void expect_near(glm::dvec3 a, glm::dvec3 b) {
 }
 
 std::string refusal(GuideFormat format, std::string_view bytes) {
-  const auto curves = read_guides(format, bytes);
-  return curves ? "" : curves.status().message;
+  const auto file = read_guides(format, bytes);
+  return file ? "" : file.status().message;
 }
 
 constexpr const char* usda = R"(#usda 1.0
@@ -44,26 +44,45 @@ def Xform "groom" ( prepend apiSchemas = ["GroomAPI"] )
 })";
 
 TEST(Guides, OfUsdStandWhereTheirXformsPutThem) {
-  const auto curves = read_guides(GuideFormat::usda, usda);
-  ASSERT_TRUE(curves.ok()) << curves.status().message;
-  ASSERT_EQ(curves->size(), 2u);
-  ASSERT_EQ((*curves)[0].size(), 2u);
-  ASSERT_EQ((*curves)[1].size(), 3u);
-  expect_near((*curves)[0][1], {10, 1, 0});
-  expect_near((*curves)[1][2], {7, 0, 0.5});
+  const auto file = read_guides(GuideFormat::usda, usda);
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  ASSERT_EQ(file->curves.size(), 2u);
+  ASSERT_EQ(file->curves[0].size(), 2u);
+  ASSERT_EQ(file->curves[1].size(), 3u);
+  expect_near(file->curves[0][1], {10, 1, 0});
+  expect_near(file->curves[1][2], {7, 0, 0.5});
+}
+
+TEST(Guides, UsdSaysItsAxisAndUnit) {
+  const std::string curve =
+      "def BasisCurves \"c\" { int[] curveVertexCounts = [2] point3f[] points = [(0, 0, 0), (0, 0, 1)] }";
+  const auto read = [&](const std::string& metadata) {
+    return read_guides(GuideFormat::usda, "#usda 1.0\n(" + metadata + ")\n" + curve);
+  };
+  const auto said = read("metersPerUnit = 0.01\n customLayerData = { double metersPerUnit = 7 }\n upAxis = \"Z\"");
+  ASSERT_TRUE(said.ok()) << said.status().message;
+  EXPECT_EQ(said->up, Axis::plus_z);
+  EXPECT_EQ(said->metres, 0.01);
+  EXPECT_EQ(read("upAxis = \"Y\"")->up, Axis::plus_y);
+  const auto silent = read("doc = \"upAxis = Z\"");
+  ASSERT_TRUE(silent.ok()) << silent.status().message;
+  EXPECT_FALSE(silent->up || silent->metres);
+  for (const char* bad :
+       {"upAxis = \"X\"", "metersPerUnit = 0", "metersPerUnit = -1", "metersPerUnit = (1, 2)", "upAxis ="})
+    EXPECT_FALSE(read(bad).ok()) << bad;
 }
 
 TEST(Guides, MatricesOfUsdAreRows) {
-  const auto curves = read_guides(GuideFormat::usda, R"(#usda 1.0
+  const auto file = read_guides(GuideFormat::usda, R"(#usda 1.0
 def BasisCurves "c" {
   matrix4d xformOp:transform = ( (0, 2, 0, 0), (-2, 0, 0, 0), (0, 0, 2, 0), (5, 6, 7, 1) )
   uniform token[] xformOpOrder = ["xformOp:transform"]
   int[] curveVertexCounts = [2]
   point3f[] points = [(0, 0, 0), (1, 0, 0)]
 })");
-  ASSERT_TRUE(curves.ok()) << curves.status().message;
-  expect_near((*curves)[0][0], {5, 6, 7});
-  expect_near((*curves)[0][1], {5, 8, 7});
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  expect_near(file->curves[0][0], {5, 6, 7});
+  expect_near(file->curves[0][1], {5, 8, 7});
 }
 
 TEST(Guides, RefusalsOfUsdSayWhy) {
@@ -114,15 +133,15 @@ std::string hair_file(std::uint32_t arrays) {
 }
 
 TEST(Guides, HairFilesAreRead) {
-  const auto curves = read_guides(GuideFormat::hair, hair_file(1 | 2));
-  ASSERT_TRUE(curves.ok()) << curves.status().message;
-  ASSERT_EQ(curves->size(), 2u);
-  EXPECT_EQ((*curves)[0].size(), 2u);
-  EXPECT_EQ((*curves)[1].size(), 3u);
-  expect_near((*curves)[1][0], {6, 7, 8});
+  const auto file = read_guides(GuideFormat::hair, hair_file(1 | 2));
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  ASSERT_EQ(file->curves.size(), 2u);
+  EXPECT_EQ(file->curves[0].size(), 2u);
+  EXPECT_EQ(file->curves[1].size(), 3u);
+  expect_near(file->curves[1][0], {6, 7, 8});
   const auto even = read_guides(GuideFormat::hair, hair_file(2));
   ASSERT_TRUE(even.ok());
-  EXPECT_EQ((*even)[1].size(), 2u);
+  EXPECT_EQ(even->curves[1].size(), 2u);
   const std::string whole = hair_file(1 | 2);
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_NE(refusal(GuideFormat::hair, whole.substr(0, size)), "") << size;
@@ -130,9 +149,9 @@ TEST(Guides, HairFilesAreRead) {
 }
 
 TEST(Guides, JsonIsReadOrRefusedWithTheReason) {
-  const auto curves = read_guides(GuideFormat::json, R"({"curves": [[[0, 0, 0], [1, 2, 3]]]})");
-  ASSERT_TRUE(curves.ok());
-  expect_near((*curves)[0][1], {1, 2, 3});
+  const auto file = read_guides(GuideFormat::json, R"({"curves": [[[0, 0, 0], [1, 2, 3]]]})");
+  ASSERT_TRUE(file.ok());
+  expect_near(file->curves[0][1], {1, 2, 3});
   EXPECT_NE(refusal(GuideFormat::json, R"({"curves": [[[0, 0, 0]]]})").find("curve 0"), std::string::npos);
   EXPECT_NE(refusal(GuideFormat::json, R"({"curves": [[[0, 0], [1, 2, 3]]]})").find("three numbers"),
             std::string::npos);

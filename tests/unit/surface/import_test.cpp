@@ -205,7 +205,7 @@ RawModel everything() {
   model.corner_uv.assign(7, {0.25, 0.5});
   model.corner_colour.assign(7, {1, 0.5f, 0.25f, 1});
   model.face_material = {0, 1};
-  model.materials = {{{1, 1, 1}, 0}, {{0.5f, 0.5f, 0.5f}, -1}};
+  model.materials = {{{1, 1, 1}, 0, "Fur"}, {{0.5f, 0.5f, 0.5f}, -1}};
   model.images = {{2, 1, {1, 2, 3, 4, 5, 6, 7, 8}}};
   model.length_scale = {1, 0.5f, 2, 4};
   model.front = Axis::minus_x;
@@ -223,19 +223,27 @@ TEST(RawCodec, ModelsComeBack) {
   EXPECT_EQ(back->images[0].rgba, everything().images[0].rgba);
   EXPECT_TRUE(back->is_32_bit);
   EXPECT_EQ(back->front, Axis::minus_x);
+  EXPECT_EQ(back->materials[0].name, "Fur");
   EXPECT_EQ(back->losses, everything().losses);
 }
 
-// As journals from before notes were kept have it.
-TEST(RawCodec, ModelsWithoutNotesAreRead) {
-  RawModel plain = everything();
-  plain.front.reset(), plain.pose.clear(), plain.animations.clear(), plain.losses.clear();
-  std::string bytes = encode_raw_model(plain);
-  bytes[6] = '1';
-  bytes.resize(bytes.size() - 2 - 8 - 8 - 8 - 8);  // axes, one empty text, no animations, no losses
+/// A model as an earlier journal has it: `version`, and without its last bytes.
+void expect_read(const RawModel& model, char version, std::size_t less) {
+  std::string bytes = encode_raw_model(model);
+  bytes[6] = version;
+  bytes.resize(bytes.size() - less);
   const Result<RawModel> back = decode_raw_model(bytes_of(bytes));
   ASSERT_TRUE(back.ok()) << back.status().message;
-  EXPECT_EQ(encode_raw_model(*back), encode_raw_model(plain));
+  EXPECT_EQ(encode_raw_model(*back), encode_raw_model(model));
+}
+
+TEST(RawCodec, ModelsOfEarlierJournalsAreRead) {
+  RawModel model = everything();
+  for (RawMaterial& material : model.materials) material.name.clear();
+  constexpr std::size_t names = 8 + 2 * 8;  // of two materials without one
+  expect_read(model, '2', names);
+  model.front.reset(), model.pose.clear(), model.animations.clear(), model.losses.clear();
+  expect_read(model, '1', names + 2 + 8 + 8 + 8 + 8);  // axes, one empty text, no animations, no losses
 }
 
 TEST(RawCodec, EveryTruncationAndAnyTrailingByteIsRefused) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/limits.h"
+#include "server/surface/materials.h"
 #include "tests/unit/surface/mesh_checks.h"
 #include "tests/unit/surface/shapes.h"
 
@@ -237,6 +239,62 @@ TEST(Prepare, LooksSurviveWelding) {
   raw.corner_uv[0] = glm::dvec2(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(prepared(raw)->corners[0][1].image, -1) << "a triangle is textured as a whole";
   EXPECT_TRUE(prepared(cube())->corners.empty());
+}
+
+/// A cube, of whose six faces the first two have one material, the others another.
+RawModel cube_of(const char* first, const char* rest) {
+  RawModel raw = cube();
+  raw.materials = {{{1, 1, 1}, -1, first}, {{1, 1, 1}, -1, rest}, {{1, 1, 1}, -1, rest}};
+  raw.face_material.assign(raw.face_sizes.size(), 1);
+  raw.face_material[0] = raw.face_material[1] = 0, raw.face_material.back() = 2;
+  return raw;
+}
+
+TEST(Prepare, MaterialsAreReportedByName) {
+  const Result<Mesh> mesh = prepared(cube_of("Claw_L.001", "Fur"));
+  ASSERT_TRUE(mesh.ok());
+  const std::size_t all = mesh->triangles.size();
+  const std::vector<MaterialReport> wanted = {{"Claw_L.001", 2 * all / cube().face_sizes.size(), true},
+                                              {"Fur", all - 2 * all / cube().face_sizes.size(), false}};
+  EXPECT_EQ(mesh->report.materials, wanted) << "two materials of one name are one";
+  ASSERT_EQ(mesh->materials.size(), all);
+  EXPECT_EQ(mesh->materials.front(), 0);
+  EXPECT_EQ(mesh->materials.back(), 1);
+  EXPECT_TRUE(prepared(cube())->report.materials.empty());
+  EXPECT_TRUE(prepared(cube_of("", ""))->materials.empty());
+}
+
+TEST(Prepare, WhatIsAllBareIsFurred) {
+  const Result<Mesh> mesh = prepared(cube_of("Eye_L", "Eye_R"));
+  ASSERT_TRUE(mesh.ok());
+  ASSERT_EQ(mesh->report.materials.size(), 2u);
+  for (const MaterialReport& material : mesh->report.materials) EXPECT_FALSE(material.bare) << material.name;
+}
+
+TEST(Prepare, NoMoreMaterialsAreNamedThanTheLimit) {
+  RawModel raw = cube();
+  RawModel many;
+  for (std::size_t k = 0; k < limits::named_materials + 3; ++k) {
+    for (const glm::dvec3& p : raw.positions)
+      many.positions.push_back(p + glm::dvec3(3.0 * static_cast<double>(k), 0, 0));
+    for (const std::uint32_t corner : raw.corners)
+      many.corners.push_back(corner + static_cast<std::uint32_t>(k * raw.positions.size()));
+    many.face_sizes.insert(many.face_sizes.end(), raw.face_sizes.begin(), raw.face_sizes.end());
+    many.face_material.insert(many.face_material.end(), raw.face_sizes.size(), static_cast<std::uint16_t>(k));
+    many.materials.push_back({{1, 1, 1}, -1, "m" + std::to_string(k)});
+  }
+  const Result<Mesh> mesh = prepared(many);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->report.materials.size(), limits::named_materials);
+  EXPECT_EQ(mesh->materials.back(), no_material);
+}
+
+TEST(Materials, NamesSayWhatIsBare) {
+  for (const char* name : {"Eye", "eyes", "leftEye", "MAT_Eyeball.002", "M_Teeth", "hoof-front", "claws2", "Beak"})
+    EXPECT_TRUE(names_bare_part(name)) << name;
+  for (const char* name :
+       {"", "Fur", "eyebrow", "Eye_Lashes", "eyelid", "Snail", "thorn", "Unicorn", "preying", "body"})
+    EXPECT_FALSE(names_bare_part(name)) << name;
 }
 
 TEST(Prepare, LengthScaleFollowsItsVertex) {

@@ -54,25 +54,31 @@ TEST(SavedFile, TheServerTakesNothingOfARefusedFile) {
 
 TEST(GuideFile, ComesThroughTheWorker) {
   const std::string json = R"({"curves": [[[0, 0, 0], [1, 2.5, 3]], [[4, 5, 6], [7, 8, 9], [1, 1, 1]]]})";
-  const auto curves = import_guides(PELAGE_IMPORT, GuideFormat::json, std::as_bytes(std::span(json)));
-  ASSERT_TRUE(curves.ok()) << curves.status().message;
-  ASSERT_EQ(curves->size(), 2u);
-  EXPECT_EQ((*curves)[0][1], glm::dvec3(1, 2.5, 3));
-  EXPECT_EQ((*curves)[1].size(), 3u);
+  const auto file = import_guides(PELAGE_IMPORT, GuideFormat::json, std::as_bytes(std::span(json)));
+  ASSERT_TRUE(file.ok()) << file.status().message;
+  ASSERT_EQ(file->curves.size(), 2u);
+  EXPECT_EQ(file->curves[0][1], glm::dvec3(1, 2.5, 3));
+  EXPECT_EQ(file->curves[1].size(), 3u);
+  EXPECT_FALSE(file->up || file->metres);
   const auto none = import_guides(PELAGE_IMPORT, GuideFormat::hair, std::as_bytes(std::span(json)));
   EXPECT_EQ(none.status().code, Code::invalid);
   EXPECT_NE(none.status().message.find("does not begin as HAIR does"), std::string::npos) << none.status().message;
 }
 
 TEST(GuideFile, TheWorkersAnswerIsChecked) {
-  const auto decoded = [](const std::vector<GuideCurve>& curves, std::size_t cut = 0) {
-    const std::string bytes = encode_guides(curves);
+  const auto decoded = [](std::vector<GuideCurve> curves, std::size_t cut = 0) {
+    const std::string bytes = encode_guides({std::move(curves)});
     return decode_guides(std::as_bytes(std::span(bytes)).first(bytes.size() - cut)).ok();
   };
   EXPECT_TRUE(decoded({{{0, 0, 0}, {1, 1, 1}}}));
   EXPECT_FALSE(decoded({{{0, 0, 0}}})) << "one point";
   EXPECT_FALSE(decoded({{{0, 0, 0}, {1, std::numeric_limits<double>::infinity(), 1}}}));
   EXPECT_FALSE(decoded({{{0, 0, 0}, {1, 1, 1}}}, 1)) << "cut off";
+  const std::string said = encode_guides({{{{0, 0, 0}, {1, 1, 1}}}, Axis::plus_z, 0.01});
+  const auto back = decode_guides(std::as_bytes(std::span(said)));
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(back->up, Axis::plus_z);
+  EXPECT_EQ(back->metres, 0.01);
 }
 
 }  // namespace

@@ -88,6 +88,12 @@ async function takeGroom(of: string): Promise<void> {
   await run(...carried.map((name): Command => ({op: `set_${name}`, [name]: settings[name]})), {op: "retarget", scene: of});
 }
 
+/** What the card says of a model as it stands. */
+function notesOn({materials}: Scene): string[] {
+  const bare = materials.filter((material) => material.bare).map(({name}) => name);
+  return bare.length > 0 ? [`Left bare: ${bare.join(", ")}. Paint Bare skin with 0 where fur is to grow.`] : [];
+}
+
 /** Bytes a second of the newest upload; 0 before there was one. */
 export const upload_speed = kept("upload-speed", 0);
 
@@ -102,7 +108,7 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
     await Promise.all([openScene(id), listScenes()]);
     hear(description.revision);
     if (plan.groom_of) await takeGroom(plan.groom_of);
-    importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes};
+    importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes: [...notes, ...notesOn(description)]};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
     if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: the server says what would be lost

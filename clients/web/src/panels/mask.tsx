@@ -46,12 +46,27 @@ function change(action: string) {
 }
 export const invertMask = () => change("invert");
 
+function select(shape: Record<string, unknown>) {
+  void run({op: "mask", action: "select", ...shape});
+  if (overlay.value === "none") overlay.value = "mask";
+}
+
 /** The next press chooses the part of the model that tools then work on. */
 function choosePart() {
-  place_request.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => {
-    void run({op: "mask", action: "select", part: {position: point}});
-    if (overlay.value === "none") overlay.value = "mask";
-  }};
+  place_request.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => select({part: {position: point}})};
+}
+
+/** The materials of the model's file, one of which tools then work on. */
+function Materials() {
+  const materials = scene.value?.materials ?? [];
+  if (materials.length < 2) return null;
+  return (
+    <label class="mask-material"><span>Material</span>
+      <select value="" title="Tools work on one material of the model alone" onChange={(event) => select({material: {name: event.currentTarget.value}})}>
+        <option value="" disabled>Choose…</option>
+        {materials.map(({name}) => <option key={name} value={name}>{name}</option>)}
+      </select></label>
+  );
 }
 
 function paint(value: number) {
@@ -77,6 +92,7 @@ export function MaskSection() {
         <button type="button" aria-pressed={paints(1)} title="Paint what tools may change" onClick={() => paint(1)}>Free</button>
         <button type="button" title="Tools work on one part of the model alone" onClick={choosePart}>A part…</button>
       </div>
+      <Materials />
       <div class="mask-buttons">
         <button type="button" title="Protect what is free, free what is protected (Ctrl+I)" onClick={invertMask}>Invert</button>
         <button type="button" title="More is free" onClick={() => change("grow")}>Grow</button>

@@ -12,6 +12,8 @@ export const current = kept<Op>("tool", "comb");
 /** What was set by hand, by tool; the rest is as the contract's defaults say. */
 export const set_values = kept<Partial<Record<Op, Values>>>("tool-values", {});
 export const set_brush = kept<Values>("brush", {radius: 0.08});
+/** What each dab prints; the picture is one of that scene's. */
+export const alpha = signal<{label: string; scene: string; picture: string} | null>(null);
 /** Whether the hand works on both sides. It belongs to the hand: no step of the groom says so. */
 export const mirror = kept("mirror", false);
 /** How much the hand is steadied, from 0 to 1. */
@@ -97,6 +99,7 @@ export function brushOf(op: Op, invert: boolean): Values {
     const value = brush.value[member.name];
     if (!same(value, member.fallback)) sent[member.name] = value;
   }
+  if (alpha.value && alpha.value.scene === scene.value?.id) sent["alpha"] = alpha.value.picture;
   if (ownStrength(toolOf(op))) sent["strength"] = 1;
   if (invert) sent["invert"] = true;
   return sent;

@@ -4,6 +4,7 @@ import type {Op} from "../api/types";
 import {useId} from "preact/hooks";
 import {run, settings} from "../scene/session";
 import {MaskSection} from "../panels/mask";
+import {AlphaRow} from "./alpha";
 import {firstMembers, handWords} from "./artist_words";
 import {brush_members, schemaOf, toolOf, type Tool} from "./catalogue";
 import {Form} from "./form";
@@ -14,8 +15,8 @@ import {forbidden, type Member} from "./schema";
 import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, steadiness, valuesOf} from "./state";
 import {ToolPicture} from "./tool_picture";
 
-/** Radius and strength are in the bar above the picture. */
-const in_the_bar = ["radius", "strength"], main_brush = ["falloff"];
+/** Radius and strength are in the bar above the picture; alpha is a picture. */
+const in_the_bar = ["radius", "strength"], main_brush = ["falloff"], own_rows = ["alpha"];
 const by_hand: Partial<Record<Op, string[]>> = {attract: ["radius", "units"]};
 
 function flood(tool: Tool, more: Record<string, unknown> = {}) {
@@ -141,11 +142,12 @@ function Steadiness() {
 
 function BrushSettings() {
   const main = brush_members.value.filter(({name}) => main_brush.includes(name));
-  const more = brush_members.value.filter(({name}) => !main_brush.includes(name) && !in_the_bar.includes(name));
+  const more = brush_members.value.filter(({name}) => ![...main_brush, ...in_the_bar, ...own_rows].includes(name));
   return (
     <section>
       <h3>Brush</h3>
       <Form members={main} values={brush.value} set={setBrush} />
+      <AlphaRow />
       <Steadiness />
       <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
     </section>

@@ -36,7 +36,8 @@ struct Chosen {
     const Vertex corner = body.triangles[body.surface.nearest(body.inside(part.position)).triangle][0];
     return reach_along_edges(body, {{corner, 0, dvec3(0)}}).distance[v] < std::numeric_limits<double>::infinity();
   }
-  double operator()(const MaskPicture&) const { return 0; }  // tests/unit/maps reads pictures
+  double operator()(const MaskMaterial&) const { return 0; }  // tests/unit/groom has models with materials
+  double operator()(const MaskPicture&) const { return 0; }   // tests/unit/maps reads pictures
 };
 
 double combined(MaskCombine combine, double now, double chosen, double value) {
