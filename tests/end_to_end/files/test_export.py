@@ -139,12 +139,12 @@ class Export(ServedTest):
         self.assertIsNone(self.usd(self.scene_of("sphere")).uvs)
 
     def box(self):
-        """A furred box that stands far from its origin, in a file with z up that looks along y."""
+        """A furred box that stands far from its origin, in a file with z up that looks along x."""
         places = [(x, y, z) for x in (10, 11) for y in (20, 22) for z in (30, 33)]
         quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
         text = "\n".join(["v %d %d %d" % place for place in places] + ["f " + " ".join(str(k + 1) for k in quad) for quad in quads])
         scene = self.server.new_scene("plane", 2)
-        loaded = self.server.call("PUT", f"{scene.path}/model?format=obj&up=z&front=y&length=0.05", text.encode())
+        loaded = self.server.call("PUT", f"{scene.path}/model?format=obj&up=z&front=x&length=0.05", text.encode())
         self.assertEqual(loaded.status, 200, loaded)
         self.assertEqual(scene.run({"op": "set_coat", "coat": {"count": 100}}).status, 200)
         return scene, numpy.array([[10, 20, 30], [11, 22, 33]])
@@ -169,7 +169,7 @@ class Export(ServedTest):
 
     def test_usd_has_cubic_curves_and_the_skin_where_they_are_asked_for(self):
         scene, box = self.box()
-        scene.run({"op": "set_curves", "groups": [{"curves": [[[-10.5, 33, 21], [-10.5, 34, 21]]]}]})
+        scene.run({"op": "set_curves", "groups": [{"curves": [[[21, 33, 10.5], [21, 34, 10.5]]]}]})
         plain, rich = self.usd(scene), self.usd(scene, "?basis=cubic&skin=true")
         numpy.testing.assert_array_equal(rich.points, plain.points)
         for text in ('type = "cubic"', 'basis = "catmullRom"', 'wrap = "pinned"', 'def Mesh "skin"'):
