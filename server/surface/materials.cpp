@@ -12,10 +12,10 @@ namespace pelage {
 
 namespace {
 
-constexpr std::array<std::string_view, 26> bare_words = {
-    "eye",   "eyes",   "eyeball", "eyeballs", "cornea", "iris",  "sclera", "pupil", "pupils",
-    "tooth", "teeth",  "fang",    "fangs",    "tusk",   "tusks", "claw",   "claws", "nails",
-    "talon", "talons", "beak",    "hoof",     "hooves", "hoofs", "horns",  "tongue"};
+constexpr std::array<std::string_view, 30> bare_words = {
+    "eye",    "eyes", "eyeball", "eyeballs", "cornea", "iris", "sclera", "pupil",  "pupils",  "tooth",
+    "teeth",  "fang", "fangs",   "tusk",     "tusks",  "claw", "claws",  "nail",   "nails",   "talon",
+    "talons", "beak", "hoof",    "hooves",   "hoofs",  "horn", "horns",  "antler", "antlers", "tongue"};
 /// What has fur though it is named after an eye.
 constexpr std::array<std::string_view, 6> furred_after_eye = {"brow", "brows", "lash", "lashes", "lid", "lids"};
 

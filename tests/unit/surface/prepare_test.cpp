@@ -290,7 +290,8 @@ TEST(Prepare, NoMoreMaterialsAreNamedThanTheLimit) {
 }
 
 TEST(Materials, NamesSayWhatIsBare) {
-  for (const char* name : {"Eye", "eyes", "leftEye", "MAT_Eyeball.002", "M_Teeth", "hoof-front", "claws2", "Beak"})
+  for (const char* name :
+       {"Eye", "eyes", "leftEye", "MAT_Eyeball.002", "M_Teeth", "hoof-front", "claws2", "Beak", "Horn_L"})
     EXPECT_TRUE(names_bare_part(name)) << name;
   for (const char* name :
        {"", "Fur", "eyebrow", "Eye_Lashes", "eyelid", "Snail", "thorn", "Unicorn", "preying", "body"})
