@@ -94,8 +94,9 @@ TEST_F(Trials, FurGrowsOutwardsWhereJointsMirror) {
       sums[root(v)].first += glm::dvec3(mesh.positions[v]), sums[root(v)].second += 1;
     std::map<std::uint32_t, double> volumes;
     for (const glm::uvec3& t : mesh.triangles) {
-      const auto& [sum, count] = sums[root(t.x)];
-      const auto at = [&](int k) { return glm::dvec3(mesh.positions[t[k]]) - sum / count; };
+      const auto& of_part = sums[root(t.x)];
+      const glm::dvec3 middle = of_part.first / of_part.second;
+      const auto at = [&](int k) { return glm::dvec3(mesh.positions[t[k]]) - middle; };
       volumes[root(t.x)] += glm::dot(at(0), glm::cross(at(1), at(2))) / 6;
     }
     EXPECT_EQ(volumes.size(), 2u) << file;
