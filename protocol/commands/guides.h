@@ -1,6 +1,7 @@
 // Guide curves of other programs, as an upload.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct GuideFile {
   std::vector<GuideCurve> curves;     // in the file's coordinates, each of at least two points, root first
   std::optional<Axis> up = {};        // +y or +z, where the file says it
   std::optional<double> metres = {};  // that its unit is, above 0, where the file says it
+  std::uint64_t single = 0;           // curves of one point or none, which are left out
 };
 
 }  // namespace pelage

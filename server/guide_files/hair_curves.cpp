@@ -22,8 +22,8 @@ T number_at(std::string_view bytes, std::size_t place) {
 }  // namespace
 
 Result<std::vector<GuideCurve>> read_hair_curves(std::string_view bytes) {
-  if (bytes.size() < header_bytes || !bytes.starts_with("HAIR"))
-    return broken_guides("it does not begin as HAIR does.");
+  if (!bytes.starts_with("HAIR")) return broken_guides("it does not begin as HAIR does.");
+  if (bytes.size() < header_bytes) return broken_guides("it is cut off within HAIR's header.");
   const auto strands = number_at<std::uint32_t>(bytes, 4), points = number_at<std::uint32_t>(bytes, 8);
   const auto arrays = number_at<std::uint32_t>(bytes, 12), segments = number_at<std::uint32_t>(bytes, 16);
   if ((arrays & has_points) == 0) return broken_guides("it has no points.");

@@ -13,7 +13,6 @@ bool is_finite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) &
 Status check(const std::vector<GuideCurve>& curves) {
   if (curves.empty()) return broken_guides("it has no curves.");
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (curves[i].size() < 2) return broken_guides("curve " + std::to_string(i) + " has fewer than two points.");
     if (!std::all_of(curves[i].begin(), curves[i].end(), is_finite))
       return broken_guides("a number of curve " + std::to_string(i) + " is not finite.");
   }
@@ -33,6 +32,8 @@ Result<GuideFile> read_guides(GuideFormat format, std::string_view bytes) {
   Result<GuideFile> file = read(format, bytes);
   if (!file) return file;
   if (Status status = check(file->curves); !status.ok()) return status;
+  file->single = std::erase_if(file->curves, [](const GuideCurve& curve) { return curve.size() < 2; });
+  if (file->curves.empty()) return broken_guides("each of its curves has fewer than two points.");
   return file;
 }
 

@@ -60,7 +60,7 @@ void refuse(const Refusal& refusal, const Request& request, Response& response) 
   if (request.method == "HEAD") owned.method = "GET";
   reply_problem(response, refusal.status, refusal.http_status);
   if (refusal.http_status == 401) response.set_header("WWW-Authenticate", "Bearer");
-  if (refusal.http_status == 405) response.set_header("Allow", "GET, HEAD, POST, PUT, DELETE");
+  if (refusal.http_status == 405) response.set_header("Allow", refusal.status.limit);
   close_after(response);
 }
 

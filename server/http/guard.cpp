@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/limits.h"
+#include "server/http/routes.h"
 #include "server/http/transport/http_transport.h"
 
 namespace pelage {
@@ -171,7 +172,9 @@ std::optional<Refusal> Guard::refused_sender(const Request& request) const {
 std::optional<Refusal> Guard::refusal(const Request& request) const {
   static constexpr std::string_view methods[] = {"GET", "HEAD", "POST", "PUT", "DELETE"};
   if (std::find(std::begin(methods), std::end(methods), request.method) == std::end(methods)) {
-    return refuse(405, Code::malformed, "The method is not used here.", "GET | HEAD | POST | PUT | DELETE");
+    const std::string used = route_of(request.path).methods;
+    return refuse(405, Code::malformed, "This address does not take the method.",
+                  used.empty() ? "GET, HEAD, POST, PUT, DELETE" : used);
   }
   if (auto refusal = refused_framing(request)) return refusal;
   if (auto refusal = refused_sender(request)) return refusal;

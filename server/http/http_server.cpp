@@ -108,7 +108,7 @@ struct HttpServer::Impl {
       set_reuseaddr(socket);
       listening_socket = socket;
     });
-    server.set_default_headers({{"X-Content-Type-Options", "nosniff"}});
+    server.set_default_headers({{"X-Content-Type-Options", "nosniff"}, {"Accept-Ranges", "none"}});
   }
 
   void set_up_handlers() {
@@ -125,6 +125,7 @@ struct HttpServer::Impl {
     server.set_post_routing_handler([this](const Request& request, Response& response) {
       service.metrics.count_request(route_of(request.path).path, response.status);
       if (Exchange* exchange = exchange_of(request)) say_id(*exchange, response);
+      if (response.get_header_value("Connection") == "close") response.headers.erase("Keep-Alive");
     });
   }
 

@@ -87,8 +87,9 @@ void set_etag(httplib::Response& response, Revision revision, int passes) {
 Result<bool> flag_of(const httplib::Request& request, const std::string& name) {
   if (!request.has_param(name)) return false;
   const std::string value = request.get_param_value(name);
-  if (value != "0" && value != "1") return failure(Code::invalid, name + " is 0 or 1.", "/" + name, "0 | 1");
-  return value == "1";
+  if (value == "1" || value == "true") return true;
+  if (value == "0" || value == "false") return false;
+  return failure(Code::invalid, name + " is true or false.", "/" + name, "1 | true | 0 | false");
 }
 
 Result<std::optional<Revision>> if_match_of(const httplib::Request& request) {

@@ -29,6 +29,7 @@ void branch_scene(Service& service, const Scene& scene, const Request& request, 
 }
 
 void describe_scene(const Scene& scene, const Request& request, Response& response) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const SceneSummary summary = scene.summary();
   if (none_match_names(request, summary.revision)) {
     response.status = 304;
@@ -50,6 +51,7 @@ void read_settings(const Scene& scene, const Request& request, Response& respons
 }
 
 void remove_scene(Service& service, const Request& request, Response& response) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const Status removed = service.scenes.remove(request.matches[1].str());
   if (!removed.ok()) return reply_problem(response, removed);
   response.status = 204;
@@ -66,7 +68,8 @@ void compare_revisions(const Scene& scene, const Request& request, Response& res
 }  // namespace
 
 void add_scene_routes(httplib::Server& server, Service& service) {
-  server.Get("/v1/scenes", [&](const Request&, Response& response) {
+  server.Get("/v1/scenes", [&](const Request& request, Response& response) {
+    if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
     reply_json(response, 200, encode(SceneList{service.scenes.list()}));
   });
   const auto create_once = [&service](const Request& request, Response& response, const std::function<void()>& create) {

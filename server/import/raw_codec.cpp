@@ -250,13 +250,14 @@ Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   return model;
 }
 
-// Guide curves: up and unit (-1 and 0 where the file does not say), their number, then of each the number of its points
-// and these. Native byte order.
+// Guide curves: up and unit (-1 and 0 where the file does not say), how many were left out, their number, then of each
+// the number of its points and these. Native byte order.
 
 std::string encode_guides(const GuideFile& file) {
   Writer out;
   out.value(static_cast<std::int8_t>(file.up ? static_cast<int>(*file.up) : -1));
   out.value(file.metres.value_or(0));
+  out.value(file.single);
   out.value(static_cast<std::uint64_t>(file.curves.size()));
   for (const GuideCurve& curve : file.curves) out.array(curve);
   return out.take();
@@ -270,6 +271,7 @@ Result<GuideFile> decode_guides(std::span<const std::byte> bytes) {
   const auto metres = in.value<double>();
   if (!(metres >= 0) || !std::isfinite(metres)) return misfit;
   if (metres > 0) file.metres = metres;
+  file.single = in.value<std::uint64_t>();
   std::vector<GuideCurve>& curves = file.curves;
   const auto count = in.value<std::uint64_t>();
   for (std::uint64_t i = 0; i < count && in.ok(); ++i) {

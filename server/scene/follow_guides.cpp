@@ -21,9 +21,12 @@ void thin(Interpolate& command, std::size_t most, const Symmetry& symmetry, cons
   command.keys = thinned(command.keys, std::max(static_cast<std::size_t>(affordable), std::size_t{1}));
 }
 
-void warn(CommandAnswer& answer, std::size_t curves, std::size_t far, std::size_t used) {
+void warn(CommandAnswer& answer, std::size_t single, std::size_t curves, std::size_t far, std::size_t used) {
   if (answer.results.empty()) return;
   std::vector<std::string>& warnings = answer.results.front().warnings;
+  if (single > 0)
+    warnings.push_back(
+        fmt::format("{} of {} curves are left out: they have fewer than two points", single, curves + single));
   if (far > 0)
     warnings.push_back(fmt::format("{} of {} curves are left out: their roots stand more than {} sizes off the skin",
                                    far, curves, guide_reach));
@@ -76,7 +79,7 @@ Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, con
   }
   const std::size_t used = command.keys.size();
   Result<CommandAnswer> answer = scene.execute({std::move(command)}, options);
-  if (answer) warn(*answer, curves.size(), found.far, used);
+  if (answer) warn(*answer, file.single, curves.size(), found.far, used);
   return answer;
 }
 

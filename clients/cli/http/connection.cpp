@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <chrono>
+#include <thread>
 
 namespace pelage {
 
@@ -14,6 +17,7 @@ namespace {
 constexpr int connection_seconds = 5;
 constexpr int answer_seconds = 24 * 3600;                         // the server says itself when it gives up
 constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP keepalive, which finds a host that is gone
+constexpr std::chrono::seconds patience(60), longest_wait(10);    // with a server that is busy
 constexpr const char* bytes_type = "application/octet-stream";
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
 
@@ -23,6 +27,15 @@ void keep_alive(socket_t socket) {
   set(IPPROTO_TCP, TCP_KEEPIDLE, idle_seconds);
   set(IPPROTO_TCP, TCP_KEEPINTVL, probe_seconds);
   set(IPPROTO_TCP, TCP_KEEPCNT, probes);
+}
+
+/// When a busy server is to be asked again; 0 where it is not.
+std::chrono::seconds wait_after(const HttpAnswer& answer) {
+  const auto said = answer.headers.find("retry-after");
+  if (answer.status != 429 || said == answer.headers.end()) return {};
+  int seconds = 0;
+  std::from_chars(said->second.data(), said->second.data() + said->second.size(), seconds);
+  return std::clamp(std::chrono::seconds(seconds), std::chrono::seconds(1), longest_wait);
 }
 
 /// Returns a body that reports how much of it was sent.
@@ -65,6 +78,18 @@ struct Connection::Impl {
         "start a server with `pelaged`, or name it with --server or PELAGE_SERVER");
   }
 
+  /// What `ask()` is answered in the end.
+  template <class Ask>
+  Result<HttpAnswer> answer_to(const Ask& ask) const {
+    const auto given_up = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+      Result<HttpAnswer> answer = result_of(ask());
+      const std::chrono::seconds wait = answer ? wait_after(*answer) : std::chrono::seconds();
+      if (wait.count() == 0 || std::chrono::steady_clock::now() + wait > given_up) return answer;
+      std::this_thread::sleep_for(wait);
+    }
+  }
+
   std::string server;
   httplib::Client client;
 };
@@ -90,39 +115,49 @@ Result<Connection> Connection::to(const std::string& server, const std::string& 
   return Connection(std::move(impl));
 }
 
-Result<HttpAnswer> Connection::get(const std::string& path) { return impl_->result_of(impl_->client.Get(path)); }
+Result<HttpAnswer> Connection::get(const std::string& path) {
+  return impl_->answer_to([&] { return impl_->client.Get(path); });
+}
 
 Result<HttpAnswer> Connection::get(const std::string& path, const std::function<bool(std::string_view)>& take) {
   bool success = false;
   std::string problem;
   const auto begin = [&](const httplib::Response& response) {
     success = response.status >= 200 && response.status < 300;
+    problem.clear();
     return true;
   };
-  Result<HttpAnswer> answer = impl_->result_of(impl_->client.Get(path, begin, [&](const char* data, std::size_t size) {
+  const auto receive = [&](const char* data, std::size_t size) {
     if (success) return take({data, size});
     problem.append(data, size);
     return true;
-  }));
+  };
+  Result<HttpAnswer> answer = impl_->answer_to([&] { return impl_->client.Get(path, begin, receive); });
   if (answer) answer->body = std::move(problem);
   return answer;
 }
 
 Result<HttpAnswer> Connection::post_json(const std::string& path, const std::string& body, const HttpHeaders& headers) {
   const httplib::Headers sent(headers.begin(), headers.end());
-  return impl_->result_of(impl_->client.Post(path, sent, body, "application/json"));
+  return impl_->answer_to([&] { return impl_->client.Post(path, sent, body, "application/json"); });
 }
 
 Result<HttpAnswer> Connection::post_bytes(const std::string& path, const std::string& bytes, const Sent& sent) {
-  if (bytes.empty()) return impl_->result_of(impl_->client.Post(path, bytes, bytes_type));
-  return impl_->result_of(impl_->client.Post(path, bytes.size(), in_pieces(bytes, sent), bytes_type));
+  return impl_->answer_to([&] {
+    if (bytes.empty()) return impl_->client.Post(path, bytes, bytes_type);
+    return impl_->client.Post(path, bytes.size(), in_pieces(bytes, sent), bytes_type);
+  });
 }
 
 Result<HttpAnswer> Connection::put_bytes(const std::string& path, const std::string& bytes, const Sent& sent) {
-  if (bytes.empty()) return impl_->result_of(impl_->client.Put(path, bytes, bytes_type));
-  return impl_->result_of(impl_->client.Put(path, bytes.size(), in_pieces(bytes, sent), bytes_type));
+  return impl_->answer_to([&] {
+    if (bytes.empty()) return impl_->client.Put(path, bytes, bytes_type);
+    return impl_->client.Put(path, bytes.size(), in_pieces(bytes, sent), bytes_type);
+  });
 }
 
-Result<HttpAnswer> Connection::remove(const std::string& path) { return impl_->result_of(impl_->client.Delete(path)); }
+Result<HttpAnswer> Connection::remove(const std::string& path) {
+  return impl_->answer_to([&] { return impl_->client.Delete(path); });
+}
 
 }  // namespace pelage

@@ -21,7 +21,8 @@ struct HttpAnswer {
 using HttpHeaders = std::map<std::string, std::string>;
 using Sent = std::function<void(std::size_t bytes)>;
 
-/// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable).
+/// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable). One that is
+/// busy (429) is asked again when it says so, for a minute; it has done nothing so far.
 class Connection {
  public:
   /// `server`: "http://host:port". Refused (invalid) when it is anything else. `token` may be empty;

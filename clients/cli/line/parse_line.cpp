@@ -9,14 +9,33 @@
 #include "clients/cli/line/declare.h"
 #include "clients/cli/line/flags.h"
 #include "clients/cli/terminal/report.h"
+#include "protocol/json/reader.h"
 
 namespace pelage {
 
 namespace {
 
+/// The refusal of a word that stands where a command is expected; ok where there is no such word.
+Status unknown_command(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty() || words.front().starts_with("-") || last->get_require_subcommand_min() == 0) return {};
+  std::vector<std::string_view> known;
+  for (const CLI::App* command : last->get_subcommands([](const CLI::App*) { return true; }))
+    known.push_back(command->get_name());
+  return failure(Code::invalid, "There is no command \"" + words.front() + "\".", "", "",
+                 nearest_name(words.front(), known));
+}
+
 /// Refuses the command line with what CLI11 says of it.
 int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool json = std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--json") == 0; });
+  if (Status unknown = unknown_command(app); error.get_exit_code() != 0 && !unknown.ok()) {
+    set_report_style({.json = json, .flags = {}});
+    report(with_next(std::move(unknown), "see `pelage --help`"));
+    return wrong_use;
+  }
   if (error.get_exit_code() == 0 || !json) return app.exit(error) == 0 ? done : wrong_use;
   set_report_style({.json = true, .flags = {}});
   report(with_next(failure(Code::invalid, error.what()), "see `pelage --help`"));

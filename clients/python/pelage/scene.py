@@ -136,20 +136,18 @@ class Scene(Commands[CommandAnswer], Pictures):
         answer = self._connection.post(f"{self._path}/branch", given({"name": name, "revision": revision}))
         return Scene(self._connection, cast(SceneInfo, answer.json))
 
-    def log(self) -> Iterator[LogEntry]:
+    def log(self) -> List[LogEntry]:
         """Every entry since the model came, oldest first."""
-        yield from cast(Any, self._connection.get(f"{self._path}/log").json)["entries"]
+        return cast(List[LogEntry], cast(Any, self._connection.get(f"{self._path}/log").json)["entries"])
 
-    def steps(self, carried_to: Optional[Scene] = None) -> Iterator[Dict[str, Any]]:
+    def steps(self, carried_to: Optional[Scene] = None) -> List[Dict[str, Any]]:
         """The undo steps that lead to where the scene is now; `run` takes each of them.
 
         carried_to: A scene whose model the positions, directions and lengths are carried to. What names vertices or
         revisions cannot be carried and raises `Refused`.
         """
         query = given({"format": "jsonl", "for": carried_to.id if carried_to else None})
-        for line in self._connection.get(f"{self._path}/log", query).body.splitlines():
-            step: Dict[str, Any] = json.loads(line)
-            yield step
+        return [json.loads(line) for line in self._connection.get(f"{self._path}/log", query).body.splitlines()]
 
     def compare(self, first: int, second: int) -> Comparison:
         """What two revisions differ in, field by field."""

@@ -125,6 +125,10 @@ class Client(ServedTest):
         self.pelage("--help")
         self.pelage(code=2)
         self.pelage("nonsense", code=2)
+        for line, nearest in ((("fame", "fox"), "frame"), (("map", "gte"), "get")):
+            refused = self.pelage(*line, code=2).stderr
+            self.assertIn(f'There is no command "{line[-1] if nearest == "get" else line[0]}"', refused)
+            self.assertIn(f"nearest: {nearest}", refused)
         self.pelage("frame", code=2)
         self.pelage("list", "--server", "ftp://x", code=2)
         gone = self.pelage("list", "--server", "http://127.0.0.1:1", code=1)

@@ -4,6 +4,7 @@ import contextlib
 import http.server
 import json
 import threading
+import time
 import unittest
 
 from support.server import ServedTest
@@ -55,22 +56,35 @@ class NextSteps(ServedTest):
                 self.assertIn("try again", step)
                 self.assertNotIn("pelaged", step)
 
+    def test_a_busy_server_is_asked_again_when_it_says(self):
+        with stub_server(429, "urn:pelage:problem:busy", times=2, retry_after=1) as stub:
+            begin = time.monotonic()
+            self.assertEqual(self.pelage("list", "--json", "--server", stub).stdout.strip(), '{"scenes":[]}')
+            self.assertGreater(time.monotonic() - begin, 1.9)
+
     def test_a_scene_that_is_not_there(self):
         self.assertIn("`pelage list`", self.next_of("info", "none", code=3))
 
 
 @contextlib.contextmanager
-def stub_server(status, kind):
-    """The address of a server that answers all with one problem document."""
+def stub_server(status, kind, times=1000, retry_after=None):
+    """The address of a server that answers so many times with a problem document, then with an empty list of scenes."""
     problem = json.dumps({"type": kind, "title": "t", "status": status, "detail": "Said by the stub."}).encode()
 
     class Handler(http.server.BaseHTTPRequestHandler):
+        left = times
+
         def do_GET(self):
-            self.send_response(status)
-            self.send_header("Content-Type", "application/problem+json")
-            self.send_header("Content-Length", str(len(problem)))
+            Handler.left -= 1
+            refused = Handler.left >= 0
+            body = problem if refused else b'{"scenes":[]}'
+            self.send_response(status if refused else 200)
+            self.send_header("Content-Type", "application/problem+json" if refused else "application/json")
+            self.send_header("Content-Length", str(len(body)))
+            if refused and retry_after:
+                self.send_header("Retry-After", str(retry_after))
             self.end_headers()
-            self.wfile.write(problem)
+            self.wfile.write(body)
 
         def log_message(self, *_):
             pass

@@ -190,7 +190,7 @@ class Grooming(PackageTest):
     def test_a_log_is_carried_to_another_scene(self):
         self.scene.comb(stroke=pelage.stroke([[1, 0.2, 0], [1, 0.3, 0]]), brush={"radius": 0.3})
         other = self.client.create("ball", model={"builtin": "sphere", "triangles": 300})
-        own, carried = next(self.scene.steps()), next(self.scene.steps(carried_to=other))
+        own, carried = self.scene.steps()[0], self.scene.steps(carried_to=other)[0]
         self.assertNotEqual(own["stroke"], carried["stroke"])
         self.assertGreater(other.run(carried)["results"][0]["touched"], 0)
 

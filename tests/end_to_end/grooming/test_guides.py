@@ -58,6 +58,13 @@ class Guides(ServedTest):
         self.assertGreater(hit["direction"][1], 0.9)
         self.assertGreater(hit["inclination"], 0.5)
 
+    def test_curves_of_one_point_are_left_out(self):
+        ball = self.plain("sphere")
+        curves = [[[0, 0, 1]], [[0, 0, 1], [0, 0.04 * ball.info()["size"], 1.02]]]
+        answer = self.put(ball, "json", json.dumps({"curves": curves}).encode())
+        self.assertEqual(answer.status, 200, answer)
+        self.assertIn("1 of 2 curves are left out: they have fewer than two points", answer.json["results"][0]["warnings"])
+
     def test_refusals(self):
         ball = self.plain("sphere")
         before = ball.info()["revision"]

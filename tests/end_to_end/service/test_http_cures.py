@@ -95,6 +95,32 @@ class Framing(ServedTest):
         one = self.server.get("/openapi.json", headers={"Range": "bytes=0-9"})
         self.assertEqual((one.status, one.body), (200, whole.body))
 
+    def test_what_an_address_takes_is_said(self):
+        for method, path, takes in (("DELETE", "/v1/scenes", "GET, HEAD, POST"), ("PATCH", self.scene.path, "GET, HEAD, DELETE"),
+                                    ("PATCH", "/nothing", "GET, HEAD, POST, PUT, DELETE")):
+            answer = self.server.call(method, path)
+            self.assertEqual((answer.status, answer.headers["allow"], answer.json["limit"]), (405, takes, takes))
+
+    def test_parameters_that_nobody_reads_are_refused(self):
+        for path in ("/v1/scenes", self.scene.path):
+            self.assert_problem(self.server.get(f"{path}?nth=2"), 422, "/nth")
+        self.assert_problem(self.server.call("DELETE", f"{self.scene.path}?sure=1"), 422, "/sure")
+
+    def test_flags_are_numbers_or_words(self):
+        for word in ("1", "true"):
+            self.assertIn("strands", self.server.get(f"{self.scene.path}/export/usda?dry_run={word}").json)
+        for word in ("0", "false"):
+            self.assertTrue(self.server.get(f"{self.scene.path}/export/usda?dry_run={word}").body.startswith(b"#usda"))
+
+    def test_heads_promise_what_is_kept(self):
+        answer = self.server.call("HEAD", f"{self.scene.path}/export/usda")
+        self.assertEqual((answer.status, answer.headers["accept-ranges"]), (200, "none"))
+
+    def test_a_connection_that_closes_is_not_kept(self):
+        answer = self.refused(404, "GET /nothing HTTP/1.1", late=b"").lower()
+        self.assertIn(b"connection: close", answer)
+        self.assertNotIn(b"keep-alive:", answer)
+
     def test_a_post_without_a_length_has_no_body(self):
         received = self.server.raw(head(f"POST {self.scene.path}/undo HTTP/1.1", "Connection: close"))
         self.assertEqual(statuses(received), [422], received)  # 400 once it has waited for a body in vain

@@ -142,6 +142,7 @@ TEST(Guides, HairFilesAreRead) {
   const auto even = read_guides(GuideFormat::hair, hair_file(2));
   ASSERT_TRUE(even.ok());
   EXPECT_EQ(even->curves[1].size(), 2u);
+  EXPECT_NE(refusal(GuideFormat::hair, hair_file(2).substr(0, 20)).find("cut off"), std::string::npos);
   const std::string whole = hair_file(1 | 2);
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_NE(refusal(GuideFormat::hair, whole.substr(0, size)), "") << size;
@@ -152,7 +153,11 @@ TEST(Guides, JsonIsReadOrRefusedWithTheReason) {
   const auto file = read_guides(GuideFormat::json, R"({"curves": [[[0, 0, 0], [1, 2, 3]]]})");
   ASSERT_TRUE(file.ok());
   expect_near(file->curves[0][1], {1, 2, 3});
-  EXPECT_NE(refusal(GuideFormat::json, R"({"curves": [[[0, 0, 0]]]})").find("curve 0"), std::string::npos);
+  EXPECT_NE(refusal(GuideFormat::json, R"({"curves": [[[0, 0, 0]]]})").find("fewer than two"), std::string::npos);
+  const auto some = read_guides(GuideFormat::json, R"({"curves": [[[0, 0, 0]], [[0, 0, 0], [1, 2, 3]], []]})");
+  ASSERT_TRUE(some.ok()) << some.status().message;
+  EXPECT_EQ(some->curves.size(), 1u);
+  EXPECT_EQ(some->single, 2u);
   EXPECT_NE(refusal(GuideFormat::json, R"({"curves": [[[0, 0], [1, 2, 3]]]})").find("three numbers"),
             std::string::npos);
   EXPECT_NE(refusal(GuideFormat::json, "[]").find("curves"), std::string::npos);
