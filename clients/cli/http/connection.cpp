@@ -17,7 +17,7 @@ namespace {
 constexpr int connection_seconds = 5;
 constexpr int answer_seconds = 24 * 3600;                         // the server says itself when it gives up
 constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP keepalive, which finds a host that is gone
-constexpr std::chrono::seconds patience(60), longest_wait(10);    // with a server that is busy
+constexpr std::chrono::seconds retry_timeout(60), longest_wait(10);  // with a server that is busy
 constexpr const char* bytes_type = "application/octet-stream";
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
 
@@ -81,7 +81,7 @@ struct Connection::Impl {
   /// What `ask()` is answered in the end.
   template <class Ask>
   Result<HttpAnswer> answer_to(const Ask& ask) const {
-    const auto given_up = std::chrono::steady_clock::now() + patience;
+    const auto given_up = std::chrono::steady_clock::now() + retry_timeout;
     for (;;) {
       Result<HttpAnswer> answer = result_of(ask());
       const std::chrono::seconds wait = answer ? wait_after(*answer) : std::chrono::seconds();
