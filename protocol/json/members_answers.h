@@ -167,8 +167,7 @@ void members(V& v, Visited<V, MaterialReport>& c) {
   v.counter("triangles", c.triangles, "Number of its triangles.");
   v.boolean(
       "bare", c.bare,
-      "Whether fur was left out there when the model was loaded, because the name says that it is an eye, a tooth, "
-      "a claw, a beak, a hoof or the like. Paint `bare` with 0 to have fur there.");
+      "Whether it began without fur, by its name: an eye, a tooth, a claw, a hoof. Paint `bare` with 0 to have some.");
 }
 
 template <class V>
@@ -185,8 +184,7 @@ void report_members(V& v, Visited<V, ModelReport>& c) {
   v.text("pose", c.pose, "Moment of the animation that it stands in, as NAME@SECONDS; empty as the file has it.",
          any_length);
   v.texts("animations", c.animations, "Names of the animations that the file has.");
-  v.objects("materials", c.materials, {0, limits::named_materials},
-            "Materials of the file that have names, in the order of their first triangles. `mask` chooses one.");
+  v.objects("materials", c.materials, {0, limits::named_materials}, "Named materials of the file; `mask` chooses one.");
   v.objects("repairs", c.repairs, any_count, "What was mended, and what was left out.");
   v.objects("doubtful_parts", c.doubtful_parts, any_count,
             "Open parts that may be inside out: what little they enclose says so. `flip` turns one.");
@@ -207,7 +205,7 @@ void members(V& v, Visited<V, SceneSummary>& c) {
          "change it; a restart may.");
   v.word("fur_patches", c.fur_patches, json_names::fur_patches);
   v.number(sparse("metres_per_unit"), c.metres_per_unit, metres,
-           "Metres that the unit of the model's file is; only where its format says it, as glTF does.");
+           "Metres of a unit of the model's file, where its format says it (glTF).");
   report_members(v, c.report);
   v.hash("fields_hash", c.fields_hash);
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");

@@ -216,19 +216,15 @@ void members(V& v, Visited<V, ExportRequest>& c) {
   v.boolean("widen", c.widen, "Makes strands `every` times as wide, which keeps what they cover.");
   v.boolean("curves", c.curves, "Whether whiskers, lashes and brows are in it.");
   v.name("basis", c.basis, json_names::curve_bases,
-         "How strands go between their points: straight, or as Catmull-Rom curves through the same points; of format "
-         "`usda` "
-         "only.");
+         "Straight between points, or Catmull-Rom curves through them; of format `usda` only.");
   v.boolean("skin", c.skin, "Whether the model's mesh lies under the strands; of format `usda` only.");
   v.integer("shells", c.shells, {1, 32}, "Number of layers; of format `shells` only.");
   v.integer("cards", c.cards, {100, 200000}, "Number of cards of the finest level, about; of format `cards` only.");
   v.name("frame", c.frame, json_names::asset_frames,
          "The axes of the places. source: those of the model's file, so that the fur lies on it. pelage: up +y, front "
          "+z.");
-  v.number(
-      bare("metres_per_unit"), c.metres_per_unit, metres,
-      "Metres that the unit of the model's file is: `usda` says it, and GLBs are scaled by it, as glTF is in metres. "
-      "1 when it is not given.");
+  v.number(bare("metres_per_unit"), c.metres_per_unit, metres,
+           "Metres of a unit of the model's file, 1 unless given. `usda` says it, GLBs are scaled by it.");
 }
 
 template <class V>
@@ -305,13 +301,11 @@ void members(V& v, Visited<V, GuideUpload>& c) {
            "Width of the Gaussians that spread them; from the distance between roots unless given.");
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
   v.name(bare("frame"), c.frame, json_names::asset_frames,
-         "The axes of the file's places. source: those of the model's file. pelage: up +y, front +z. When it is not "
-         "given, "
-         "`usda` and `hair` are in source, `json` is in pelage. A `usda` with another upAxis is turned to them.");
+         "As of an export; when it is not given source of `usda` and `hair`, pelage of `json`. Another upAxis of a "
+         "`usda` is turned.");
   v.number(
       bare("metres_per_unit"), c.metres_per_unit, metres,
-      "Metres that the unit of the model's file is; 1 of glTF when it is not given. Where it is known, a `usda` that "
-      "says its own metersPerUnit is scaled by it.");
+      "Metres of a unit of the model's file; 1 of glTF. Where it is known, a `usda` is scaled by its metersPerUnit.");
 }
 
 }  // namespace pelage::json_parts

@@ -93,11 +93,9 @@ void members(V& v, Visited<V, Brush>& c) {
            "Where the part of the strand that changes begins: 0 is the root, 1 the tip. It works on colours only: "
            "root_colour stands for the lower half, tip_colour for the upper.");
   v.number("strand_to", c.strand_to, share, "Where the part of the strand that changes ends; above strand_from.");
-  v.picture(
-      sparse("alpha"), c.alpha,
-      "Name of an uploaded picture that each dab of a stroke prints: a vertex changes by as much as the picture is "
-      "bright where it lies, and not at all under black. The picture covers the dab, its top to where the stroke "
-      "goes; where the stroke stands still, up.");
+  v.picture(sparse("alpha"), c.alpha,
+            "Name of an uploaded picture that each dab of a stroke prints, its top to where the stroke goes: bright "
+            "changes much, black nothing.");
   v.object("symmetry", c.symmetry,
            "The symmetry of this command; absent it is the scene's. With `planes` empty and `count` 1 there is none.");
 }

@@ -310,7 +310,7 @@ void members(V& v, Visited<V, MaskPart>& c) {
 template <class V>
 void members(V& v, Visited<V, MaskMaterial>& c) {
   v.type("MaskMaterial", "All faces to which the model's file gives a material.");
-  v.label(required("name"), c.name, "Name of the material, as in `materials` of the scene.");
+  v.label(required("name"), c.name, "One of the scene's `materials`.");
 }
 
 template <class V>

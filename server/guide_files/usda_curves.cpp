@@ -12,6 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr int deepest = 256;  // prims inside one another
+constexpr double least_metres = 1e-9, most_metres = 1e9;
 
 /// What of a prim says where its curves are.
 struct Prim {
@@ -105,8 +106,8 @@ class UsdaReader {
   Status read_metres() {
     std::vector<double> numbers;
     if (Status status = read_numbers(numbers); !status.ok()) return status;
-    if (numbers.size() != 1 || !(numbers[0] > 0) || !std::isfinite(numbers[0]))
-      return broken_guides("its metersPerUnit is not above 0.");
+    if (numbers.size() != 1 || !(numbers[0] >= least_metres && numbers[0] <= most_metres))
+      return broken_guides("its metersPerUnit is not within 1e-9 to 1e9.");
     file_.metres = numbers[0];
     return {};
   }

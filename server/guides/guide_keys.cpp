@@ -50,7 +50,7 @@ GuideKeys keys_of(const std::vector<GuideCurve>& curves, const Surface& surface,
   for (const GuideCurve& curve : curves) {
     const glm::dvec3 root = mesh.to_internal(curve.front());
     const SurfacePoint place = surface.nearest(root);
-    if (glm::distance(root, surface.position(place)) > guide_reach)
+    if (!(glm::distance(root, surface.position(place)) <= guide_reach))  // nor what is no place any more
       ++found.far;
     else
       found.keys.push_back(key_of(curve, surface.normal(place), coat, mesh.size));

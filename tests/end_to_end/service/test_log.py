@@ -15,13 +15,13 @@ class Text(ServedTest):
 
     def test_one_line_for_each_request(self):
         scene = self.server.new_scene("plane", 2)
-        answer = self.server.get(f"{scene.path}?once")
-        (line,) = lines_of(self.server, having="?once")
+        answer = self.server.get(f"{scene.path}/log?format=jsonl")
+        (line,) = lines_of(self.server, having="?format=jsonl")
         head, _, rest = line.partition(" request ")
         self.assertRegex(head, r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z info$")
         fields = dict(field.split("=", 1) for field in rest.split())
         self.assertEqual(fields["id"], answer.headers["pelage-request"])
-        self.assertEqual((fields["method"], fields["path"], fields["status"]), ("GET", f"{scene.path}?once", "200"))
+        self.assertEqual((fields["method"], fields["path"], fields["status"]), ("GET", f"{scene.path}/log?format=jsonl", "200"))
         self.assertGreaterEqual(int(fields["bytes"]), len(answer.body))
         self.assertGreaterEqual(float(fields["ms"]), 0)
         self.assertEqual(fields["client"], "127.0.0.1")

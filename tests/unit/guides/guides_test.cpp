@@ -67,8 +67,8 @@ TEST(Guides, UsdSaysItsAxisAndUnit) {
   const auto silent = read("doc = \"upAxis = Z\"");
   ASSERT_TRUE(silent.ok()) << silent.status().message;
   EXPECT_FALSE(silent->up || silent->metres);
-  for (const char* bad :
-       {"upAxis = \"X\"", "metersPerUnit = 0", "metersPerUnit = -1", "metersPerUnit = (1, 2)", "upAxis ="})
+  for (const char* bad : {"upAxis = \"X\"", "metersPerUnit = 0", "metersPerUnit = -1", "metersPerUnit = 1e300",
+                          "metersPerUnit = (1, 2)", "upAxis ="})
     EXPECT_FALSE(read(bad).ok()) << bad;
 }
 

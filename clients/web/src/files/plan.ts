@@ -1,9 +1,7 @@
 // What is to be uploaded: one model among the files that were dropped, packed where it names others.
 import type {ModelFormat} from "../api/types";
 import type {Values} from "../tools/state";
-import {MissingFiles, packGltf} from "./pack_gltf";
 import {endingOf, type Taken} from "./take";
-import {textureOf} from "./texture";
 
 export interface Plan {
   name: string;
@@ -38,6 +36,7 @@ export function chooseModel(all: Taken[]): {model: Taken | undefined; others: nu
 const axesOf = (format: ModelFormat): Values => (["stl", "3ds"].includes(format) ? {up: "z", front: "-y"} : {up: "y", front: "z"});
 
 async function pack(model: Taken, all: Taken[]): Promise<Blob> {
+  const {MissingFiles, packGltf} = await import("./pack_gltf");
   try {
     return await packGltf(model, all);
   } catch (error) {
@@ -54,7 +53,7 @@ export async function planOf(all: Taken[]): Promise<Plan> {
   const bytes = ending === "gltf" ? await pack(model, all) : model.file;
   if (bytes.size > max_model_bytes) throw new PlanError(`${model.file.name} has ${mebibytes(bytes.size)}.`, "The server takes 256 MiB: reduce the mesh, or leave out pictures.");
   if (bytes.size === 0) throw new PlanError(`${model.file.name} is empty.`, "Export it again.");
-  const texture = ending === "obj" ? await textureOf(model, all) : {picture: null, notes: []};
+  const texture = ending === "obj" ? await (await import("./texture")).textureOf(model, all) : {picture: null, notes: []};
   const format = ending === "gltf" ? "glb" : ending;
   return {name: model.file.name.replace(/\.[^.]+$/, ""), format, bytes, texture: texture.picture, options: axesOf(format), notes: [...notes, ...texture.notes], groom_of: ""};
 }

@@ -1,4 +1,8 @@
 // What is dropped or chosen: files with their paths, out of folders too.
+
+/** Of pictures that can lie on a skin. */
+export const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
+
 export interface Taken { path: string; file: File }
 
 const max_files = 4000;

@@ -1,10 +1,7 @@
 // The picture that an OBJ's materials name, as the server takes it: one PNG or JPEG of at most 4096 pixels a side.
-import {baseOf, findNamed, type Taken} from "./take";
+import {baseOf, findNamed, skin_endings, type Taken} from "./take";
 
 export interface Texture { picture: Blob | null; notes: string[] }
-
-/** Of pictures that can lie on a skin. */
-export const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
 
 const max_side = 4096;
 const head_bytes = 1 << 20;  // where an OBJ names its materials

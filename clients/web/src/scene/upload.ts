@@ -1,7 +1,7 @@
 // Pictures for the scene that is open: the skin of its model and the light from all around. Each is one step.
 import {call, scenePath} from "../api/client";
 import type {CommandAnswer} from "../api/types";
-import {fitting, skin_endings} from "../files/texture";
+import {skin_endings} from "../files/take";
 import {say, sayError} from "./messages";
 import {accept, isOpen, refresh, scene, settings} from "./session";
 
@@ -13,6 +13,7 @@ async function put(id: string, path: string, file: Blob) {
 }
 
 async function putSkin(id: string, file: File) {
+  const {fitting} = await import("../files/texture");
   const {picture, note} = await fitting(file);
   if (!picture) return say(note, "", "error");
   await put(id, "skin_texture", picture);
