@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr int deepest = 256;  // prims inside one another
-constexpr double least_metres = 1e-9, most_metres = 1e9;
+constexpr double min_metres = 1e-9, max_metres = 1e9;
 
 /// What of a prim says where its curves are.
 struct Prim {
@@ -106,7 +106,7 @@ class UsdaReader {
   Status read_metres() {
     std::vector<double> numbers;
     if (Status status = read_numbers(numbers); !status.ok()) return status;
-    if (numbers.size() != 1 || !(numbers[0] >= least_metres && numbers[0] <= most_metres))
+    if (numbers.size() != 1 || !(numbers[0] >= min_metres && numbers[0] <= max_metres))
       return broken_guides("its metersPerUnit is not within 1e-9 to 1e9.");
     file_.metres = numbers[0];
     return {};
