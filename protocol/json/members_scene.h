@@ -300,9 +300,10 @@ void members(V& v, Visited<V, GuideUpload>& c) {
   v.number("sigma", c.sigma, {1e-6, 1e6, "sizes"},
            "Width of the Gaussians that spread them; from the distance between roots unless given.");
   v.number("strength", c.strength, share, "0 does nothing, 1 all.");
-  v.name(bare("frame"), c.frame, json_names::asset_frames,
-         "As of an export; when it is not given source of `usda` and `hair`, pelage of `json`. Another upAxis of a "
-         "`usda` is turned.");
+  v.name(
+      bare("frame"), c.frame, json_names::asset_frames,
+      "As of an export. Where it is not given: source for `usda` and `hair`, pelage for `json`. A `usda` with another "
+      "upAxis is turned.");
   v.number(
       bare("metres_per_unit"), c.metres_per_unit, metres,
       "Metres of a unit of the model's file; 1 of glTF. Where it is known, a `usda` is scaled by its metersPerUnit.");

@@ -22,8 +22,8 @@ struct UsdaForm {
 /// Catmull-Rom's through the same points. A part for each array of each set, as text takes long to make.
 std::vector<FilePart> usda_parts(const std::shared_ptr<const ExportedStrands>& strands, const UsdaForm& form);
 
-/// The HAIR format of cyHair (Yuksel): segments, points in model coordinates, thickness and linear colours.
-/// Little endian, as its readers expect. False when the sink ended it.
+/// The HAIR format of cyHair (Yuksel): segments, points in the axes of the strands' place, thickness and linear
+/// colours. Little endian, as its readers expect. False when the sink ended it.
 bool write_hair(const ExportedStrands& strands, const Sink& sink);
 
 }  // namespace pelage

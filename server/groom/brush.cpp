@@ -76,6 +76,19 @@ std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surfac
   return std::optional<StandingFur>(std::in_place, surface, fields, coat);
 }
 
+namespace {
+
+/// Where a dab lies on the skin, for the picture that it prints.
+class DabPlane {
+ public:
+  DabPlane(const Dab& dab, const Surface& surface);
+  /// A place near the dab as one on its picture, [0, 1].
+  glm::dvec2 place_on_picture(glm::dvec3 position) const;
+
+ private:
+  glm::dvec3 centre_, along_, across_;  // the axes are one over the radius long
+};
+
 DabPlane::DabPlane(const Dab& dab, const Surface& surface) : centre_(dab.centre) {
   constexpr double least = 1e-6;
   const glm::dvec3 normal = surface.normal(surface.nearest(dab.centre));
@@ -91,6 +104,8 @@ glm::dvec2 DabPlane::place_on_picture(glm::dvec3 position) const {
   const glm::dvec3 apart = position - centre_;
   return glm::clamp(0.5 + 0.5 * glm::dvec2(glm::dot(apart, across_), glm::dot(apart, along_)), 0.0, 1.0);
 }
+
+}  // namespace
 
 BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur,
                          const MapPicture* alpha)

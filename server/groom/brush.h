@@ -41,17 +41,6 @@ struct Dab {
   double radius = 0;  // sizes
 };
 
-/// Where a dab lies on the skin, for the picture that it prints.
-class DabPlane {
- public:
-  DabPlane(const Dab& dab, const Surface& surface);
-  /// A place near the dab as one on its picture, [0, 1].
-  glm::dvec2 place_on_picture(glm::dvec3 position) const;
-
- private:
-  glm::dvec3 centre_, along_, across_;  // the axes are one over the radius long
-};
-
 /// What one dab does to one vertex: strength x falloff x pressure, in [0, 1]. The mask is not in it.
 struct VertexWeight {
   std::uint32_t vertex = 0;

@@ -298,7 +298,9 @@ struct CheckTool {
     const auto has_name = [&](const MaterialReport& material) { return material.name == name; };
     if (std::any_of(materials.begin(), materials.end(), has_name)) return {};
     std::string known;
-    for (const MaterialReport& material : materials) known += (known.empty() ? "" : " | ") + material.name;
+    for (std::size_t k = 0; k < std::min(materials.size(), named_losses); ++k)
+      known += (known.empty() ? "" : " | ") + materials[k].name;
+    if (materials.size() > named_losses) known += " | ...";
     return failure(Code::invalid, "The model has no material of that name.", "/material/name",
                    known.empty() ? "a model whose file names materials" : known);
   }

@@ -12,10 +12,9 @@
 
 namespace pelage {
 
-/// What a file holds. Refused (invalid), saying where:
-/// what is cut off or is no such file, a number that is not finite, and a file without curves of two points.
-/// `usda`: all BasisCurves of USD as text, where their Xforms put them; control points of cubic ones count as points.
-/// `hair`: HAIR (cyHair). `json`: {"curves": [[[x, y, z], ...], ...]}.
+/// What a file holds. Refused (invalid), saying where: what is cut off or is no such file, a number that is not finite,
+/// and a file without curves of two points. `usda`: all BasisCurves of USD as text, where their Xforms put them;
+/// control points of cubic ones count as points. `hair`: HAIR (cyHair). `json`: {"curves": [[[x, y, z], ...], ...]}.
 Result<GuideFile> read_guides(GuideFormat format, std::string_view bytes);
 
 Result<GuideFile> read_usda_curves(std::string_view text);
