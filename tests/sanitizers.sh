@@ -14,7 +14,7 @@ fi
 targets=(fuzz_json)
 for suite in "${suites[@]}"; do
   case $suite in
-    end_to_end.*) targets+=(pelaged pelage pelage-import) ;;
+    end_to_end.*) targets+=(pelaged pelage pelage-import pelage-render) ;;
     *) targets+=("$suite") ;;
   esac
 done
