@@ -36,6 +36,7 @@ enum class Action {
   info,
   subdivide,
   turn,
+  rename,
   compare,
   trade,
   farm,

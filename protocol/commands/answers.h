@@ -118,6 +118,15 @@ struct ModelReport {
   bool operator==(const ModelReport&) const = default;
 };
 
+/// How the groom of a scene went over to a new version of its model.
+struct CarriedReport {
+  Alignment align = Alignment::none;
+  std::size_t vertices = 0;
+  std::size_t far = 0;      // of them, farther than .05 sizes from the model before
+  std::string before = {};  // id of the scene that is as this one was, with its log
+  bool operator==(const CarriedReport&) const = default;
+};
+
 struct SceneSummary {
   std::string id;
   std::string name;
@@ -130,8 +139,9 @@ struct SceneSummary {
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
-  std::vector<EditLayer> edit_layers = {};  // from the lowest
-  std::string damage = {};                  // of its journal; "" for none
+  std::vector<EditLayer> edit_layers = {};    // from the lowest
+  std::string damage = {};                    // of its journal; "" for none
+  std::optional<CarriedReport> carried = {};  // in the answer to a new version of the model
   bool operator==(const SceneSummary&) const = default;
 };
 

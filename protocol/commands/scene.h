@@ -67,6 +67,10 @@ struct ImportOptions {
   bool ground = false;  // as NewScene::ground
 };
 
+/// How a model is aligned with another one: its box is scaled to the other's, axis by axis, or both stay in the same
+/// model coordinates.
+enum class Alignment { box, none };
+
 /// How fine a mesh for clients is to be.
 struct MeshRequest {
   int triangles = 20'000;  // at most, where the model can be made simpler; [100, 200000]
@@ -84,6 +88,11 @@ struct Subdivide {
 /// in more than sign.
 struct TurnModel {
   Axis up = Axis::plus_y, front = Axis::plus_z;
+};
+
+/// Another name for a scene.
+struct SceneName {
+  std::string name;  // 1 to 200 bytes
 };
 
 }  // namespace pelage

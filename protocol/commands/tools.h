@@ -12,6 +12,7 @@
 
 #include "protocol/commands/field.h"
 #include "protocol/commands/inputs.h"
+#include "protocol/commands/scene.h"
 #include "protocol/commands/stroke.h"
 
 namespace pelage {
@@ -304,9 +305,6 @@ struct Paint {
   glm::vec3 colour{1};           // linear; of colour fields
 };
 
-/// How a model is aligned with another one: its box is scaled to the other's, axis by axis, or both stay in the same
-/// model coordinates.
-enum class Alignment { box, none };
 /// Takes the fields of another scene, or of this one at another revision, from the nearest positions on its surface.
 /// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
 struct Retarget {

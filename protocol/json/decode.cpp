@@ -66,6 +66,8 @@ Result<int> decode_steps(std::string_view text) {
 Result<Subdivide> decode_subdivide(std::string_view text) { return decode_optional_document<Subdivide>(text); }
 Result<TurnModel> decode_turn_model(std::string_view text) { return decode_optional_document<TurnModel>(text); }
 
+Result<SceneName> decode_scene_name(std::string_view text) { return decode_document<SceneName>(text); }
+
 Result<BranchRequest> decode_branch(std::string_view text) { return decode_optional_document<BranchRequest>(text); }
 
 Result<AmendRequest> decode_amend(std::string_view text) { return decode_document<AmendRequest>(text); }

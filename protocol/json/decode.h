@@ -81,6 +81,7 @@ Result<std::uint64_t> decode_revision(std::string_view text);
 Result<Subdivide> decode_subdivide(std::string_view text);
 /// `{"up": "z", "front": "-y"}`; both have defaults.
 Result<TurnModel> decode_turn_model(std::string_view text);
+Result<SceneName> decode_scene_name(std::string_view text);
 /// `{"name": ..., "revision": n}`, both optional; an empty body is {}.
 Result<BranchRequest> decode_branch(std::string_view text);
 /// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.

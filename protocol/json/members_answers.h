@@ -194,6 +194,15 @@ void report_members(V& v, Visited<V, ModelReport>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, CarriedReport>& c) {
+  v.answer("Carried", "How the groom went over to a new version of the model.");
+  v.name("align", c.align, json_names::alignments, "How both models were aligned.");
+  v.counter("vertices", c.vertices, "Number of vertices, each of which took what lay nearest.");
+  v.counter("far", c.far, "Number of them farther than .05 sizes from the model before.");
+  v.text("before", c.before, "Id of the scene that is as this one was, with its undo log.");
+}
+
+template <class V>
 void members(V& v, Visited<V, SceneSummary>& c) {
   v.answer("Scene", "A scene: its model, and where its log stands.");
   v.text("id", c.id, "Id of the scene, for addresses.");
@@ -215,6 +224,7 @@ void members(V& v, Visited<V, SceneSummary>& c) {
          "What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses "
          "changes (409); it can be looked at, exported and branched, unless its model is what is damaged.",
          any_length);
+  v.object(sparse("carried"), c.carried, "In the answer to a new version of the model.");
 }
 
 template <class V>

@@ -81,6 +81,12 @@ void members(V& v, Visited<V, NewScene>& c) {
 }
 
 template <class V>
+void members(V& v, Visited<V, SceneName>& c) {
+  v.type("SceneName", "Another name for a scene.");
+  v.label(required("name"), c.name, "At most 200 bytes of UTF-8, no control characters.");
+}
+
+template <class V>
 void members(V& v, Visited<V, Subdivide>& c) {
   v.type("Subdivide", "How a model is made finer.");
   v.integer("levels", c.levels, {1, limits::subdivide_levels}, "How often triangles are split.");

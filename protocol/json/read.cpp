@@ -336,6 +336,7 @@ template Revisions read(const Value&);
 template AtRevision read(const Value&);
 template Subdivide read(const Value&);
 template TurnModel read(const Value&);
+template SceneName read(const Value&);
 template BranchRequest read(const Value&);
 template AmendRequest read(const Value&);
 template Batch read(const Value&);

@@ -389,7 +389,8 @@ nlohmann::ordered_json schemas() {
   using namespace json_parts;
   Json all = shapes();
   describe<NewScene>(all), describe<Batch>(all), describe<AmendRequest>(all), describe<BranchRequest>(all);
-  describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all), describe<TurnModel>(all);
+  describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all), describe<TurnModel>(all),
+      describe<SceneName>(all);
   describe<FrameRequest>(all), describe<PickRequest>(all), describe<RecipeRequest>(all);
   describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);

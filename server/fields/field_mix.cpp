@@ -1,5 +1,6 @@
 #include "server/fields/field_mix.h"
 
+#include <array>
 #include <cassert>
 #include <functional>
 
@@ -60,33 +61,32 @@ glm::dvec4 mean(Field field, const ValueOf& value, std::span<const MixShare> sha
   return sum;
 }
 
-/// What lies under the edit layers and what each of them adds, at the vertices that any edit layer covers.
-class SubdividedEditLayers {
- public:
-  SubdividedEditLayers(const FieldSet& fields, Field field, const Mesh& before, const Mesh& after, std::size_t layers)
-      : fields_(fields), field_(field), before_(before), after_(after), layers_(layers) {}
+/// What lies under the edit layers and what each of them adds: the mean of what they are at the vertices that count.
+EditLayerStack mixed_stack(const FieldSet& fields, Field field, std::span<const MixShare> shares, const Mesh& from,
+                           const Mesh& to, std::uint32_t vertex, std::size_t layers) {
+  const auto at = [&](std::uint32_t v) { return stack_at(fields, field, v, layers); };
+  const auto mean_of = [&](const ValueOf& value) { return mean(field, value, shares, from, to, vertex); };
+  EditLayerStack stack;
+  for (const MixShare& share : shares) stack.covered = stack.covered || (share.weight > 0 && at(share.vertex).covered);
+  if (!stack.covered) return stack;
+  stack.base = mean_of([&](std::uint32_t v) { return at(v).base; });
+  for (std::size_t k = 0; k < layers; ++k) stack.added[k] = mean_of([&](std::uint32_t v) { return at(v).added[k]; });
+  return stack;
+}
 
-  EditLayerStack at(std::uint32_t vertex, glm::uvec2 parents) const {
-    const MixShare shares[] = {{parents.x, 0.5}, {parents.y, 0.5}};
-    EditLayerStack stack;
-    stack.covered = stack_at(parents.x).covered || stack_at(parents.y).covered;
-    stack.base = mixed(vertex, shares, [&](std::uint32_t v) { return stack_at(v).base; });
-    for (std::size_t k = 0; stack.covered && k < layers_; ++k)
-      stack.added[k] = mixed(vertex, shares, [&](std::uint32_t v) { return stack_at(v).added[k]; });
-    return stack;
+/// Puts what edit layers cover into `result`, vertex by vertex; does nothing where none covers the field.
+void put_stacks(FieldSet& result, Field field, const FieldSet& fields, const std::vector<EditLayer>& layers,
+                const std::function<EditLayerStack(std::uint32_t)>& stack_of) {
+  if (fields.untouched(under_sheet, field)) return;
+  StackWriter writer(result, field, layers.size());
+  for (std::uint32_t v = 0; v < result.size(); ++v) {
+    const EditLayerStack stack = stack_of(v);
+    if (stack.covered) writer.put(v, stack, layers);
   }
-  EditLayerStack stack_at(std::uint32_t old) const { return pelage::stack_at(fields_, field_, old, layers_); }
-
- private:
-  glm::dvec4 mixed(std::uint32_t vertex, std::span<const MixShare> shares, const ValueOf& value) const {
-    return mean(field_, value, shares, before_, after_, vertex);
-  }
-
-  const FieldSet& fields_;
-  Field field_;
-  const Mesh &before_, &after_;
-  std::size_t layers_;
-};
+  FieldDelta delta;
+  writer.finish(delta);
+  result.apply(delta);
+}
 
 }  // namespace
 
@@ -104,21 +104,37 @@ FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& afte
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (fields.at_default(field)) continue;
+    const auto parents_of = [&](std::uint32_t v) {
+      return std::array<MixShare, 2>{{{parents[v - old].x, 0.5}, {parents[v - old].y, 0.5}}};
+    };
     for (std::uint32_t v = 0; v < old; ++v) result.set(field, v, fields.value(field, v));
-    for (std::uint32_t k = 0; k < parents.size(); ++k) {
-      const MixShare shares[] = {{parents[k].x, 0.5}, {parents[k].y, 0.5}};
-      result.set(field, old + k, stored(field, mixed(fields, field, shares, before, after, old + k)));
-    }
-    if (fields.untouched(under_sheet, field)) continue;
-    const SubdividedEditLayers finer(fields, field, before, after, layers.size());
-    StackWriter writer(result, field, layers.size());
-    for (std::uint32_t v = 0; v < after.positions.size(); ++v) {
-      const EditLayerStack stack = v < old ? finer.stack_at(v) : finer.at(v, parents[v - old]);
-      if (stack.covered) writer.put(v, stack, layers);
-    }
-    FieldDelta delta;
-    writer.finish(delta);
-    result.apply(delta);
+    for (std::uint32_t v = old; v < after.positions.size(); ++v)
+      result.set(field, v, stored(field, mixed(fields, field, parents_of(v), before, after, v)));
+    put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
+      return v < old ? stack_at(fields, field, v, layers.size())
+                     : mixed_stack(fields, field, parents_of(v), before, after, v, layers.size());
+    });
+  }
+  return result;
+}
+
+FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
+                 const std::vector<std::array<MixShare, 3>>& shares, double longer,
+                 const std::vector<EditLayer>& layers) {
+  assert(before.positions.size() == fields.size() && after.positions.size() == shares.size());
+  FieldSet result(shares.size());
+  for (std::size_t f = 0; f < field_count; ++f) {
+    const Field field = field_at(f);
+    if (fields.at_default(field)) continue;
+    const double factor = field == Field::length ? longer : 1;
+    for (std::uint32_t v = 0; v < shares.size(); ++v)
+      result.set(field, v, stored(field, factor * mixed(fields, field, shares[v], before, after, v)));
+    put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
+      EditLayerStack stack = mixed_stack(fields, field, shares[v], before, after, v, layers.size());
+      stack.base *= factor;
+      for (glm::dvec4& added : stack.added) added *= factor;
+      return stack;
+    });
   }
   return result;
 }
@@ -136,18 +152,13 @@ FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, c
   };
   for (std::uint32_t v = 0; v < fields.size(); ++v)
     result.set(field, v, stored(field, along(v, glm::dvec4(fields.value(field, v)))));
-  if (fields.untouched(under_sheet, field)) return result;
-  StackWriter writer(result, field, layers.size());
-  for (std::uint32_t v = 0; v < fields.size(); ++v) {
+  put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
     EditLayerStack stack = stack_at(fields, field, v, layers.size());
-    if (!stack.covered) continue;
+    if (!stack.covered) return stack;
     stack.base = along(v, stack.base);
     for (std::size_t k = 0; k < layers.size(); ++k) stack.added[k] = along(v, stack.added[k]);
-    writer.put(v, stack, layers);
-  }
-  FieldDelta delta;
-  writer.finish(delta);
-  result.apply(delta);
+    return stack;
+  });
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Fields between vertices, and on another mesh: means in the frame of the vertex that they are for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -28,6 +29,12 @@ glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> 
 /// (SubdividedSurface::parents).
 FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
                     const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
+
+/// All fields and edit layers on another mesh: at each of its vertices the mean of vertices of the mesh before, lengths
+/// times `longer`.
+FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
+                 const std::vector<std::array<MixShare, 3>>& shares, double longer,
+                 const std::vector<EditLayer>& layers = {});
 
 /// All fields and edit layers on a mesh that has been turned: directions turn along. Both meshes have the same
 /// vertices, which `turn` rotates from `before` to `after`.

@@ -63,11 +63,12 @@ const Symmetry& symmetry_of(const Command& command, const Symmetry& scene);
 /// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
 std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface);
 
-/// Returns the command for another model. Positions move as the alignment of both boxes takes them, and keep their
+/// Returns the command for another model. Positions move as the alignment takes them, and keep their
 /// distance from the surface; positions on triangles become the nearest ones. Directions follow the boxes, and lengths
 /// in the model's unit its size. Strokes lose their views, as images of a symmetry do. A position that both models have
 /// stays the same to the bit. Refused (invalid, with a pointer): what names vertices or revisions of the model.
-Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to);
+Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to,
+                                Alignment how = Alignment::box);
 
 /// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
 struct PlacedCamera {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <string>
 
@@ -36,7 +35,8 @@ Laid lay_over(const Mesh& from, const Mesh& to, Alignment how) {
   return {glm::dvec3(from.size / to.size), (from.centre - to.centre) / to.size};
 }
 
-Laid lay_models_over(const Mesh& from, const Mesh& to) {
+Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how) {
+  if (how == Alignment::none) return {};
   const glm::dvec3 scale = box_scale(from, to) * (to.size / from.size);
   return {scale, to.centre - scale * from.centre};
 }
@@ -48,8 +48,11 @@ constexpr double same_place = 1e-9;  // sizes
 /// From the coordinates of one model to those of another.
 class ModelMap : public PlaceMap {
  public:
-  ModelMap(const Surface& from, const Surface& to)
-      : from_(from), to_(to), laid_(lay_models_over(from.mesh(), to.mesh())) {}
+  ModelMap(const Surface& from, const Surface& to, Alignment how)
+      : from_(from),
+        to_(to),
+        laid_(lay_models_over(from.mesh(), to.mesh(), how)),
+        longer_(how == Alignment::none ? 1 : to.mesh().size / from.mesh().size) {}
 
   glm::dvec3 place(glm::dvec3 position) const override { return laid_.place(position); }
 
@@ -75,12 +78,13 @@ class ModelMap : public PlaceMap {
 
   glm::dvec3 direction(glm::dvec3 direction) const override { return laid_.direction(direction); }
   glm::dvec3 normal(glm::dvec3 normal) const override { return laid_.normal(normal); }
-  double length(double length) const override { return length * (to_.mesh().size / from_.mesh().size); }
+  double length(double length) const override { return length * longer_; }
   bool mirrors() const override { return false; }
 
  private:
   const Surface &from_, &to_;
   Laid laid_;
+  double longer_;
 };
 
 /// Refuses what has a meaning on one model only.
@@ -97,43 +101,39 @@ Status check_carried(const Command& command) {
 
 }  // namespace
 
-Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to) {
+Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to, Alignment how) {
   if (Status stays = check_carried(resolved); !stays.ok()) return stays;
   Command carried = resolved;
-  move_command(carried, ModelMap(from, to), from);
+  move_command(carried, ModelMap(from, to, how), from);
   return carried;
 }
 
-namespace {
+double length_factor(const Mesh& from, const Mesh& to, Alignment how) {
+  return how == Alignment::none ? from.size / to.size : 1;
+}
 
-using Corners = std::array<MixShare, 3>;
-
-constexpr double far_away = 0.05;  // sizes of the source
-
-/// The corners of the source triangle nearest to each vertex, and the number of vertices that lie farther than far_away
-/// from it.
-struct Nearest {
-  std::vector<Corners> corners;
-  std::size_t far = 0;
-};
-
-Nearest nearest_corners(const Mesh& mesh, const Surface& source, Alignment align) {
+NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignment align) {
   const Laid laid = lay_over(mesh, source.mesh(), align);
-  std::vector<Corners> corners(mesh.positions.size());
-  std::atomic<std::size_t> far = 0;
+  std::vector<std::array<MixShare, 3>> corners(mesh.positions.size());
+  std::vector<double> distances(corners.size());
   for_each_run_in_parallel(static_cast<std::uint32_t>(corners.size()), [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t v = begin; v < end; ++v) {
       const glm::dvec3 place = laid.place(glm::dvec3(mesh.positions[v]));
       const SurfacePoint point = source.nearest(place);
-      if (glm::distance(source.position(point), place) > far_away) ++far;
+      distances[v] = glm::distance(source.position(point), place);
       for (std::size_t k = 0; k < 3; ++k) {
         const int corner = static_cast<int>(k);
         corners[v][k] = {source.mesh().triangles[point.triangle][corner], point.barycentric[corner]};
       }
     }
   });
-  return {std::move(corners), far};
+  const auto far = std::count_if(distances.begin(), distances.end(), [](double d) { return d > far_away; });
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return {std::move(corners), static_cast<std::size_t>(far), *middle};
 }
+
+namespace {
 
 std::string far_warning(std::size_t far, std::size_t vertices) {
   return std::to_string(far) + " of " + std::to_string(vertices) +
@@ -155,8 +155,8 @@ Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& 
   const Surface& source = *extras.source;
   const FieldSet& source_fields = *extras.baseline;
   const Mesh &mesh = surface.mesh(), &other = source.mesh();
-  const Nearest found = nearest_corners(mesh, source, command.align);
-  const double longer = command.align == Alignment::none ? other.size / mesh.size : 1;
+  const NearestCorners found = nearest_corners(mesh, source, command.align);
+  const double longer = length_factor(other, mesh, command.align);
   Evaluation done;
   if (found.far > 0) done.warnings.push_back(far_warning(found.far, found.corners.size()));
   for (std::size_t f = 0; f < field_count; ++f) {

@@ -1,10 +1,15 @@
-// Aligns one model with another one.
+// Aligns one model with another one, and finds what lies nearest.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "protocol/commands/tools.h"
+#include "server/fields/field_mix.h"
 #include "server/surface/mesh.h"
+#include "server/surface/surface.h"
 
 namespace pelage {
 
@@ -21,7 +26,20 @@ struct Laid {
 
 /// Aligns the internal coordinates of both models. Along an axis on which a box is flat, the scale is 1.
 Laid lay_over(const Mesh& from, const Mesh& to, Alignment how);
-/// Aligns the models' own coordinates by their boxes.
-Laid lay_models_over(const Mesh& from, const Mesh& to);
+/// Aligns the models' own coordinates.
+Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how);
+
+/// The corners of the source triangle nearest to each vertex, the number of vertices that lie farther than far_away
+/// from it, and the median distance, sizes of the source.
+struct NearestCorners {
+  std::vector<std::array<MixShare, 3>> corners;
+  std::size_t far = 0;
+  double median = 0;
+};
+inline constexpr double far_away = 0.05;  // sizes of the source
+NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignment align);
+
+/// What a length in sizes of one model is multiplied by on another.
+double length_factor(const Mesh& from, const Mesh& to, Alignment how);
 
 }  // namespace pelage

@@ -47,6 +47,14 @@ Status run_with_model(Database& database, Statement statement, const StoredScene
   return written.ok() ? write_request(database, scene.request, scene.id, scene.first_revision) : written;
 }
 
+/// Leaves the pictures of the scene's log, except one that its settings name.
+Status change_pictures(Database& database, const StoredScene& scene) {
+  const std::string used = scene.first_settings ? scene.first_settings->skin_texture : "";
+  if (used.empty()) return leave_pictures(database, scene.id);
+  constexpr const char* others = "DELETE FROM picture_uses WHERE scene = ? AND picture <> ?";
+  return database.prepare(others).text(scene.id).text(used).run();
+}
+
 }  // namespace
 
 Journal::Journal(std::unique_ptr<Database> writer, std::unique_ptr<Database> reader)
@@ -198,7 +206,7 @@ Status Journal::replace_model(const StoredScene& scene) {
     tail = {scene.first_revision, scene.first_revision};
     Status cleared = writer_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!cleared.ok()) return cleared;
-    if (Status unused = leave_pictures(*writer_, scene.id); !unused.ok()) return unused;
+    if (Status unused = change_pictures(*writer_, scene); !unused.ok()) return unused;
     Statement update = writer_->prepare(
         "UPDATE scenes SET model = ?, up = ?, front = ?, source_is_32_bit = ?, first_revision = ?, first_groom = ?,"
         " raw = ?, fur_patches = ?, subdivisions = ?, creases_and_flips = ?, settings = ? WHERE id = ?");
@@ -224,6 +232,15 @@ Status Journal::reshape_model(const StoredScene& scene) {
     changed = bind_settings(update, scene.first_settings).text(scene.id).run();
     if (changed.ok()) changed = seal_scene(*writer_, scene.id);
     return changed.ok() ? write_request(*writer_, scene.request, scene.id, scene.first_revision) : changed;
+  });
+}
+
+Status Journal::rename_scene(const std::string& id, const std::string& name) {
+  const std::lock_guard lock(writing_);
+  return take([&] {
+    if (Status whole = check_seal(*writer_, id); !whole.ok()) return whole;
+    Status named = writer_->prepare("UPDATE scenes SET name = ? WHERE id = ?").text(name).text(id).run();
+    return named.ok() ? seal_scene(*writer_, id) : named;
   });
 }
 

@@ -85,12 +85,13 @@ class Journal {
   const std::vector<LostEntries>& lost() const { return lost_; }
 
   Status add_scene(const StoredScene& scene);
-  /// Puts a new model in place of the old one and its log.
+  /// Puts a new model in place of the old one and its log, whose pictures go, except one that its settings name.
   Status replace_model(const StoredScene& scene);
   /// Replaces all subdivisions of the scene's model, the axes that point up and forward, its first revision, groom and
   /// settings, and empties its log. The rest of the model's source stays, whatever `scene` says of it, and so do the
   /// scene's pictures, one of which its settings may name.
   Status reshape_model(const StoredScene& scene);
+  Status rename_scene(const std::string& id, const std::string& name);
   Status remove_scene(const std::string& id);
   /// Fails when the entry's settings or commands name a picture that the journal does not have.
   Status append(const std::string& scene, const Entry& entry) { return append(scene, std::span(&entry, 1)); }

@@ -68,6 +68,15 @@ void turn(Service& service, Scene& scene, const Request& request, Response& resp
       [&](const TurnModel& how, const ExecuteOptions& options) { return service.scenes.turn(scene, how, options); });
 }
 
+void rename(Scene& scene, const Request& request, Response& response) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const auto wanted = decode_scene_name(request.body);
+  if (!wanted) return reply_problem(response, wanted.status());
+  if (Status renamed = scene.rename(wanted->name); !renamed.ok()) return reply_problem(response, renamed);
+  const SceneSummary summary = scene.summary();
+  reply_json(response, 200, encode(summary), summary.revision);
+}
+
 Result<HistoryMove> undo_of(const std::string& body) {
   const auto steps = decode_steps(body);
   if (!steps) return steps.status();
@@ -169,6 +178,7 @@ void add_command_routes(httplib::Server& server, Service& service) {
       server, service, "turn",
       [&](Scene& scene, const Request& request, Response& response) { turn(service, scene, request, response); },
       answer_scene);
+  post(server, service, "rename", rename, answer_scene);
   post(server, service, "undo", [](Scene& scene, const Request& request, Response& response) {
     move(scene, undo_of(request.body), request, response);
   });

@@ -98,6 +98,7 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}/mesh", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/subdivide", "POST"},
                                                       {"/v1/scenes/{id}/turn", "POST"},
+                                                      {"/v1/scenes/{id}/rename", "POST"},
                                                       {"/v1/scenes/{id}/environment", "PUT"},
                                                       {"/v1/scenes/{id}/skin_texture", "PUT"},
                                                       {"/v1/scenes/{id}/pictures", "PUT"},

@@ -23,28 +23,18 @@ struct Upload {
   Cancel cancel;
 };
 
-/// Refuses (conflict, "/discard") a new model for a scene with a groom.
-Status check_loss(const Scene& scene) {
-  std::size_t commands = 0;
-  for (const std::vector<Command>& step : scene.effective_log()) commands += step.size();
-  std::string lost = commands == 0 ? "" : fmt::format("{} {}", commands, commands == 1 ? "command" : "commands");
-  if (!scene.model()->subdivisions.empty())  // which begin a log of their own with the groom that was there
-    lost += fmt::format("{}what was there before it was subdivided or turned", lost.empty() ? "" : " and ");
-  if (lost.empty()) return {};
-  return failure(Code::conflict, "A new model would lose the scene's groom: " + lost + ".", "/discard",
-                 "1, where the groom may be lost");
-}
+/// Subdivisions and turns, and versions of a model, begin a log of their own with the groom that was there.
+bool is_groomed(const Scene& scene) { return !scene.effective_log().empty() || !scene.model()->subdivisions.empty(); }
 
-/// Loads the model only where that loses no groom, not even one of commands that come while its bytes are read.
-Result<SceneSummary> load_into_ungroomed(Service& service, Scene& scene, const ImportOptions& options,
-                                         std::span<const std::byte> bytes, ExecuteOptions execute) {
-  const bool is_asked = execute.if_match.has_value();
-  if (!is_asked) execute.if_match = scene.revision();
-  if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
-  auto summary = service.scenes.load_model(scene, options, bytes, execute);
-  if (summary || summary.status().code != Code::precondition || is_asked) return summary;
-  if (Status groomed = check_loss(scene); !groomed.ok()) return groomed;
-  return summary;
+/// Loads the model so that no groom is lost, not even one of commands that come while its bytes are read.
+Result<SceneSummary> load_and_keep(Service& service, Scene& scene, const ImportOptions& options,
+                                   std::span<const std::byte> bytes, const ExecuteOptions& execute) {
+  ExecuteOptions as_now = execute;
+  if (!as_now.if_match) as_now.if_match = scene.revision();
+  if (is_groomed(scene)) return service.scenes.load_version(scene, options, bytes, execute);
+  auto summary = service.scenes.load_model(scene, options, bytes, as_now);
+  const bool groomed_meanwhile = !summary && summary.status().code == Code::precondition && !execute.if_match;
+  return groomed_meanwhile ? service.scenes.load_version(scene, options, bytes, execute) : summary;
 }
 
 void load_model(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
@@ -59,7 +49,7 @@ void load_model(Service& service, Scene& scene, const Request& request, Response
   const std::uint64_t old_model = model_id_of(scene);
   const ExecuteOptions execute{.if_match = *if_match, .cancel = file.cancel};
   const auto summary = *discard ? service.scenes.load_model(scene, *options, file.bytes, execute)
-                                : load_into_ungroomed(service, scene, *options, file.bytes, execute);
+                                : load_and_keep(service, scene, *options, file.bytes, execute);
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);

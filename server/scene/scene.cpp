@@ -351,20 +351,10 @@ Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
   return pelage::pick(now->model->surface, *now->fields, wanted);
 }
 
-Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
-                                          StoredModel stored, bool ground, const ExecuteOptions& options) {
-  FieldSet first = first_groom(model->surface.mesh(), fur, options.cancel);
-  const Result<ChangeTurns::Turn> turn = begin_change(options);
+Status Scene::rename(const std::string& name) {
+  const Result<ChangeTurns::Turn> turn = begin_change({});
   if (!turn) return turn.status();
-  if (options.dry_run) return summary();
-  const Revision revision = present_->revision + 1;
-  const auto settings = std::make_shared<const SceneSettings>(first_settings(*model, ground));
-  const StoredScene stored_scene{
-      id_, name_, std::move(stored), revision, difference(FieldSet(first.size()), first), settings, {}};
-  History history = new_history(revision, *settings);
-  SnapshotPtr fresh = beginning(model, std::move(first), history, nullptr);
-  Status begun = begin_anew(fresh, history, [&] { return journal_.replace_model(stored_scene); });
-  return begun.ok() ? Result<SceneSummary>(summary()) : begun;
+  return take_over([&] { return journal_.rename_scene(id_, name); }, [&] { name_ = name; });
 }
 
 /// Waits for no change that is being evaluated: that will find the scene gone.

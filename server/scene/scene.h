@@ -138,6 +138,11 @@ class Scene {
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      bool ground = false, const ExecuteOptions& options = {});
 
+  /// Gives the scene a new version of its model, with its groom (carried_groom). An empty log starts at the next
+  /// revision. The summary says how the groom went over.
+  Result<SceneSummary> carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
+                                const ExecuteOptions& options = {});
+
   /// Splits triangles of the model, whose fields, roots and settings stay; checkpoints are dropped. An empty log starts
   /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refused
   /// (invalid, "/levels") beyond the limit of triangles.
@@ -147,6 +152,9 @@ class Scene {
   /// starts at the next revision, unless it stands that way already: then nothing changes. `id` is the new model's.
   /// Refused (invalid, "/front") where both axes lie on one line.
   Result<SceneSummary> turn(const TurnModel& how, std::uint64_t id, const ExecuteOptions& options = {});
+
+  /// Gives the scene another name, at its revision.
+  Status rename(const std::string& name);
 
   /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
   Status remove();
@@ -206,6 +214,9 @@ class Scene {
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
   Status begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write);
+  Result<SceneSummary> begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
+                                  FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
+                                  Status (Journal::*write)(const StoredScene&));
   Result<Step> with_baseline(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
@@ -222,7 +233,8 @@ class Scene {
   void announce() noexcept;  // needs `mutex_`
   History new_history(Revision first, SceneSettings settings) const;
 
-  const std::string id_, name_;
+  const std::string id_;
+  std::string name_;  // changes under a turn and `mutex_`
   Journal& journal_;
   const std::size_t undo_bytes_;
   // Whoever changes the scene takes a turn from the first look to the end, and holds `writing_` while the journal and

@@ -8,6 +8,7 @@
 #include "server/history/journal.h"
 #include "server/scene/model.h"
 #include "server/scene/moving_model.h"
+#include "server/scene/new_version.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
@@ -63,10 +64,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   stored.model.subdivisions = finer->model->subdivisions;
   stored.model.prepare.up = report.up, stored.model.prepare.front = report.front;
   stored.first_groom = difference(FieldSet(finer->fields.size()), finer->fields);
-  History history = new_history(stored.first_revision, *settings);
-  SnapshotPtr fresh = beginning(finer->model, std::move(finer->fields), history, now.skin_texture);
-  Status begun = begin_anew(fresh, history, [&] { return journal_.reshape_model(stored); });
-  return begun.ok() ? Result<SceneSummary>(summary()) : begun;
+  return begin_with(stored, finer->model, std::move(finer->fields), now.skin_texture, &Journal::reshape_model);
 }
 
 namespace {
@@ -114,9 +112,46 @@ Result<SceneSummary> Scene::turn(const TurnModel& how, std::uint64_t id, const E
   const auto settings = std::make_shared<const SceneSettings>(turned_settings(*now.settings, before, after, turn));
   stored->first_revision = now.revision + 1, stored->first_settings = settings, stored->request = options.request;
   stored->first_groom = difference(FieldSet(fields.size()), fields);
-  History history = new_history(stored->first_revision, *settings);
-  SnapshotPtr fresh = beginning(*model, std::move(fields), history, now.skin_texture);
-  Status begun = begin_anew(fresh, history, [&] { return journal_.reshape_model(*stored); });
+  return begin_with(*stored, *model, std::move(fields), now.skin_texture, &Journal::reshape_model);
+}
+
+Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
+                                          StoredModel stored, bool ground, const ExecuteOptions& options) {
+  FieldSet fields = first_groom(model->surface.mesh(), fur, options.cancel);
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
+  if (options.dry_run) return summary();
+  const auto settings = std::make_shared<const SceneSettings>(first_settings(*model, ground));
+  const StoredScene scene{
+      id_, name_, std::move(stored), present_->revision + 1, difference(FieldSet(fields.size()), fields), settings, {}};
+  return begin_with(scene, model, std::move(fields), nullptr, &Journal::replace_model);
+}
+
+Result<SceneSummary> Scene::carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
+                                     const ExecuteOptions& options) {
+  const Result<ChangeTurns::Turn> turn = begin_change(options);
+  if (!turn) return turn.status();
+  const SceneSnapshot& now = *present_;
+  CarriedGroom groom = carried_groom(now, *model);
+  options.cancel.check();
+  const auto settings = std::make_shared<const SceneSettings>(std::move(groom.settings));
+  const auto texture = settings->skin_texture.empty() ? nullptr : now.skin_texture;
+  stored.subdivisions.push_back({});
+  const StoredScene scene{
+      id_,      name_, std::move(stored), now.revision + 1, difference(FieldSet(groom.fields.size()), groom.fields),
+      settings, {}};
+  Result<SceneSummary> summary = begin_with(scene, model, std::move(groom.fields), texture, &Journal::replace_model);
+  if (summary) summary->carried = groom.report;
+  return summary;
+}
+
+/// A scene's beginning out of itself. `write` puts it into the journal.
+Result<SceneSummary> Scene::begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
+                                       FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
+                                       Status (Journal::*write)(const StoredScene&)) {
+  History history = new_history(stored.first_revision, *stored.first_settings);
+  SnapshotPtr fresh = beginning(model, std::move(fields), history, std::move(skin_texture));
+  Status begun = begin_anew(fresh, history, [&] { return (journal_.*write)(stored); });
   return begun.ok() ? Result<SceneSummary>(summary()) : begun;
 }
 

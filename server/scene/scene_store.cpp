@@ -49,6 +49,27 @@ PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
   return options;
 }
 
+struct ImportedModel {
+  std::shared_ptr<const SceneModel> model;
+  StoredModel stored;
+};
+
+/// A new version of a file stands as the one before does, unless other axes are asked for.
+ImportOptions standing_as(const SceneModel& before, ImportOptions asked) {
+  const auto& formats = json_names::model_formats;
+  const bool is_file =
+      std::any_of(formats.begin(), formats.end(), [&](const auto& one) { return before.name == one.text; });
+  if (!is_file || asked.up || asked.front) return asked;
+  asked.up = before.surface.mesh().report.up, asked.front = before.surface.mesh().report.front;
+  return asked;
+}
+
+/// The name of the scene that stays behind when this one gets a new version of its model.
+std::string name_before(const SceneSummary& scene) {
+  const std::string ending = " before " + std::to_string(scene.revision + 1);
+  return scene.name.size() + ending.size() <= limits::name_bytes ? scene.name + ending : scene.name;
+}
+
 ImportLimits ended_by(const Cancel& cancel) {
   return {.cancelled = [cancel] { return cancel.asked(); }};
 }
@@ -81,9 +102,8 @@ struct SceneStore::Impl {
   Result<Restored> restored(const std::string& id);
   Result<std::shared_ptr<Scene>> opened(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
-  /// Throws Cancelled.
-  Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
-                                  const ExecuteOptions& execute);
+  /// Reads a model through the worker. Throws Cancelled.
+  Result<ImportedModel> imported(const ImportOptions& options, std::span<const std::byte> bytes, const Cancel& cancel);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -284,28 +304,49 @@ void SceneStore::count_coats(std::function<std::size_t()> coat_bytes) {
 void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.count_copies(std::move(copy_bytes)); }
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
-                                            std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  try {
-    return impl_->load_model(scene, options, bytes, execute);
-  } catch (const Cancelled&) {
-    return nobody_waits();
-  }
+                                            std::span<const std::byte> bytes, const ExecuteOptions& execute) try {
+  Result<ImportedModel> model = impl_->imported(options, bytes, execute.cancel);
+  if (!model) return model.status();
+  return scene.replace_model(model->model, options.fur, std::move(model->stored), options.ground, execute);
+} catch (const Cancelled&) {
+  return nobody_waits();
 }
 
-Result<SceneSummary> SceneStore::Impl::load_model(Scene& scene, const ImportOptions& options,
-                                                  std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(execute.cancel));
+Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions& options,
+                                              std::span<const std::byte> bytes, ExecuteOptions execute) try {
+  const Result<ImportedModel> model = impl_->imported(standing_as(*scene.model(), options), bytes, execute.cancel);
+  if (!model) return model.status();
+  const bool any_revision = !execute.if_match;
+  for (int tries = 3;; --tries) {
+    const SceneSummary now = scene.summary();
+    if (any_revision) execute.if_match = now.revision;
+    const auto before = branch(scene, {name_before(now), now.revision});
+    if (!before) return before.status();
+    Result<SceneSummary> summary = scene.carry_to(model->model, model->stored, execute);
+    if (summary) summary->carried->before = (*before)->id();
+    if (summary) return summary;
+    if (Status removed = remove((*before)->id()); !removed.ok()) return removed;
+    const bool changed_meanwhile = any_revision && summary.status().code == Code::precondition;
+    if (!changed_meanwhile || tries == 0) return summary;
+  }
+} catch (const Cancelled&) {
+  return nobody_waits();
+}
+
+Result<ImportedModel> SceneStore::Impl::imported(const ImportOptions& options, std::span<const std::byte> bytes,
+                                                 const Cancel& cancel) {
+  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(cancel));
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
                   .prepare = preparation_of(options, *raw),
                   .raw = {},
                   .fur_patches = options.fur_patches};
-  execute.cancel.check();
+  cancel.check();
   auto model = build_model(*raw, how, ++last_model);
   if (!model) return model.status();
-  execute.cancel.check();
+  cancel.check();
   how.raw = encode_raw_model(*raw);
-  return scene.replace_model(*model, options.fur, std::move(how), options.ground, execute);
+  return ImportedModel{std::move(*model), std::move(how)};
 }
 
 Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute) {

@@ -66,6 +66,12 @@ class SceneStore {
   Result<SceneSummary> load_model(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
                                   const ExecuteOptions& execute = {});
 
+  /// The same with a new version of the scene's model, which takes over its groom (Scene::carry_to) and stands as that
+  /// one does. The scene as it was stays as one of its own, which the summary names. Refused: busy at the limit of
+  /// scenes.
+  Result<SceneSummary> load_version(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
+                                    ExecuteOptions execute = {});
+
   /// Finer triangles for the scene's model, as Scene::subdivide.
   Result<SceneSummary> subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute = {});
   /// Turns the scene's model, as Scene::turn.

@@ -79,11 +79,16 @@ void name_materials(const RawModel& raw, const Soup& soup, Mesh& mesh) {
   if (named.empty()) mesh.materials.clear();
 }
 
-std::vector<bool> bare_vertices(const Mesh& mesh) {
+std::vector<bool> bare_vertices(const Mesh& mesh, const std::vector<MaterialReport>& known) {
   std::vector<bool> bare(mesh.positions.size(), !mesh.materials.empty());
+  std::vector<bool> counts;
+  for (const MaterialReport& material : mesh.report.materials) {
+    const auto same_name = [&](const MaterialReport& other) { return other.name == material.name; };
+    counts.push_back(material.bare && std::none_of(known.begin(), known.end(), same_name));
+  }
   for (std::size_t t = 0; t < mesh.materials.size(); ++t) {
     const std::uint16_t material = mesh.materials[t];
-    if (material != no_material && mesh.report.materials[material].bare) continue;
+    if (material != no_material && counts[material]) continue;
     for (int k = 0; k < 3; ++k) bare[mesh.triangles[t][k]] = false;
   }
   return bare;

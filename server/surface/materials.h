@@ -18,7 +18,8 @@ bool names_bare_part(std::string_view name);
 /// the limit allows. Materials of one name are one. Where all that is named is bare, nothing is.
 void name_materials(const RawModel& raw, const Soup& soup, Mesh& mesh);
 
-/// For each vertex whether all of its triangles have a material that is left bare.
-std::vector<bool> bare_vertices(const Mesh& mesh);
+/// For each vertex whether all of its triangles have a material that is left bare, and has none of the names in
+/// `known`.
+std::vector<bool> bare_vertices(const Mesh& mesh, const std::vector<MaterialReport>& known = {});
 
 }  // namespace pelage

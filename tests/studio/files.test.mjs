@@ -161,22 +161,25 @@ test("what is no model is refused in words, and leaves no scene", async () => {
   await press("Close");
 });
 
-test("a new version of a model gets the groom of the one before, which stays", async () => {
+test("a new version of a model keeps the groom, and the scene as it was stays", async () => {
   await drop(join(objFolder(folder, {materials: false}), "box.obj"));
   const first = await uploaded("box");
   await server.post(`/v1/scenes/${first.id}/commands`, {commands: [{op: "length", flood: true, value: 0.11, brush: {strength: 1}}, {op: "set_coat", coat: {wetness: 0.7}}]});
   await studio.page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);
   await press("Good");
   await drop(join(objFolder(folder, {materials: false}), "box.obj"));
-  await card().getByLabel("With the groom of box").check();
+  await card().getByLabel("A new version of box: keep its groom").check();
   await card().getByText(/KiB/).waitFor();
   const second = await uploaded("box");
-  assert.notEqual(second.id, first.id);
-  assert.equal(second.undo_steps, 1);
+  assert.equal(second.id, first.id);
+  assert.equal(second.undo_steps, 0);
+  await card().getByText("The scene as it was, with its steps, is in the list.").waitFor();
+  assert.equal(await card().getByText("Other axes…").count(), 0);
   const length = async (id) => (await server.post(`/v1/scenes/${id}/pick`, {nearest: [0.5, 0.5, 1]})).length;
   assert.ok(Math.abs(await length(second.id) - 0.11) < 1e-4, String(await length(second.id)));
   assert.equal((await server.get(`/v1/scenes/${second.id}/settings`)).coat.wetness, 0.7);
-  assert.equal((await server.get(`/v1/scenes/${first.id}`)).undo_steps, 1);
+  const before = (await server.get("/v1/scenes")).scenes.find(({name}) => name === `box before ${second.revision}`);
+  assert.equal(before.undo_steps, 1);
 });
 
 test("a sample's recipe gives the very steps that the command line gives", async () => {

@@ -21,6 +21,7 @@ ExitCode list_scenes(Session& session);
 ExitCode describe_scene(Session& session);
 ExitCode subdivide_model(Session& session);
 ExitCode turn_model(Session& session);
+ExitCode rename_scene(Session& session);
 ExitCode remove_scene(Session& session);
 
 ExitCode run_file(Session& session);

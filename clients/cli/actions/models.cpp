@@ -93,8 +93,6 @@ Result<HttpAnswer> load_into(Session& session, const std::string& scene_path) {
   auto answer = put_bytes(session, scene_path, "model", query, model->bytes);
   if (answer) return answer;
   const Status& status = answer.status();
-  if (status.pointer == "/discard")
-    return with_next(status, "keep it with `pelage export` or `pelage branch`, then load with --discard");
   const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
   return about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status;
 }

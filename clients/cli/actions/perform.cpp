@@ -36,6 +36,7 @@ Perform action_of(Action action) {
     case Action::info: return describe_scene;
     case Action::subdivide: return subdivide_model;
     case Action::turn: return turn_model;
+    case Action::rename: return rename_scene;
     default: return nullptr;
   }
 }

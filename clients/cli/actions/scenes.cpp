@@ -104,6 +104,16 @@ ExitCode turn_model(Session& session) {
                        }));
 }
 
+ExitCode rename_scene(Session& session) {
+  const std::string body = fmt::format(R"({{"name":{}}})", json_text(session.options().name));
+  if (const auto checked = decode_scene_name(body); !checked) return report(checked.status());
+  const auto path = session.scene_path();
+  if (!path) return report(path.status());
+  const auto answer = Session::accepted(session.connection().post_json(*path + "/rename", body));
+  if (!answer || session.options().json) return print_summary(session, answer);
+  return done;
+}
+
 ExitCode remove_scene(Session& session) {
   const auto path = session.scene_path();
   if (!path) return report(path.status());

@@ -51,11 +51,16 @@ void declare_new(CLI::App& app, Options& options) {
 }
 
 void declare_load(CLI::App& app, Options& options) {
-  CLI::App* load = add_action(app, options, Action::load, "load",
-                              "Give a scene a model from a file, with the files that it names; its log starts empty");
+  CLI::App* load =
+      add_action(app, options, Action::load, "load",
+                 "Give a scene a model from a file, with the files that it names. A groomed scene keeps its groom; "
+                 "its log starts empty, and the scene as it was stays beside it");
   add_scene(load, options);
   load->add_option("file", options.file, "The model; - for standard input")->required();
-  load->add_flag("--discard", options.discard, "Load it even though the groom of the scene is lost");
+  CLI::Option* discard = load->add_flag("--discard", options.discard,
+                                        "Begin with a first groom of its own; the groom of the scene is lost");
+  const std::string keeps = "Take the groom over by the surface, which is the default of a groomed scene";
+  load->add_flag("--keep", keeps)->excludes(discard);
   add_import(load, options);
   add_fur(load, options);
 }
@@ -80,6 +85,9 @@ void declare_scene_actions(CLI::App& app, Options& options) {
   add_action(app, options, Action::list, "list", "List the scenes");
   add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
   add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);
+  CLI::App* rename = add_action(app, options, Action::rename, "rename", "Give a scene another name; its id stays");
+  add_scene(rename, options);
+  rename->add_option("name", options.name, "The name, 1 to 200 bytes")->required();
 }
 
 void declare_model_actions(CLI::App& app, Options& options) {

@@ -58,6 +58,16 @@ std::string described(const std::string& commands) {
 
 }  // namespace
 
+namespace {
+
+void print(const CarriedReport& carried) {
+  fmt::print("groom       kept; {} of {} vertices lie farther than .05 sizes from the model before{}\n", carried.far,
+             carried.vertices, carried.align == Alignment::box ? ", laid over it by both boxes" : "");
+  fmt::print("before      {} is the scene as it was, with its undo log\n", carried.before);
+}
+
+}  // namespace
+
 void print(const SceneSummary& summary) {
   const ModelReport& report = summary.report;
   fmt::print("id          {}\nname        {}\nrevision    {}\nmodel       {}\nfur patches {}\n", summary.id,
@@ -87,6 +97,7 @@ void print(const SceneSummary& summary) {
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,
              to_hex(summary.fields_hash));
   if (!summary.damage.empty()) fmt::print("damage      {}\n", summary.damage);
+  if (summary.carried) print(*summary.carried);
 }
 
 void print(const std::vector<SceneSummary>& summaries) {

@@ -10,8 +10,8 @@ OPTIONS = {
 
 AUTHOR = ("author", "Optional[str]", "None", "Who makes the change, for the log; at most 200 bytes of UTF-8.")
 DISCARD = ("discard", "bool", "False",
-           "Loads it though the groom that the scene has is lost. Unless given `Conflict` is raised for such a scene; it "
-           "says how many commands that is.")
+           "Begins with a first groom of its own; the groom that the scene has is lost. Unless given a groomed scene keeps "
+           "it, as `carried` in what is returned says; the scene as it was stays beside it.")
 IF_MATCH = ("if_match", "Optional[int]", "None", "A revision. At another one nothing is done, and `Conflict` is raised.")
 PROGRESS = ("progress", "Optional[ReportProgress]", "None",
             "Called about once a second, on another thread, with how far the frame is.")

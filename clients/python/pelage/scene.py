@@ -72,6 +72,10 @@ class Scene(Commands[CommandAnswer], Pictures):
         """Coat, look, lights, eyes and all else that commands set, with all defaults; now or at a revision."""
         return cast(Settings, self._connection.get(f"{self._path}/settings", given({"revision": revision})).json)
 
+    def rename(self, name: str) -> None:
+        """Gives the scene another name, at most 200 bytes; its id and revision stay."""
+        self.name = self._described(self._connection.post(f"{self._path}/rename", {"name": name}))["name"]
+
     def remove(self) -> None:
         """Removes the scene and its log for good."""
         self._connection.delete(self._path)

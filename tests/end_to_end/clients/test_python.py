@@ -354,10 +354,13 @@ class Files(PackageTest):
         (self.folder / "m.obj").write_text(TRIANGLE + "f 1 2 3\n")
         self.scene.noise(flood=True)
         before = self.scene.info()
-        with self.assertRaisesRegex(pelage.Conflict, "1 command") as caught:
-            self.scene.load(self.folder / "m.obj")
-        self.assertEqual((caught.exception.status, caught.exception.pointer), (409, "/discard"))
-        self.assertEqual(self.scene.info(), before)
+        kept = self.scene.load(self.folder / "m.obj")["carried"]
+        self.assertEqual(kept["vertices"], 3)
+        self.assertEqual(self.server.scene(kept["before"]).info()["fields_hash"], before["fields_hash"])
+        self.assertNotIn("carried", self.scene.info())
+        self.assertNotIn("carried", self.scene.load(self.folder / "m.obj", discard=True))
+        self.scene.rename("triangle")
+        self.assertEqual((self.scene.name, self.scene.info()["name"]), ("triangle", "triangle"))
         self.assertEqual(self.scene.load(self.folder / "m.obj", discard=True)["triangles"], 1)
 
     def test_progress_of_an_upload(self):

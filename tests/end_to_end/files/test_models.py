@@ -99,24 +99,59 @@ class Uploads(ServedTest):
         before = scene.info()
         model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         put = f"{scene.path}/model?format=obj"
-        for query in ("", "&discard=0"):
-            answer = self.server.call("PUT", f"{put}{query}", model)
-            self.assert_problem(answer, 409, "/discard")
-            self.assertIn("would lose the scene's groom: 2 commands", answer.json["detail"])
         self.assert_problem(self.server.call("PUT", f"{put}&discard=yes", model), 422, "/discard")
+        self.assert_problem(self.server.call("PUT", put, model, headers={"If-Match": '"7"'}), 412)
+        self.assert_problem(self.server.call("PUT", put, b"f 1 2 3\n"), 422)
         self.assertEqual(scene.info(), before)
+        self.assertEqual(len(self.server.get("/v1/scenes").json["scenes"]), 1, "what was refused leaves no scene behind")
         path = self.server.folder / "triangle.obj"
         path.write_bytes(model)
-        refused = self.pelage("load", scene.id, path, code=1).stderr
-        self.assertIn("2 commands", refused)
-        self.assertIn("flag:    --discard", refused)
-        self.assertEqual(scene.info(), before)
+        self.pelage("load", scene.id, path, "--keep", "--discard", code=2)
         self.pelage("load", scene.id, path, "--discard")
         self.assertEqual((scene.info()["triangles"], scene.info()["undo_steps"]), (1, 0))
-        self.assertEqual(self.server.call("PUT", put, model).status, 200, "there is no groom to lose")
+        self.assertNotIn("carried", self.server.call("PUT", put, model).json, "there is no groom to keep")
         scene.run({"op": "length", "flood": True, "value": 0.1})
-        self.assertIn("1 command.", self.server.call("PUT", put, model).json["detail"])
-        self.assertEqual(self.server.call("PUT", f"{put}&discard=1", model).status, 200)
+        self.assertNotIn("carried", self.server.call("PUT", f"{put}&discard=1", model).json)
+
+    def test_a_new_version_of_a_model_keeps_the_groom(self):
+        scene = self.server.new_scene("sphere", 500)
+        mesh = shared_folder() / "meshes" / "spot_control_mesh.obj"
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj&front=-z", mesh.read_bytes()).status, 200)
+        nose = {"centre": [0, 0.3, 0.9], "radii": [0.1, 0.1, 0.1]}
+        scene.run({"op": "length", "flood": True, "value": 0.11}, {"op": "set_coat", "coat": {"wetness": 0.7}},
+                  {"op": "set_skin", "regions": [nose]}, {"op": "edit_layer", "action": "add", "name": "wet"},
+                  {"op": "lift", "flood": True, "brush": {"strength": 0.5}, "edit_layer": "wet"})
+        before = scene.info()
+        path = self.server.folder / "cow.obj"
+        path.write_text("".join(f"v {' '.join(str(float(x)) for x in line.split()[1:])}\n" if line.startswith("v ") else line
+                                for line in mesh.read_text().splitlines(keepends=True)))
+        said = self.pelage("load", scene.id, path).stdout
+        after = scene.info()
+        self.assertIn(f"0 of {after['vertices']} vertices lie farther", said)
+        self.assertEqual((after["up"], after["front"], after["undo_steps"]), ("y", "-z", 0))
+        self.assertEqual(after["fields_hash"], before["fields_hash"], "the same mesh has the same fur")
+        self.assertEqual(after["edit_layers"], before["edit_layers"])
+        settings = self.server.get(f"{scene.path}/settings").json
+        self.assertEqual((settings["coat"]["wetness"], settings["skin"][0]["centre"]), (0.7, nose["centre"]))
+        kept = [one for one in self.server.get("/v1/scenes").json["scenes"] if one["name"] == f"{before['name']} before {after['revision']}"]
+        self.assertEqual([(one["undo_steps"], one["fields_hash"]) for one in kept], [(before["undo_steps"], before["fields_hash"])])
+        self.assertIn(kept[0]["id"], said)
+        self.server.terminate()
+        self.server.start()
+        self.assertEqual(scene.info(), after)
+
+    def test_a_scene_gets_another_name(self):
+        scene = self.server.new_scene("sphere", 500)
+        scene.run({"op": "noise", "flood": True})
+        before = scene.info()
+        self.pelage("rename", scene.id, "arctic fox")
+        self.assertEqual(scene.info(), {**before, "name": "arctic fox"})
+        self.pelage("info", "arctic fox")
+        self.assert_problem(scene.post("rename", {"name": ""}), 422, "/name")
+        self.assert_problem(scene.post("rename", {}), 422, "/name")
+        self.server.terminate()
+        self.server.start()
+        self.assertEqual(scene.info()["name"], "arctic fox")
 
     def cpu_ticks(self):
         fields = pathlib.Path(f"/proc/{self.server.process.pid}/stat").read_text().rsplit(")", 1)[1].split()

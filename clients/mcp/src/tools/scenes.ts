@@ -38,12 +38,12 @@ function createScene({service, schemas}: Context): Tool {
 
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
-  const discard = {type: "boolean", default: false, description: "Load it even though the groom of the scene is lost."};
+  const discard = {type: "boolean", default: false, description: "Begin with a first groom of its own; the groom of the scene is lost."};
   const path = {type: "string", description: "Path of the file on the machine where pelage-mcp runs. A model with files of its own comes as a zip archive."};
   return {
     name: "load_model", annotations: destroys,
-    description: "Gives a scene the model of a file, with a first fur on it. Its undo steps start anew. A scene with a groom is refused, "
-      + "with the number of commands that would be lost, unless `discard` is true. `create_scene` makes another scene for the model.",
+    description: "Gives a scene the model of a file, with a first fur on it, or a new version of its model, which takes over the groom. "
+      + "Its undo steps start anew; a groomed scene stays as it was under another id.",
     inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Unless given, the ending of the path."}, ...options, discard}, ["scene", "path"]),
     run: async (input, caller) => {
       const file = textIn(input, "path");
@@ -54,8 +54,9 @@ function loadModel({service, schemas}: Context): Tool {
       const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
       const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
+      const kept = scene.carried ? [`The groom went over: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the model before. Scene ${scene.carried.before} is as this one was.`] : [];
       const next = "Next: `views`. If the model does not stand on its feet and look along +z, load it again with up and front.";
-      return result([sceneInWords(scene), ...repaired, next].join("\n"), scene);
+      return result([sceneInWords(scene), ...repaired, ...kept, next].join("\n"), scene);
     },
   };
 }

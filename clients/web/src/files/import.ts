@@ -1,8 +1,8 @@
 // The upload of a model into a scene of its own, from the question about its axes to the report.
 import {signal} from "@preact/signals";
-import {Aborted, Offline, Refusal, createScene, readSettings, removeScene, scenePath} from "../api/client";
+import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
 import {kept} from "../api/identity";
-import type {Command, CommandAnswer, Repair, Scene} from "../api/types";
+import type {CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
@@ -13,8 +13,8 @@ import {brokenAssert} from "./asserts";
 import {stepsOf} from "./steps";
 import {endingOf, folderOf, type Taken} from "./take";
 
-/** What a new model takes from its scene: what the server says of the groom; or up to a revision, only what an upload made. */
-export type Loss = {says: string} | {revision: number};
+/** A new model takes what an upload made of its scene, up to a revision. */
+export type Loss = {revision: number};
 
 export type Import =
   | {stage: "reading"}
@@ -44,9 +44,8 @@ function nameOf(plan: Plan): string {
   return name;
 }
 
-/** The user knows what the scene loses. */
 const accepting = (loss: Loss | undefined): Record<string, string> => (loss ? {discard: "1"} : {});
-const atRevision = (loss: Loss | undefined): Record<string, string> => (loss && "revision" in loss ? {"If-Match": `"${loss.revision}"`} : {});
+const atRevision = (loss: Loss | undefined): Record<string, string> => (loss ? {"If-Match": `"${loss.revision}"`} : {});
 
 async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
   const start = performance.now();
@@ -74,24 +73,17 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
 /** After an upload that was refused or given up. */
 function asideFrom(error: unknown, plan: Plan, into: string): Import {
   if (error instanceof Aborted) return {stage: "asking", plan, into};
-  if (error instanceof Refusal && error.problem.pointer === "/discard") return {stage: "asking", plan, into, loss: {says: error.message}};
   const says = error instanceof Offline ? "The connection to the server broke." : (error as Error).message;
   return {stage: "failed", says, next: nextOf(error), plan, into};
 }
 
-/** What a new version of a model takes over beside the fields: how its fur looks and how it is lit. */
-const carried = ["coat", "look", "lights", "environment", "ground", "wind"] as const;
-
-/** Gives the model the groom of another scene, as one step. */
-async function takeGroom(of: string): Promise<void> {
-  const settings = await readSettings(of);
-  await run(...carried.map((name): Command => ({op: `set_${name}`, [name]: settings[name]})), {op: "retarget", scene: of});
-}
-
 /** What the card says of a model as it stands. */
-function notesOn({materials}: Scene): string[] {
+function notesOn({materials, carried}: Scene): string[] {
   const bare = materials.filter((material) => material.bare).map(({name}) => name);
-  return bare.length > 0 ? [`Left bare: ${bare.join(", ")}. Paint Bare skin with 0 where fur is to grow.`] : [];
+  const notes = bare.length > 0 ? [`Left bare: ${bare.join(", ")}. Paint Bare skin with 0 where fur is to grow.`] : [];
+  if (!carried) return notes;
+  const far = carried.far > 0 ? ` Look at what is new: ${carried.far.toLocaleString()} of ${carried.vertices.toLocaleString()} vertices lie far from the model before.` : "";
+  return [...notes, `It has the groom.${far}`, "The scene as it was, with its steps, is in the list."];
 }
 
 /** Bytes a second of the newest upload; 0 before there was one. */
@@ -103,15 +95,14 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
   let made = "";
   importing.value = {stage: "sending", plan, what: "the model", share: 0, stop};
   try {
-    const id = into || (made = (await createScene({name: nameOf(plan), model: {builtin: "plane", triangles: 2}})).id);
+    const id = into || plan.version_of || (made = (await createScene({name: nameOf(plan), model: {builtin: "plane", triangles: 2}})).id);
     const {description, notes} = await send(plan, id, loss, stop);
     await Promise.all([openScene(id), listScenes()]);
     hear(description.revision);
-    if (plan.groom_of) await takeGroom(plan.groom_of);
     importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes: [...notes, ...notesOn(description)]};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
-    if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: the server says what would be lost
+    if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: that goes over
     importing.value = asideFrom(error, plan, into);
   }
 }

@@ -12,7 +12,7 @@ export interface Plan {
   options: Values;
   notes: string[];
   /** Id of the scene whose groom the model gets; "" for a first one. */
-  groom_of: string;
+  version_of: string;
 }
 /** Words to the user: what is wrong, and what to do. */
 export class PlanError extends Error {
@@ -55,5 +55,5 @@ export async function planOf(all: Taken[]): Promise<Plan> {
   if (bytes.size === 0) throw new PlanError(`${model.file.name} is empty.`, "Export it again.");
   const texture = ending === "obj" ? await (await import("./texture")).textureOf(model, all) : {picture: null, notes: []};
   const format = ending === "gltf" ? "glb" : ending;
-  return {name: model.file.name.replace(/\.[^.]+$/, ""), format, bytes, texture: texture.picture, options: axesOf(format), notes: [...notes, ...texture.notes], groom_of: ""};
+  return {name: model.file.name.replace(/\.[^.]+$/, ""), format, bytes, texture: texture.picture, options: axesOf(format), notes: [...notes, ...texture.notes], version_of: ""};
 }

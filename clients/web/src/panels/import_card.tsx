@@ -19,7 +19,6 @@ const repair_words: Record<string, string> = {
 function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | undefined}) {
   const members = membersOf(schemas.value["ImportOptions"] ?? {}, ["format"]);
   const set = (name: string, value: unknown) => { importing.value = {stage: "asking", plan: {...plan, options: {...plan.options, [name]: value}}, into, ...(loss && {loss})}; };
-  const lost = loss && "says" in loss ? loss.says : "";
   return (
     <>
       <h3>{into ? "Upload again" : "Upload"}: {plan.name} ({plan.format})</h3>
@@ -29,21 +28,20 @@ function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | unde
       <Form members={members} values={plan.options} set={set} />
       <KeepGroom plan={plan} into={into} />
       <p class="help">{sizeWords(plan.bytes.size)}</p>
-      {lost && <p role="alert">{lost} Download it first to keep it.</p>}
       <div class="pair">
-        <button type="button" class="primary" onClick={() => void startImport(plan, into, loss)}>{lost ? "Discard it and upload" : "Upload"}</button>
+        <button type="button" class="primary" onClick={() => void startImport(plan, into, loss)}>Upload</button>
         <button type="button" onClick={leave}>Cancel</button>
       </div>
     </>
   );
 }
 
-/** A new version of the open scene's model gets its groom; the open scene stays as it is. */
+/** A new version of the open scene's model gets its groom; the scene as it was stays in the list. */
 function KeepGroom({plan, into}: {plan: Plan; into: string}) {
   const open = scene.value;
-  if (!open || into || open.undo_steps === 0 && !plan.groom_of) return null;
-  const change = (on: boolean) => { importing.value = {stage: "asking", plan: {...plan, groom_of: on ? open.id : ""}, into}; };
-  return <label class="check"><input type="checkbox" checked={plan.groom_of !== ""} onChange={(event) => change(event.currentTarget.checked)} /> With the groom of {open.name}</label>;
+  if (!open || into || open.undo_steps === 0 && !plan.version_of) return null;
+  const change = (on: boolean) => { importing.value = {stage: "asking", plan: {...plan, version_of: on ? open.id : ""}, into}; };
+  return <label class="check"><input type="checkbox" checked={plan.version_of !== ""} onChange={(event) => change(event.currentTarget.checked)} /> A new version of {open.name}: keep its groom</label>;
 }
 
 /** "12 MiB, about 40 s to send" */
@@ -84,7 +82,7 @@ function Done({now}: {now: Extract<Import, {stage: "done"}>}) {
       <Repairs repairs={now.repairs} />
       <Notes notes={now.notes} />
       <div class="pair">
-        <button type="button" onClick={() => { importing.value = {stage: "asking", plan: now.plan, into: now.into, loss: {revision: now.revision}}; }}>Other axes…</button>
+        {!now.plan.version_of && <button type="button" onClick={() => { importing.value = {stage: "asking", plan: now.plan, into: now.into, loss: {revision: now.revision}}; }}>Other axes…</button>}
         <button type="button" onClick={leave}>Good</button>
       </div>
     </>

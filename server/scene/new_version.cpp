@@ -1,0 +1,112 @@
+#include "server/scene/new_version.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "server/fields/field_mix.h"
+#include "server/groom/evaluate.h"
+#include "server/groom/retarget.h"
+#include "server/surface/materials.h"
+
+namespace pelage {
+
+namespace {
+
+struct Aligned {
+  Alignment how;
+  NearestCorners nearest;
+};
+
+constexpr double as_good = 0.001;  // sizes of the source
+
+/// A part that has moved changes the box of all others, and hardly the median.
+Aligned align(const SceneModel& from, const SceneModel& to) {
+  const Mesh& mesh = to.surface.mesh();
+  Aligned as_they_are{Alignment::none, nearest_corners(mesh, from.surface, Alignment::none)};
+  if (as_they_are.nearest.median <= as_good) return as_they_are;
+  Aligned by_box{Alignment::box, nearest_corners(mesh, from.surface, Alignment::box)};
+  const bool box_is_better = by_box.nearest.median + as_good < as_they_are.nearest.median;
+  return box_is_better ? std::move(by_box) : std::move(as_they_are);
+}
+
+/// What the settings place on the model or around it, as commands place it.
+class SettingsCarrier {
+ public:
+  SettingsCarrier(const Surface& from, const Surface& to, Alignment how) : from_(from), to_(to), how_(how) {}
+
+  SceneSettings carried(SceneSettings settings) const {
+    settings.eyes = moved(SetEyes{std::move(settings.eyes)}).eyes;
+    settings.curves = moved(SetCurves{std::move(settings.curves)}).groups;
+    settings.skin = moved(SetSkin{std::move(settings.skin)}).regions;
+    settings.blowers = moved(SetBlowers{std::move(settings.blowers)}).blowers;
+    settings.attractors = moved(SetAttractors{std::move(settings.attractors)}).attractors;
+    settings.symmetry = moved(SetSymmetry{std::move(settings.symmetry)}).symmetry;
+    return settings;
+  }
+
+ private:
+  template <class Tool>
+  Tool moved(Tool tool) const {
+    Result<Command> carried = carried_command(tool, from_, to_, how_);
+    assert(carried);  // only commands that name vertices or revisions are refused
+    return std::get<Tool>(std::move(*carried));
+  }
+
+  const Surface &from_, &to_;
+  Alignment how_;
+};
+
+/// Multiplies a size by a factor, within its range.
+void scale(double& size, double factor, double min, double max) { size = std::clamp(factor * size, min, max); }
+
+void scale(Coat& coat, double factor) {
+  scale(coat.tile, factor, 0.01, 1);
+  scale(coat.width_root, factor, 0, 0.05), scale(coat.width_tip, factor, 0, 0.05);
+  scale(coat.clump_size, factor, 0.001, 0.5), scale(coat.fine_clump_size, factor, 0.001, 0.5);
+  scale(coat.lodge_size, factor, 0.001, 0.5), scale(coat.tufts.size, factor, 0.01, 1);
+  scale(coat.pattern.scale, factor, 0.005, 2), scale(coat.variation.size, factor, 0.005, 2);
+}
+
+/// Sizes that are shares of the model's stay as long as they are in its unit.
+SceneSettings scaled(SceneSettings settings, double factor) {
+  if (factor == 1) return settings;
+  scale(settings.coat, factor);
+  for (Eye& eye : settings.eyes) scale(eye.radius, factor, 1e-6, 1e6);
+  for (SkinRegion& region : settings.skin) {
+    for (int axis = 0; axis < 3; ++axis) scale(region.radii[axis], factor, 1e-6, 1e6);
+    scale(region.bumps.height, factor, 0, 0.1), scale(region.bumps.size, factor, 1e-4, 1);
+  }
+  for (CurveGroup& group : settings.curves)
+    scale(group.width_root, factor, 0, 0.1), scale(group.width_tip, factor, 0, 0.1);
+  return settings;
+}
+
+}  // namespace
+
+namespace {
+
+/// Parts that are new and named after what has no fur begin without, as on a new model.
+void bare_new_parts(FieldSet& fields, const Mesh& before, const Mesh& after) {
+  const std::vector<bool> bare = bare_vertices(after, before.report.materials);
+  for (std::uint32_t v = 0; v < bare.size(); ++v)
+    if (bare[v]) fields.set(Field::bare, v, glm::vec4(1, 0, 0, 0));
+}
+
+}  // namespace
+
+CarriedGroom carried_groom(const SceneSnapshot& now, const SceneModel& model) {
+  const Surface &before = now.model->surface, &after = model.surface;
+  const Aligned aligned = align(*now.model, model);
+  const double factor = length_factor(before.mesh(), after.mesh(), aligned.how);
+  SceneSettings settings = SettingsCarrier(before, after, aligned.how).carried(*now.settings);
+  settings.checkpoints.clear();  // of revisions that are gone
+  if (after.mesh().texture_uv.empty()) settings.skin_texture.clear();
+  FieldSet fields =
+      carried(*now.fields, before.mesh(), after.mesh(), aligned.nearest.corners, factor, now.settings->layers);
+  bare_new_parts(fields, before.mesh(), after.mesh());
+  const CarriedReport report{aligned.how, aligned.nearest.corners.size(), aligned.nearest.far, {}};
+  return {std::move(fields), scaled(std::move(settings), factor), report};
+}
+
+}  // namespace pelage
