@@ -1,7 +1,9 @@
 // Pictures in linear light: what is measured, what lights a scene, and what a farm keeps.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,11 +53,18 @@ struct ExrPlane {
 /// R, G, B and A of interleaved RGBA; with an AOV's name their names are "AOV.R" and so on.
 std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& aov = {});
 
+/// The camera of an EXR's whole picture, as OpenEXR's standard attributes of these names have it: for row vectors, row
+/// after row. Camera space is left-handed, looks along +Z and has Y up; in NDC the whole is [0, 1] to the right and down.
+struct ExrCamera {
+  std::array<float, 16> world_to_camera{}, world_to_ndc{};
+};
+
 /// The pixels of an EXR (its data window), and the whole that they are a part of (its display window): 0 for no more
 /// than they.
 struct ExrWindow {
   int width = 0, height = 0, left = 0, top = 0;
   int full_width = 0, full_height = 0;
+  std::optional<ExrCamera> camera = {};
 };
 
 }  // namespace pelage

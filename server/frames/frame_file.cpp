@@ -96,8 +96,29 @@ std::string encode_array(int width, int height, const std::vector<ExrPlane>& pla
   return encode_npy(array_shape(width, height, planes.size()), std::span(std::as_const(values)));
 }
 
-std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const ModelPlacement& placement,
-                        std::span<const ImageText> texts) {
+/// From row vectors in the model's coordinates.
+ExrCamera exr_camera(const FurCamera& camera, const ModelPlacement& placement, double aspect) {
+  const glm::dvec3 right(camera.right), up(camera.up), forward(camera.forward);
+  const double high = double{camera.tan_half_fov}, wide = aspect * high;
+  const glm::dvec3 position = glm::dvec3(camera.position) * placement.size + placement.centre;
+  // Homogeneous NDC: x / z from -wide to wide becomes 0 to 1, y / z from high to -high.
+  const std::array<glm::dvec3, 4> to_camera{right, up, forward, glm::dvec3(0)};
+  const std::array<glm::dvec3, 4> to_ndc{right / (2 * wide) + 0.5 * forward, 0.5 * forward - up / (2 * high), forward,
+                                         forward};
+  const auto rows = [&](const std::array<glm::dvec3, 4>& columns, double last) {
+    std::array<float, 16> matrix{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) matrix[4 * static_cast<std::size_t>(r) + c] = static_cast<float>(columns[c][r]);
+      matrix[12 + c] = static_cast<float>(-glm::dot(position, columns[c]));
+    }
+    matrix[15] += static_cast<float>(last);
+    return matrix;
+  };
+  return {rows(to_camera, 1), rows(to_ndc, 0)};
+}
+
+std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const FurCamera& camera,
+                        const ModelPlacement& placement, std::span<const ImageText> texts) {
   assert(images.size() == request.aovs.size() && !images.empty());
   const auto asked = [&](Aov l) {
     return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end();
@@ -113,7 +134,9 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
   const FloatImage& first = images.front();
   if (request.format != FrameFormat::exr) return encode_array(first.width, first.height, planes);
   const Crop crop = request.crop.value_or(Crop());
-  return picture_files().encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height},
+  const double aspect = static_cast<double>(request.width) / request.height;
+  return picture_files().encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height,
+                                     exr_camera(camera, placement, aspect)},
                                     planes, texts);
 }
 
@@ -153,10 +176,10 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
 }
 
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
-                         const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
+                         const FurCamera& camera, const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
-    return encode_aovs(std::move(*aovs), request, placement, texts);
+    return encode_aovs(std::move(*aovs), request, camera, placement, texts);
   if (const auto* deep = std::get_if<Image16>(&picture)) return png.encode(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
   const int kept = request.lossy_quality > 0 ? request.lossy_quality : lossy_quality(knobs);

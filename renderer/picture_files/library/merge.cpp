@@ -99,6 +99,16 @@ std::vector<ExrPlane> planes_of(const OIIO::ImageSpec& spec, std::span<const flo
   return planes;
 }
 
+std::optional<ExrCamera> camera_of(const OIIO::ImageSpec& spec) {
+  ExrCamera camera;
+  const auto matrix = [&](const char* name, std::array<float, 16>& numbers) {
+    return spec.getattribute(name, OIIO::TypeMatrix44, numbers.data());
+  };
+  const bool is_there =
+      matrix("worldtocamera", camera.world_to_camera) && matrix("worldtoscreen", camera.world_to_ndc);
+  return is_there ? std::optional(camera) : std::nullopt;
+}
+
 Result<std::string> merge_exr(std::span<const PicturePart> parts, int width, int height,
                               std::span<const ImageText> texts) {
   std::vector<float> whole;
@@ -113,7 +123,7 @@ Result<std::string> merge_exr(std::span<const PicturePart> parts, int width, int
     if (!numbers) return numbers.status();
     paste(*numbers, first, part, width, whole);
   }
-  return encode_exr({.width = width, .height = height}, planes_of(first, whole), texts);
+  return encode_exr({.width = width, .height = height, .camera = camera_of(first)}, planes_of(first, whole), texts);
 }
 
 }  // namespace

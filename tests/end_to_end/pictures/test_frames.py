@@ -7,6 +7,7 @@ import unittest
 import numpy
 from PIL import Image
 
+from support.exr import attributes_of, read_exr
 from support.server import BIN, ServedTest
 
 CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
@@ -57,6 +58,26 @@ class Frames(ServedTest):
             self.assertNotIn("strand", scene.post("pick", {**at, "reach": "skin"}).json)
         self.assertGreater(named, 20)
         self.assertGreater(beside, 3, "tips beside the skin are seen, too")
+
+    def test_an_exr_says_its_revision_and_camera(self):
+        scene = self.server.new_scene("creature", 3000)
+        scene.run({"op": "noise", "flood": True})
+        camera = {"position": [1.5, 1, 2], "target": [0, 0.4, 0], "fov_degrees": 30}
+        width, height = 160, 96
+        frame = scene.frame(width=width, height=height, camera=camera, format="exr", exr_type="float", aovs=["position", "depth"],
+                            crop={"left": 40, "top": 20, "width": 90, "height": 70})
+        said = attributes_of(frame.body)[0]
+        self.assertEqual(said["pelage/revision"], b"1")
+        to_camera, to_ndc = (numpy.frombuffer(said[name], "<f4").reshape(4, 4) for name in ("worldToCamera", "worldToNDC"))
+        numpy.testing.assert_allclose([*camera["position"], 1] @ to_camera, [0, 0, 0, 1], atol=1e-5)
+        planes = read_exr(frame.body)
+        rows, columns = numpy.nonzero(numpy.isfinite(planes["Z"]))
+        self.assertGreater(len(rows), 500)
+        places = numpy.stack([planes[f"position.{axis}"][rows, columns] for axis in "XYZ"] + [numpy.ones(len(rows))], axis=1)
+        ndc = places @ to_ndc
+        numpy.testing.assert_allclose(ndc[:, 0] / ndc[:, 3] * width, columns + 40.5, atol=0.6)
+        numpy.testing.assert_allclose(ndc[:, 1] / ndc[:, 3] * height, rows + 20.5, atol=0.6)
+        self.assertTrue(((places @ to_camera)[:, 2] > 0).all(), "what is seen lies before the camera")
 
     def test_aovs_agree_with_a_pick(self):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})
