@@ -23,7 +23,7 @@ export CCACHE_BASEDIR="$PWD"
 cmake --preset asan -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
 cmake --build --preset asan -j "$jobs" --target "${targets[@]}"
 # A sanitizer's own threads do not start where the test lets none start.
-GTEST_FILTER=-ParallelDeathTest.* ctest --preset asan -j "$jobs" --no-tests=error -R "^($(IFS='|'; echo "${suites[*]}")|fuzz_json.*)$"
+PELAGE_SANITIZED=1 GTEST_FILTER=-ParallelDeathTest.* ctest --preset asan -j "$jobs" --no-tests=error -R "^($(IFS='|'; echo "${suites[*]}")|fuzz_json.*)$"
 
 found=$(mktemp -d)
 trap 'rm -rf "$found"' EXIT

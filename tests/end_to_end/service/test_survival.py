@@ -76,6 +76,7 @@ class FileSize(unittest.TestCase):
         self.assertEqual(scene.info()["revision"], 0)
 
 
+@unittest.skipIf("PELAGE_SANITIZED" in os.environ, "a sanitizer ends the process where memory runs out")
 class Memory(unittest.TestCase):
     """A limit on the process's memory: what does not fit is refused, and what fits is served."""
 

@@ -18,7 +18,7 @@ TEST(Workers, UsesAsFewThreadsAsPossible) {
     std::promise<std::thread::id> done;
     ASSERT_TRUE(workers.give([&] { done.set_value(std::this_thread::get_id()); }, i % 2 == 0));
     seen.insert(done.get_future().get());
-    std::this_thread::sleep_for(std::chrono::microseconds(200));  // it waits again
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // it waits again
   }
   EXPECT_LE(seen.size(), 8u);
 }

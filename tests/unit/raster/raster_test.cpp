@@ -131,7 +131,8 @@ LightSpread light_spread(const RasterScene& scene, const GrownPart& part) {
 TEST(Raster, SingleStrandsThrowShadowsWhereTheCameraIsNear) {
   const NearLawn lawn;
   Raster raster(2);
-  RasterScene near = raster.scene_of(lawn.patch.model(), lawn.fur, lawn.frame, {1000, 1}, RasterOutput::light);
+  const FurModel model = lawn.patch.model();
+  RasterScene near = raster.scene_of(model, lawn.fur, lawn.frame, {1000, 1}, RasterOutput::light);
   raster.fill_cells(near);
   ASSERT_FALSE(near.near->cells().empty());
   RasterScene mean = near;
