@@ -105,7 +105,7 @@ std::optional<ExrCamera> camera_of(const OIIO::ImageSpec& spec) {
     return spec.getattribute(name, OIIO::TypeMatrix44, numbers.data());
   };
   const bool is_there =
-      matrix("worldtocamera", camera.world_to_camera) && matrix("worldtoscreen", camera.world_to_ndc);
+      matrix("worldToCamera", camera.world_to_camera) && matrix("worldToNDC", camera.world_to_ndc);
   return is_there ? std::optional(camera) : std::nullopt;
 }
 

@@ -47,9 +47,9 @@ OIIO::ImageSpec exr_spec(const ExrWindow& window, std::span<const ExrPlane> plan
     spec.channelnames.push_back(plane.channel);
     spec.channelformats.push_back(type_of(plane.sample));
   }
-  if (window.camera) {  // by the library's names for worldToCamera and worldToNDC
-    spec.attribute("worldtocamera", OIIO::TypeMatrix44, window.camera->world_to_camera.data());
-    spec.attribute("worldtoscreen", OIIO::TypeMatrix44, window.camera->world_to_ndc.data());
+  if (window.camera) {
+    spec.attribute("worldToCamera", OIIO::TypeMatrix44, window.camera->world_to_camera.data());
+    spec.attribute("worldToNDC", OIIO::TypeMatrix44, window.camera->world_to_ndc.data());
   }
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "");  // or the writer adds the present time, and no two files are equal
