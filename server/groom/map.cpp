@@ -1,12 +1,31 @@
+#include <algorithm>
 #include <cassert>
+#include <string>
 
 #include "server/fields/field_set.h"
 #include "server/fields/field_writer.h"
 #include "server/groom/brush.h"
 #include "server/groom/tools.h"
 #include "server/maps/draw_map.h"
+#include "server/maps/uv_corners.h"
 
 namespace pelage {
+
+namespace {
+
+/// Returns whether the picture is of a tile in which no vertex lies.
+bool lies_nowhere(const MapTargets& targets) {
+  const std::vector<bool>& silent = targets.says_nothing;
+  return !silent.empty() && std::find(silent.begin(), silent.end(), false) == silent.end();
+}
+
+std::string no_such_tile(const Mesh& mesh, int tile) {
+  std::string said = "the model has nothing in tile " + std::to_string(tile) + "; its tiles are";
+  for (const int udim : udims_of(make_uv_corners(mesh))) said += " " + std::to_string(udim);
+  return said;
+}
+
+}  // namespace
 
 // Blends each value V with the picture's M: (1 - w) V + w M, which is exactly M at full strength.
 Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
@@ -21,6 +40,7 @@ Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& 
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
   const std::vector<VertexWeight> region = region_of({}, everywhere, surface, fields, extras, masked);
   Evaluation done;
+  if (lies_nowhere(targets)) done.warnings.push_back(no_such_tile(mesh, command.tile));
   for (const Field field : targets.fields) {
     FieldWriter writer(fields, field);
     for (const auto [v, weight] : region) {

@@ -86,6 +86,7 @@ struct Connection::Impl {
       Result<HttpAnswer> answer = result_of(ask());
       const std::chrono::seconds wait = answer ? wait_after(*answer) : std::chrono::seconds();
       if (wait.count() == 0 || std::chrono::steady_clock::now() + wait > given_up) return answer;
+      fmt::print(stderr, "The server is busy; asking again in {} s.\n", wait.count());
       std::this_thread::sleep_for(wait);
     }
   }

@@ -59,7 +59,9 @@ class NextSteps(ServedTest):
     def test_a_busy_server_is_asked_again_when_it_says(self):
         with stub_server(429, "urn:pelage:problem:busy", times=2, retry_after=1) as stub:
             begin = time.monotonic()
-            self.assertEqual(self.pelage("list", "--json", "--server", stub).stdout.strip(), '{"scenes":[]}')
+            run = self.pelage("list", "--json", "--server", stub)
+            self.assertEqual(run.stdout.strip(), '{"scenes":[]}')
+            self.assertEqual(run.stderr.count("asking again in 1 s"), 2)
             self.assertGreater(time.monotonic() - begin, 1.9)
 
     def test_a_scene_that_is_not_there(self):

@@ -127,6 +127,8 @@ f 1/1 2/2 3/3 4/4\nf 5/5 6/6 7/7 8/8\n"""
         self.assertEqual(self.server.call("PUT", f"{scene.path}/maps/length?tile=1001&scale=2", content).status, 200)
         self.assertLess(abs(tile(1001)[0] - 0.1).max(), 1e-3)
         self.assertLess(abs(tile(1002)[0] - 0.05).max(), 1e-4)
+        nowhere = self.server.call("PUT", f"{scene.path}/maps/length?tile=1005&scale=2", content).json["results"][0]["warnings"]
+        self.assertIn("the model has nothing in tile 1005; its tiles are 1001 1002", nowhere)
         self.assertEqual(self.server.get(f"{scene.path}/maps/length?tile=7").json["pointer"], "/tile")
 
 
