@@ -83,7 +83,7 @@ void members(V& v, Visited<V, NewScene>& c) {
 template <class V>
 void members(V& v, Visited<V, SceneName>& c) {
   v.type("SceneName", "Another name for a scene.");
-  v.label(required("name"), c.name, "At most 200 bytes of UTF-8, no control characters.");
+  v.label(required("name"), c.name, "Its name: at most 200 bytes of UTF-8, no control characters.");
 }
 
 template <class V>

@@ -54,7 +54,8 @@ struct ExrPlane {
 std::vector<ExrPlane> rgba_planes(std::span<const float> rgba, ExrSample sample, const std::string& aov = {});
 
 /// The camera of an EXR's whole picture, as OpenEXR's standard attributes of these names have it: for row vectors, row
-/// after row. Camera space is left-handed, looks along +Z and has Y up; in NDC the whole is [0, 1] to the right and down.
+/// after row. Camera space is left-handed, looks along +Z and has Y up; in NDC the whole is [0, 1] to the right and
+/// down.
 struct ExrCamera {
   std::array<float, 16> world_to_camera{}, world_to_ndc{};
 };

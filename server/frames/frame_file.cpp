@@ -175,8 +175,8 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
   return parts;
 }
 
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
-                         const FurCamera& camera, const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurCamera& camera,
+                         const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
     return encode_aovs(std::move(*aovs), request, camera, placement, texts);

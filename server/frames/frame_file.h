@@ -31,10 +31,10 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
 /// Encodes the picture as a file of the requested format; the same picture gives the same bytes. The channels of an EXR
 /// are R, G, B and A of beauty, A of alpha, Z of depth, AOV.X, .Y, .Z of position, normal and tangent, AOV.R, .G, .B of
 /// albedo and direct, and AOV.Y of shadow and sample_count. `png` remembers 8-bit pictures. PNG and EXR carry the
-/// texts, an EXR the camera too. `knobs` are those that the picture was drawn with: they determine the quality of a lossy format, unless the
-/// request names one.
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs,
-                         const FurCamera& camera, const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
+/// texts, an EXR the camera too. `knobs` are those that the picture was drawn with: they determine the quality of a
+/// lossy format, unless the request names one.
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurCamera& camera,
+                         const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
 
 const char* content_type_of(FrameFormat format);
 

@@ -111,18 +111,17 @@ test("other axes are another upload into the same scene", async () => {
   assert.ok(second.revision > first.revision);
 });
 
-test("an upload into a groomed scene says what is lost, and asks", async () => {
+test("what was groomed before other axes were chosen goes over", async () => {
   await drop(objFolder(folder));
   const {id, revision} = await uploaded("box");
   const combed = await server.post(`/v1/scenes/${id}/commands`, {op: "comb", flood: true, direction: [1, 0, 0]});
   assert.ok(combed.revision > revision);
   await press("Other axes…");
   await press("Upload");
-  await card().getByRole("alert").getByText(/would lose the scene's groom: 2 commands/).waitFor();
-  assert.equal((await server.get(`/v1/scenes/${id}`)).revision, combed.revision);
-  await press("Discard it and upload");
-  await card().getByText("box is there").waitFor({timeout: 60000});
-  assert.doesNotMatch(await linesOf(id), /comb/);
+  await card().getByText(/It has the groom/).waitFor({timeout: 60000});
+  const now = await server.get(`/v1/scenes/${id}`);
+  const before = (await server.get("/v1/scenes")).scenes.find(({name}) => name === `box before ${now.revision}`);
+  assert.match(await linesOf(before.id), /comb/);
 });
 
 test("an upload says how far it is, and cancelled it leaves no scene", async () => {

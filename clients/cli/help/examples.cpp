@@ -32,6 +32,7 @@ constexpr Example all_examples[] = {
     {"list", "pelage list"},
     {"list", "pelage list --json | jq -r '.scenes[].name'"},
     {"info", "pelage info fox"},
+    {"rename", "pelage rename fox \"arctic fox\""},
     {"rm", "pelage rm fox"},
     {"run", "pelage run fox groom.json --set fur=0.05"},
     {"run", "pelage run fox groom.json --dry-run"},

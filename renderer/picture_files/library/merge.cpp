@@ -104,8 +104,7 @@ std::optional<ExrCamera> camera_of(const OIIO::ImageSpec& spec) {
   const auto matrix = [&](const char* name, std::array<float, 16>& numbers) {
     return spec.getattribute(name, OIIO::TypeMatrix44, numbers.data());
   };
-  const bool is_there =
-      matrix("worldToCamera", camera.world_to_camera) && matrix("worldToNDC", camera.world_to_ndc);
+  const bool is_there = matrix("worldToCamera", camera.world_to_camera) && matrix("worldToNDC", camera.world_to_ndc);
   return is_there ? std::optional(camera) : std::nullopt;
 }
 
