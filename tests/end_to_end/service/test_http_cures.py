@@ -312,14 +312,15 @@ class Stopping(unittest.TestCase):
         server = Server()
         self.addCleanup(server.close)
         scene = server.new_scene("creature", 5000)
+        scene.frame()  # its strands are grown, which takes longest
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            frame = pool.submit(scene.frame, width=160, height=160, quality="detailed")
             waiting = pool.submit(server.get, f"{scene.path}/frame.png?after=0&wait=20")
+            time.sleep(0.3)
+            frame = pool.submit(scene.frame, width=160, height=160, quality="interactive", camera={"auto": "left"})
             for _ in range(500):
                 if server.get(f"{scene.path}/frames").json["frames"]:
                     break
                 time.sleep(0.01)
-            time.sleep(0.1)
             self.assertEqual(server.terminate(), 0)
             self.assertEqual(frame.result().image.shape[:2], (160, 160))
             self.assertEqual(waiting.result().status, 304)
