@@ -138,11 +138,19 @@ class Maps(ServedTest):
         brush = {"radius": 0.3, "strength": 1, "falloff": "constant", "alpha": name}
         paint = {"op": "paint", "field": "density", "value": 0, "stroke": stroke, "brush": brush}
         self.assertEqual(scene.run(paint).status, 200)
-        for x, wanted in ((-0.2, 1), (0.2, 0)):
-            view = {"camera": {"position": [x, 2, 0], "target": [x, 0, 0], "up": [0, 0, -1]}, "width": 65, "height": 65}
-            self.assertAlmostEqual(scene.post("pick", {"view": view, "pixel": [32, 32]}).json["painted"]["density"], wanted, 5)
+
+        def pick(x):
+            return scene.post("pick", {"nearest": [x, 0, 0]}).json
+
+        before = pick(-0.2)["direction"]
+        self.assertEqual(scene.run({"op": "comb", "stroke": stroke, "brush": brush}).status, 200)
+        for x, density in ((-0.2, 1), (0.2, 0)):
+            self.assertAlmostEqual(pick(x)["painted"]["density"], density, 5)
+        self.assertEqual(pick(-0.2)["direction"], before)
+        self.assertLess(pick(0.2)["direction"][2], -0.99)
         again = self.server.new_scene("plane", 800)
-        self.assertEqual(again.run(json.loads(self.server.get(f"{scene.path}/log?format=jsonl").body.decode().splitlines()[-1])).status, 200)
+        for line in self.server.get(f"{scene.path}/log?format=jsonl").body.decode().splitlines():
+            self.assertEqual(again.run(json.loads(line)).status, 200)
         self.assertEqual(again.info()["fields_hash"], scene.info()["fields_hash"])
         self.assert_problem(scene.run(paint | {"brush": brush | {"alpha": "0" * 32}}), 422, "/brush/alpha")
 
