@@ -142,6 +142,7 @@ class Maps(ServedTest):
         def pick(x):
             return scene.post("pick", {"nearest": [x, 0, 0]}).json
 
+        scene.run({"op": "comb", "flood": True, "direction": [1, 0, 0], "brush": {"strength": 1}})
         before = pick(-0.2)["direction"]
         self.assertEqual(scene.run({"op": "comb", "stroke": stroke, "brush": brush}).status, 200)
         for x, density in ((-0.2, 1), (0.2, 0)):
