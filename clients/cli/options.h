@@ -77,6 +77,8 @@ struct Options {
   std::string crease_degrees;        // "" for the server's choice
   std::vector<int> flip, two_sided;  // numbers of parts
   bool discard = false;              // the groom that the scene has
+  // list
+  bool names = false;
   // environment
   double intensity = 1, turn_degrees = 0;
   // map

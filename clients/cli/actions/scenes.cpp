@@ -70,6 +70,8 @@ ExitCode list_scenes(Session& session) {
   if (!scenes) return report(scenes.status());
   if (session.options().json)
     fmt::print("{}\n", answer->body);
+  else if (session.options().names)
+    for (const SceneSummary& scene : scenes->scenes) fmt::print("{}\n", scene.name);
   else
     print(scenes->scenes);
   return done;

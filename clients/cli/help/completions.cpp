@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <regex>
+
 namespace pelage {
 
 namespace {
@@ -43,6 +45,29 @@ std::vector<std::pair<std::string, std::string>> words_after(const CommandHelp& 
   return words;
 }
 
+/// The values of an option whose words begin with all of them, as "front, back or left".
+std::string values_of(const OptionHelp& option) {
+  static const std::regex list(R"(^([\w-]+(?:, [\w-]+)* or [\w-]+)(?:$|[;,.]| \[).*)"), between(", | or ");
+  std::smatch found;
+  if (!option.takes_value || !std::regex_match(option.words, found, list)) return "";
+  return std::regex_replace(found.str(1), between, " ");
+}
+
+bool begins_with_scene(const CommandHelp& command) {
+  return !command.arguments.empty() && command.arguments.front().names == std::vector<std::string>{"scene"};
+}
+
+/// Cases of bash and zsh: what follows an option of a command, by "COMMAND OPTION". `line` is given the values.
+std::string value_cases(const CommandHelp& root, const std::string& before, const std::string& after) {
+  std::string cases;
+  for (const CommandHelp* command : all_commands(root))
+    for (const OptionHelp& option : command->options)
+      for (const std::string& name : option.names)
+        if (const std::string values = values_of(option); !values.empty())
+          cases += "    " + shell_text(command->name + " " + name) + ") " + before + values + after + "\n";
+  return cases;
+}
+
 /// A loop of bash and zsh that finds which command the line names.
 std::string path_loop(const CommandHelp& root, const char* words) {
   std::string known;
@@ -73,6 +98,8 @@ std::string fish_option(const OptionHelp& option, const std::string& condition) 
   if (!condition.empty()) line += " -n " + fish_text(condition);
   for (const std::string& name : option.names)
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+  const std::string values = values_of(option);
+  if (!values.empty()) line += " -f -a " + fish_text(values);
   return line + (option.takes_value ? " -r" : "") + " -d " + fish_text(option.words) + "\n";
 }
 
@@ -80,26 +107,46 @@ std::string fish_option(const OptionHelp& option, const std::string& condition) 
 
 std::string bash_completions(const CommandHelp& root) {
   std::string script = "_pelage() {\n" + path_loop(root, "\"${COMP_WORDS[@]:1:COMP_CWORD-1}\"");
-  script += "  local words=\"\"\n  case \"$named\" in\n";
+  script += "  local words=\"\" scene=\"\" name word=\"${COMP_WORDS[COMP_CWORD]}\"\n  case \"$named\" in\n";
   for (const CommandHelp* command : all_commands(root)) {
     std::string words;
     for (const auto& [word, help] : words_after(*command, root)) words += (words.empty() ? "" : " ") + word;
-    script += fmt::format("    {}) words={} ;;\n", shell_text(command->name), shell_text(words));
+    script += fmt::format("    {}) words={}{} ;;\n", shell_text(command->name), shell_text(words),
+                          begins_with_scene(*command) ? " scene=yes" : "");
   }
-  return script +
-         "  esac\n  COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
-         "complete -o default -F _pelage pelage\n";
+  script +=
+      "  esac\n  case \"$named ${COMP_WORDS[COMP_CWORD-1]}\" in\n" + value_cases(root, "scene='' words='", "' ;;");
+  return script + R"sh(  esac
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+  if [ -n "$scene" ] && [ "${word#-}" = "$word" ]; then
+    while IFS= read -r name; do
+      if [ "${name#"$word"}" != "$name" ] || [ -z "$word" ]; then COMPREPLY+=("$(printf %q "$name")"); fi
+    done < <(pelage list --names 2>/dev/null)
+  fi
+}
+complete -o default -F _pelage pelage
+)sh";
 }
 
 std::string zsh_completions(const CommandHelp& root) {
   std::string script = "#compdef pelage\n_pelage() {\n" + path_loop(root, "\"${(@)words[2,CURRENT-1]}\"");
-  script += "  local -a known\n  case \"$named\" in\n";
+  script += "  local -a known names\n  local scene=\"\"\n  case \"$named\" in\n";
   for (const CommandHelp* command : all_commands(root)) {
     std::string known;
     for (const auto& [word, help] : words_after(*command, root)) known += " " + shell_text(word + ":" + help);
-    script += fmt::format("    {}) known=({} ) ;;\n", shell_text(command->name), known);
+    script += fmt::format("    {}) known=({} ){} ;;\n", shell_text(command->name), known,
+                          begins_with_scene(*command) ? " scene=yes" : "");
   }
-  return script + "  esac\n  _describe pelage known || _files\n}\ncompdef _pelage pelage\n";
+  script += "  esac\n  case \"$named $words[CURRENT-1]\" in\n" + value_cases(root, "compadd ", "; return ;;");
+  return script + R"sh(  esac
+  if [[ -n $scene ]]; then
+    names=("${(@f)$(pelage list --names 2>/dev/null)}")
+    compadd -a names
+  fi
+  _describe pelage known || _files
+}
+compdef _pelage pelage
+)sh";
 }
 
 std::string fish_completions(const CommandHelp& root) {
@@ -114,6 +161,8 @@ std::string fish_completions(const CommandHelp& root) {
       script += fmt::format("complete -c pelage -n {} -f -a {} -d {}\n", fish_text(none_below), last_word(below.name),
                             fish_text(below.words));
     const std::string condition = command->name.empty() ? "" : fish_condition(*command);
+    if (begins_with_scene(*command))
+      script += "complete -c pelage -n " + fish_text(condition) + " -a '(pelage list --names 2>/dev/null)'\n";
     for (const OptionHelp& option : command->options)
       if (command->name.empty() || option.names.back() != "--help") script += fish_option(option, condition);
   }

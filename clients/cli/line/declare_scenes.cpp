@@ -82,7 +82,8 @@ void declare_environment(CLI::App& app, Options& options) {
 
 void declare_scene_actions(CLI::App& app, Options& options) {
   declare_new(app, options);
-  add_action(app, options, Action::list, "list", "List the scenes");
+  add_action(app, options, Action::list, "list", "List the scenes")
+      ->add_flag("--names", options.names, "Their names alone, a line each");
   add_scene(add_action(app, options, Action::info, "info", "Describe a scene"), options);
   add_scene(add_action(app, options, Action::remove, "rm", "Remove a scene"), options);
   CLI::App* rename = add_action(app, options, Action::rename, "rename", "Give a scene another name; its id stays");

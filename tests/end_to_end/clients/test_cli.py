@@ -190,8 +190,22 @@ class Client(ServedTest):
             if command not in ("map", "farm"):
                 self.assertIn("Examples:\n  pelage", self.pelage(command, "--help").stdout.replace("pelaged --data groom-data & ", ""))
         self.pelage("completions", "csh", code=2)
-        script = self.file("complete.bash", texts[0] + 'COMP_WORDS=(pelage --json map get fox --dil); COMP_CWORD=5\n_pelage\necho "$COMPREPLY"\n')
-        self.assertEqual(subprocess.run(["bash", script], capture_output=True, text=True, check=True).stdout, "--dilate\n")
+
+    def test_completions_know_values_and_scenes(self):
+        self.new("--name", "red fox", "--builtin", "plane", "--triangles", 2)
+        around = {**os.environ, "PATH": f"{BIN}:{os.environ['PATH']}", "PELAGE_SERVER": f"http://127.0.0.1:{self.server.port}"}
+
+        def completed(*words):
+            line = " ".join(f"'{word}'" for word in words)
+            script = self.file("complete.bash", self.pelage("completions", "bash").stdout
+                               + f"COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}\n_pelage\nprintf '%s\\n' \"${{COMPREPLY[@]}}\"\n")
+            return subprocess.run(["bash", script], capture_output=True, text=True, check=True, env=around).stdout.splitlines()
+
+        self.assertEqual(completed("pelage", "--json", "map", "get", "fox", "--dil"), ["--dilate"])
+        self.assertEqual(completed("pelage", "frame", "fox", "--camera", ""), ["front", "back", "left", "right", "top", "three_quarter"])
+        self.assertEqual(completed("pelage", "new", "--builtin", "cl"), ["cloth"])
+        self.assertEqual(completed("pelage", "info", "re"), ["red\\ fox"])
+        self.assertEqual(completed("pelage", "info", "--he"), ["--help"])
 
     def test_load(self):
         scene = self.new("--builtin", "plane", "--triangles", 2)
