@@ -356,7 +356,7 @@ class Files(PackageTest):
         before = self.scene.info()
         kept = self.scene.load(self.folder / "m.obj")["carried"]
         self.assertEqual(kept["vertices"], 3)
-        self.assertEqual(self.server.scene(kept["before"]).info()["fields_hash"], before["fields_hash"])
+        self.assertEqual(self.client.open(kept["before"]).info()["fields_hash"], before["fields_hash"])
         self.assertNotIn("carried", self.scene.info())
         self.assertNotIn("carried", self.scene.load(self.folder / "m.obj", discard=True))
         self.scene.rename("triangle")
