@@ -50,7 +50,7 @@ class Document(unittest.TestCase):
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetWind", "Wind", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
-                    "RevisionBody", "Subdivide", "TurnModel", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
+                    "RevisionBody", "Subdivide", "TurnModel", "SceneName", "Retarget", "ChangeEditLayer", "BranchRequest", "AmendRequest", "Knobs", "Tracing", "FrameRequest",
                     "PickRay", "PickFarthest", "RecipeRequest")
         for name in requests:
             self.assertIs(SCHEMAS[name]["additionalProperties"], False, name)
@@ -258,6 +258,11 @@ class Requests(ServedTest):
         for variation in self.variations({"up": "z", "front": "-y"}):
             self.agree("TurnModel", variation, lambda b: scene.post("turn", b))
 
+    def test_rename(self):
+        scene = self.server.new_scene("plane", 8)
+        for variation in self.variations({"name": "other"}):
+            self.agree("SceneName", variation, lambda b: scene.post("rename", b))
+
     def test_retarget(self):
         scene = self.server.new_scene("plane", 50)
         body = {"op": "retarget", "scene": scene.id, "revision": 0, "align": "none", "fields": ["length"], "strength": 0.5}
@@ -391,7 +396,7 @@ class Answers(ServedTest):
     def test_every_operation_answers_what_it_says(self):
         scene = self.server.new_scene("creature", 1000)
         body = {"/v1/scenes": {}, "commands": flood([0, 1, 0]), "undo": {}, "redo": {"steps": 1}, "branch": {"name": "side"},
-                "subdivide": {"levels": 1, "masked": False}, "turn": {"up": "y", "front": "z"}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]},
+                "subdivide": {"levels": 1, "masked": False}, "turn": {"up": "y", "front": "z"}, "rename": {"name": "other"}, "open": self.server.get(f"{scene.path}/export/pelage").body, "frames": {"width": 16, "height": 16}, "pick": {"pixel": [256, 256]},
                 "recipe": {"recipe": {"steps": [{"pick": {"nearest": [0, 0, 0]}, "as": "near"}, {"op": "lift", "flood": True, "assert": {"min_vertices": 1}}]}}}
         files = {"model": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n",
                  "environment": hdr([[[1, 1, 1]]]), "skin_texture": png([[[1, 2, 3]]]), "pictures": png([[[1, 2, 3]]]),
