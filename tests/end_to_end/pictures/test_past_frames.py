@@ -6,12 +6,22 @@ import tempfile
 import threading
 import unittest
 
+from support.exr import attributes_of, read_exr
 from support.nightly import nightly
 from support.pictures import png
 from support.server import ServedTest, comb, flood
 
 VIEW = {"camera": {"auto": "front"}, "width": 96, "height": 96, "quality": "draft"}
 RED = {"op": "paint", "field": "tip_colour", "colour": "#ff0000", "flood": True}
+
+
+def without_revision(picture):
+    """An EXR's attributes but for the revision that it names, and its channels bit by bit; other files as they are."""
+    if picture[:4] != b"\x76\x2f\x31\x01":
+        return picture
+    attributes = attributes_of(picture)[0]
+    del attributes["pelage/revision"]
+    return attributes, {name: plane.tobytes() for name, plane in read_exr(picture).items()}
 
 
 class PastFrames(ServedTest):
@@ -62,7 +72,7 @@ class PastFrames(ServedTest):
             scene.run(RED)
             then = scene.frame(**ask, revision=1)
             if "budget_ms" not in ask:  # whose knobs may change as frames are learnt from
-                self.assertEqual(then.body, now.body, request)
+                self.assertEqual(without_revision(then.body), without_revision(now.body), request)
             self.assertEqual(then.headers["pelage-revision"], "1")
 
     @nightly
