@@ -18,20 +18,13 @@ done
 
 say() { echo "[$SECONDS s] $*"; }
 say "1/4 packages"
-deploy/packages.sh compile
+deploy/packages.sh demo
 say "2/4 build (a few minutes the first time)"
-mkdir -p out
-deploy/packages.sh demo >out/packages.log 2>&1 &  # node and the rest while the first programs compile
-rest=$!
-build() {  # TARGET...
-  cmake --preset release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-  cmake --build --preset release -j "$(($(nproc) + 1))" --target "$@"  # one more: npm waits for the network
-}
-build pelage pelage-import
-if ! wait $rest; then cat out/packages.log >&2; exit 1; fi
-build pelaged
+cmake --preset release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
+cmake --build --preset release -j "$(nproc)" --target pelaged pelage pelage-import
 bin=build/release/bin
 out=out
+mkdir -p $out
 rm -rf $out/*.png $out/*.jsonl $out/*.json $out/data $out/port $out/server.log
 
 say "3/4 server"

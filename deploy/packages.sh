@@ -1,29 +1,28 @@
 #!/usr/bin/env bash
-# Installs Debian 12 packages that are missing. usage: deploy/packages.sh compile|build|package|demo|test
-# (compile: what C++ needs; build: node for the studio too)
+# Installs Debian 12 packages that are missing. usage: deploy/packages.sh build|package|demo|test
 set -euo pipefail
 
-compile=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml glslang-tools
+build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml glslang-tools
   libglm-dev libegl-dev libosmesa6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6
   libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev libwebp-dev zlib1g-dev libtinyobjloader-dev libassimp-dev libzip-dev libembree-dev libtbb-dev libeigen3-dev libmeshoptimizer-dev libhwy-dev
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
-package=("${compile[@]}" file git)  # CPack asks `file` what is a program, and the version is that of a commit
-demo=("${compile[@]}" glmark2-data openimageio-tools)
+package=("${build[@]}" file git)  # CPack asks `file` what is a program, and the version is that of a commit
+demo=("${build[@]}" glmark2-data openimageio-tools)
 test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip curl
   slurm-wlm munge ffmpeg
   clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 chromium)
 
 case "${1:-}" in
-  compile | build) wanted=("${compile[@]}") ;;
+  build) wanted=("${build[@]}") ;;
   package) wanted=("${package[@]}") ;;
   demo) wanted=("${demo[@]}") ;;
   test) wanted=("${test[@]}") ;;
-  *) echo "usage: $0 compile|build|package|demo|test" >&2; exit 2 ;;
+  *) echo "usage: $0 build|package|demo|test" >&2; exit 2 ;;
 esac
 
 # The studio is built by node 18 or newer; one that is there with its npm, from wherever, will do.
 major=$({ node --version 2>/dev/null || true; } | sed -n 's/^v\([0-9]*\).*/\1/p')
-if [ "$1" != compile ] && ! { [ "${major:-0}" -ge 18 ] && command -v npm >/dev/null; }; then wanted+=(nodejs npm); fi
+if ! { [ "${major:-0}" -ge 18 ] && command -v npm >/dev/null; }; then wanted+=(nodejs npm); fi
 
 missing=()
 for package in "${wanted[@]}"; do
