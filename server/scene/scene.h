@@ -138,8 +138,8 @@ class Scene {
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      bool ground = false, const ExecuteOptions& options = {});
 
-  /// Gives the scene a new version of its model, with its groom (carried_groom). An empty log starts at the next
-  /// revision. The summary says how the groom went over.
+  /// Gives the scene a new version of its model, with its groom (carried_groom), which `stored` says is older than the
+  /// log. An empty log starts at the next revision. The summary says how the groom went over.
   Result<SceneSummary> carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
                                 const ExecuteOptions& options = {});
 

@@ -133,10 +133,8 @@ Result<SceneSummary> Scene::carry_to(const std::shared_ptr<const SceneModel>& mo
   if (!turn) return turn.status();
   const SceneSnapshot& now = *present_;
   CarriedGroom groom = carried_groom(now, *model);
-  options.cancel.check();
   const auto settings = std::make_shared<const SceneSettings>(std::move(groom.settings));
   const auto texture = settings->skin_texture.empty() ? nullptr : now.skin_texture;
-  stored.subdivisions.push_back({});
   const StoredScene scene{
       id_,      name_, std::move(stored), now.revision + 1, difference(FieldSet(groom.fields.size()), groom.fields),
       settings, {}};

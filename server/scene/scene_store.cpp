@@ -103,7 +103,8 @@ struct SceneStore::Impl {
   Result<std::shared_ptr<Scene>> opened(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
   /// Reads a model through the worker. Throws Cancelled.
-  Result<ImportedModel> imported(const ImportOptions& options, std::span<const std::byte> bytes, const Cancel& cancel);
+  Result<ImportedModel> imported(const ImportOptions& options, std::span<const std::byte> bytes, const Cancel& cancel,
+                                 std::vector<ChosenTriangles> subdivisions = {});
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -314,7 +315,9 @@ Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& o
 
 Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions& options,
                                               std::span<const std::byte> bytes, ExecuteOptions execute) try {
-  const Result<ImportedModel> model = impl_->imported(standing_as(*scene.model(), options), bytes, execute.cancel);
+  const std::vector<ChosenTriangles> groom_before_log(1);  // StoredModel::subdivisions
+  const Result<ImportedModel> model =
+      impl_->imported(standing_as(*scene.model(), options), bytes, execute.cancel, groom_before_log);
   if (!model) return model.status();
   const bool any_revision = !execute.if_match;
   for (int tries = 3;; --tries) {
@@ -334,13 +337,14 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
 }
 
 Result<ImportedModel> SceneStore::Impl::imported(const ImportOptions& options, std::span<const std::byte> bytes,
-                                                 const Cancel& cancel) {
+                                                 const Cancel& cancel, std::vector<ChosenTriangles> subdivisions) {
   const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(cancel));
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
                   .prepare = preparation_of(options, *raw),
                   .raw = {},
-                  .fur_patches = options.fur_patches};
+                  .fur_patches = options.fur_patches,
+                  .subdivisions = std::move(subdivisions)};
   cancel.check();
   auto model = build_model(*raw, how, ++last_model);
   if (!model) return model.status();

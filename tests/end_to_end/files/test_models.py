@@ -139,6 +139,9 @@ class Uploads(ServedTest):
         self.server.terminate()
         self.server.start()
         self.assertEqual(scene.info(), after)
+        for _ in range(2):  # there is a groom to keep, though the log is empty
+            again = self.server.call("PUT", f"{scene.path}/model?format=obj", mesh.read_bytes()).json
+            self.assertEqual((again["carried"]["far"], again["fields_hash"]), (0, before["fields_hash"]))
 
     def test_a_scene_gets_another_name(self):
         scene = self.server.new_scene("sphere", 500)
