@@ -143,7 +143,7 @@ Result<SceneSummary> Scene::carry_to(const std::shared_ptr<const SceneModel>& mo
   return summary;
 }
 
-/// A scene's beginning out of itself. `write` puts it into the journal.
+/// Begins the scene anew, with an empty log, as `stored` says; `write` puts that into the journal.
 Result<SceneSummary> Scene::begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
                                        FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
                                        Status (Journal::*write)(const StoredScene&)) {

@@ -57,7 +57,7 @@ bool begins_with_scene(const CommandHelp& command) {
   return !command.arguments.empty() && command.arguments.front().names == std::vector<std::string>{"scene"};
 }
 
-/// Cases of bash and zsh: what follows an option of a command, by "COMMAND OPTION". `line` is given the values.
+/// Cases of bash and zsh, "COMMAND OPTION": each offers the option's values, between `before` and `after`.
 std::string value_cases(const CommandHelp& root, const std::string& before, const std::string& after) {
   std::string cases;
   for (const CommandHelp* command : all_commands(root))

@@ -83,6 +83,8 @@ class Retarget(ServedTest):
         self.server.start()
         self.assertEqual(scene.info(), after)
         self.assertEqual(self.picture(scene), picture)
+        version = self.server.call("PUT", f"{scene.path}/model?format=obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.assertIn("carried", version.json, "there is a groom to keep, though the log is empty")
 
     def test_fields_of_another_scene(self):
         source = self.server.new_scene("creature", 3000, name="source")
