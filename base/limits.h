@@ -36,6 +36,7 @@ inline constexpr int passes = 10'000;                  // of smoothing
 inline constexpr std::size_t mask_vertices = 100'000;  // named in one command
 inline constexpr std::size_t named_materials = 256;    // of a model
 inline constexpr std::size_t blowers = 64;             // and as many attractors
+inline constexpr std::size_t coats = 8;                // of a scene
 inline constexpr std::size_t edit_layers = 14;
 inline constexpr double min_groomed_weight = 0.05;  // of an edit layer that tools change
 inline constexpr std::size_t symmetry_planes = 3;

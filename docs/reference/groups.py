@@ -5,7 +5,7 @@ GROUPS = {
     "Length and form": ["length", "trim", "clump", "curl"],
     "Fields and mask": ["paint", "mask", "map", "erase", "retarget"],
     "Scene": ["checkpoint", "edit_layer", "set_symmetry", "set_blowers", "set_attractors"],
-    "Coat, body and light": ["set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_wind", "set_eyes", "set_curves", "set_skin",
+    "Coat, body and light": ["set_coats", "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_wind", "set_eyes", "set_curves", "set_skin",
                              "set_skin_texture"],
 }
 # What the words in the column of units mean, for the first page; degrees and the like say it themselves.

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/lean_curve.h"
@@ -121,6 +123,39 @@ struct Coat {
   std::uint32_t seed = 1;
 
   bool operator==(const Coat&) const = default;
+};
+
+/// The number by which fields, strands and exports name a coat, [0, limits::coats).
+using CoatId = std::uint64_t;
+
+/// A coat of a scene. Each has fields of its own, but for those that all share (is_shared); where its density is above
+/// 0 is its region.
+struct NamedCoat {
+  std::string name = "fur";  // 1 to 200 bytes; names differ
+  CoatId id = 0;             // stays for as long as there is the coat; the first coat of a new model has 0
+  bool muted = false;        // neither drawn nor exported, nor changed by tools; one coat at least is not
+  Coat coat;
+
+  bool operator==(const NamedCoat&) const = default;
+};
+
+/// Where a new coat grows: wherever the coat does that it is made from, nowhere yet, or as far as the mask allows.
+enum class CoatRegion { all, none, mask };
+
+/// How the fields of a new coat begin: as those of another.
+struct CoatBeginning {
+  std::string from = {};  // name of that coat; "" for the first
+  CoatRegion region = CoatRegion::all;
+  double length = 1;  // factor on its lengths, [0.01, 100]
+};
+
+/// A coat as set_coats names it: by its id; without one by its name. One that is not there yet is new.
+struct CoatEntry {
+  std::string name = {};
+  std::optional<CoatId> id = {};  // of a new coat the lowest that is free, unless given
+  bool muted = false;
+  std::optional<Coat> coat = {};             // absent: as it was; of a new one as that which it begins from
+  std::optional<CoatBeginning> begins = {};  // of a new one
 };
 
 }  // namespace pelage

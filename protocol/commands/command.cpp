@@ -41,4 +41,15 @@ std::string edit_layer_of(const Command& command) {
       command);
 }
 
+std::vector<std::string> coats_of(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        if constexpr (requires { c.edit_layer; })
+          return c.coats;
+        else
+          return std::vector<std::string>();
+      },
+      command);
+}
+
 }  // namespace pelage

@@ -23,6 +23,14 @@ struct SetCoat {
   static constexpr const char* op = "set_coat";
   static constexpr Inputs inputs = Inputs::none;
   Coat coat;
+  std::string name = {};  // of the coat that is set; "" for the first
+};
+
+/// All coats of a scene, in their order. One that is left out is removed with its fields.
+struct SetCoats {
+  static constexpr const char* op = "set_coats";
+  static constexpr Inputs inputs = Inputs::none;
+  std::vector<CoatEntry> coats;  // 1 to limits::coats
 };
 struct SetLook {
   static constexpr const char* op = "set_look";
@@ -110,8 +118,8 @@ struct Checkpoint {
 
 /// Commands that set something about the scene, and change no field of their own.
 using Settings =
-    CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetLook, SetLights,
-                SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture, SetWind>;
+    CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetCoats, SetLook,
+                SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture, SetWind>;
 
 template <class C>
 concept SettingCommand = Settings::holds<C>;
@@ -131,5 +139,8 @@ Stroke* stroke_of(Command& command);
 /// Returns the name of the edit layer that takes the tool's change; "" for the groom, and for commands that are no
 /// tools.
 std::string edit_layer_of(const Command& command);
+
+/// Returns the names of the coats that a tool is told to work on; none for all, and for commands that are no tools.
+std::vector<std::string> coats_of(const Command& command);
 
 }  // namespace pelage

@@ -28,6 +28,7 @@ enum class CurveBasis { linear, cubic };
 /// What of the fur is exported.
 struct ExportRequest {
   ExportFormat format = ExportFormat::usda;
+  std::string coat = {};                       // name of the only coat that is in it; "" for all that are not muted
   int every = 1;                               // about one strand in so many, chosen by a random number; [1, 1000000]
   bool widen = false;                          // makes strands `every` times as wide, which keeps what they cover
   bool curves = true;                          // with whiskers, lashes and brows

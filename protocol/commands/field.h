@@ -52,6 +52,9 @@ inline constexpr std::array<FieldShape, 13> field_shapes{{{"direction", 2, 0, -1
 inline constexpr std::size_t field_count = field_shapes.size();
 inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::density);  // and all after it
 
+/// Returns whether all coats of a scene have the field in common; of the others each coat has its own.
+constexpr bool is_shared(Field field) { return field == Field::bare || field == Field::mask; }
+
 constexpr const FieldShape& shape_of(Field field) { return field_shapes[static_cast<std::size_t>(field)]; }
 constexpr Field field_at(std::size_t number) { return static_cast<Field>(number); }
 
@@ -63,6 +66,7 @@ struct EditLayer {
   std::string name = {};  // 1 to 200 bytes; names differ
   double weight = 1;      // [-4, 4]; below 0 the opposite of what was groomed
   bool muted = false;
+  std::string coat = {};  // whose changes it stores; "" for all coats
   bool operator==(const EditLayer&) const = default;
 };
 
@@ -74,10 +78,11 @@ struct ChangeEditLayer {
   static constexpr const char* op = "edit_layer";
   static constexpr Inputs inputs = Inputs::none;
   EditLayerAction action = EditLayerAction::add;
-  std::string name = {};              // 1 to 200 bytes
-  std::optional<double> weight = {};  // of add and set
-  std::optional<bool> muted = {};     // of add and set
-  std::string rename = {};            // of set; "" keeps the name
+  std::string name = {};                 // 1 to 200 bytes
+  std::optional<double> weight = {};     // of add and set
+  std::optional<bool> muted = {};        // of add and set
+  std::optional<std::string> coat = {};  // of add: EditLayer::coat
+  std::string rename = {};               // of set; "" keeps the name
   std::optional<std::string> above =
       {};  // of add and move: the edit layer that it comes to lie on, "" for none; add: on top
 };

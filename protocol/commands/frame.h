@@ -188,6 +188,7 @@ struct FrameRequest {
   std::vector<Aov> aovs{Aov::beauty};  // of an EXR: at least one, each once
   Overlay overlay = Overlay::none;     // not in an EXR
   bool masked = false;                 // only triangles with a corner whose mask is above .5, and what grows on them
+  std::string overlay_coat = {};       // whose field an overlay shows; "" for that of the first coat that is seen
   std::optional<std::uint64_t> overlay_from = {};  // revision of this model; with Overlay::difference and only then
   std::optional<Tracing> progressive =
       {};  // rasterized strands now, traced ones while somebody waits for them (`after_pass`)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "protocol/commands/creature.h"
@@ -17,6 +18,7 @@ enum class GuideFormat { usda, hair, json };
 /// tip leans to, and its length.
 struct GuideUpload {
   GuideFormat format = GuideFormat::usda;
+  std::string coat = {};                 // that follows them; "" for all
   int keys = 1024;                       // at most, chosen evenly; [1, 1024]
   std::optional<double> sigma = {};      // of the Interpolate, sizes, above 0; absent: from the distance between roots
   double strength = 1;                   // [0, 1]

@@ -38,12 +38,14 @@ struct ApplyMap {
   Units units = Units::relative;  // of length and vector
   double strength = 1;            // how far fields go to the picture's, [0, 1]
   std::string edit_layer = {};    // edit layer that keeps the change; "" for the groom
-  int tile = 0;                   // UDIM tile, [1001, 9999]: only vertices that lie in it change; 0: all do
+  std::vector<std::string> coats = {};  // that it changes; none for all that are not muted
+  int tile = 0;                         // UDIM tile, [1001, 9999]: only vertices that lie in it change; 0: all do
 };
 
 /// Which map is asked for.
 struct MapRequest {
   Field field = Field::length;
+  std::string coat = {};  // whose field; "" for the first one's
   MapFormat format = MapFormat::png16;
   MapEncoding encoding = MapEncoding::automatic;
   int size = 1024;                   // pixels of a side, [1, 8192]
@@ -56,6 +58,7 @@ struct MapRequest {
 /// What comes with the bytes of an uploaded map.
 struct MapUpload {
   Field field = Field::length;
+  std::string coat = {};  // whose field; "" for that of all coats
   MapEncoding encoding = MapEncoding::automatic;
   std::optional<double> scale = {};  // absent: what the picture says about itself, else 1
   Units units = Units::relative;

@@ -17,7 +17,7 @@ struct NamedRevision {
 
 /// Changed by commands alone.
 struct SceneSettings {
-  Coat coat;
+  std::vector<NamedCoat> coats{1};  // at least one, and one that is not muted
   Look look;
   std::vector<Light> lights = default_lights();
   Environment environment;

@@ -1,6 +1,6 @@
 // Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for
 // all. A tool works on the visible values. `edit_layer` names the edit layer that stores its change; "" for the groom
-// below them all.
+// below them all. `coats` names the coats that it works on; none for all that are not muted.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +27,7 @@ struct Comb {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double lean = 0.7;                         // inclination that combing tends to, [0, 1]
   bool keep_inclination = false;             // turns the heading alone
   std::optional<glm::dvec3> direction = {};  // flood only: where the fur is combed to; not zero
@@ -41,6 +42,7 @@ struct Blow {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::string blower = {};         // the name of one that stays (set_blowers), whose settings then hold; "" for these
   glm::dvec3 source{0};            // model coordinates
   glm::dvec3 direction{0, -1, 0};  // axis of the cone; not zero
@@ -61,6 +63,7 @@ struct Attract {
   std::optional<Stroke> stroke = {};
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::string attractor = {};  // the name of one that stays (set_attractors), whose settings then hold; "" for these
   glm::dvec3 point{0};         // model coordinates
   double radius = 0.2;         // in `units`, [0, 1e6 sizes]
@@ -90,6 +93,7 @@ struct Interpolate {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::vector<Key> keys = {};        // 1 to 1,024
   double sigma = 0.2;                // width of the Gaussians, in `units`, above 0
   std::optional<double> reach = {};  // in `units`, above 0: beyond it nothing changes; absent: everywhere
@@ -107,6 +111,7 @@ struct Flow {
   std::optional<Stroke> stroke = {};  // restricts it to what its brush covers
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::vector<std::vector<glm::dvec3>> curves =
       {};                            // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
   double sigma = 0.2;                // in `units`, above 0
@@ -127,6 +132,7 @@ struct Smooth {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double t = 0.5;  // [0, 1]
   int passes = 3;  // [1, 10,000]
   bool keep_inclination = false;
@@ -143,6 +149,7 @@ struct Noise {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::uint32_t seed = 1;
   double amount = 0.2;      // directions: inclinations; length and width: share of the value; others: added. [0, 10]
   double feature_size = 0;  // of the noise, in `units`; 0: every vertex for itself
@@ -160,6 +167,7 @@ struct Unify {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::optional<glm::dvec3> direction = {};  // not zero
   std::optional<double> inclination = {};    // [0, 1]
   std::optional<double> length = {};         // in `units`
@@ -178,6 +186,7 @@ struct Part {
   std::optional<Stroke> stroke = {};  // the line; required
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double lean = 0.7;  // [0, 1]
 };
 
@@ -191,6 +200,7 @@ struct Whorl {
   std::optional<Stroke> stroke = {};  // the middle; required
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double turn_degrees =
       70;             // from outwards, counter-clockwise seen from outside: 90 circles, 180 points in; [-180, 180]
   double lean = 0.8;  // inclination that fur tends to, [0, 1]
@@ -206,6 +216,7 @@ struct Length {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   LengthMode mode = LengthMode::set;
   double value = 0.03;  // a length in `units` (may be below 0 for add), a factor, or the share of a jitter
   Units units = Units::relative;
@@ -230,6 +241,7 @@ struct Trim {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::variant<TrimPlane, TrimSphere, double> shape{0.01};  // a height in `units`
   Units units = Units::relative;
 };
@@ -244,6 +256,7 @@ struct Lift {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
 };
 
 /// Restores the first groom, or a checkpoint or revision of this scene. With an edit layer and neither of them, removes
@@ -257,6 +270,7 @@ struct Erase {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   std::string checkpoint = {};                 // "" for none
   std::optional<std::uint64_t> revision = {};  // of this model
   std::vector<Field> fields = {};              // all of them when empty
@@ -272,6 +286,7 @@ struct Clump {
   std::optional<Stroke> stroke = {};  // required
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double gather = 0.3;  // how far fur turns to the middle of each dab, [0, 1]
   double amount = 0.6;  // what the field tends to, [0, 1]
 };
@@ -286,6 +301,7 @@ struct Curl {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   double amount = 0.6;      // what the field tends to, [0, 1]
   double turn_degrees = 0;  // counter-clockwise seen from outside, [-180, 180]
 };
@@ -300,6 +316,7 @@ struct Paint {
   bool flood = false;
   Brush brush = {};
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
   Field field = Field::density;  // one of density, width, curl, clump, wetness, bare, mask, root_colour, tip_colour
   double value = 1;              // in the field's range; of a colour how much it covers, [0, 1]
   glm::vec3 colour{1};           // linear; of colour fields
@@ -317,6 +334,7 @@ struct Retarget {
   std::vector<Field> fields = {};  // all but the mask when empty
   double strength = 1;             // [0, 1]
   std::string edit_layer = {};
+  std::vector<std::string> coats = {};
 };
 
 enum class MaskAction { select, grow, shrink, smooth, invert };

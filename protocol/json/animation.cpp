@@ -24,7 +24,7 @@ using nlohmann::json;
 struct Section {
   std::string_view name, op, member;
 };
-constexpr std::array<Section, 9> sections{{{"coat", "set_coat", "coat"},
+constexpr std::array<Section, 9> sections{{{"coats", "set_coats", "coats"},
                                            {"look", "set_look", "look"},
                                            {"lights", "set_lights", "lights"},
                                            {"environment", "set_environment", "environment"},

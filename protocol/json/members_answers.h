@@ -134,6 +134,7 @@ void members(V& v, Visited<V, EditLayer>& c) {
   v.text("name", c.name, "Name of the edit layer.");
   v.number("weight", c.weight, edit_layer_weight, "How much it counts.");
   v.boolean("muted", c.muted, "Whether it is left out.");
+  v.text(sparse("coat"), c.coat, "Coat whose changes alone it keeps; absent where it keeps those of all.");
 }
 
 template <class V>

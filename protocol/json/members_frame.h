@@ -175,6 +175,8 @@ void members(V& v, Visited<V, FrameRequest>& c) {
             "this same request, sent again. Name the `view`: what is traced is dropped as soon as the scene changes, "
             "the same view asks for something else, or nobody has asked for 30 seconds. Refused with 503 while 16 "
             "pictures wait to be traced.");
+  v.text(sparse("overlay_coat"), c.overlay_coat,
+         "Name of the coat whose field an overlay shows; the first that is seen unless given.");
   v.counter("overlay_from", c.overlay_from,
             "Revision that the overlay `difference` compares what is drawn with: one of this model. Only with it.");
   v.counter("revision", c.revision,

@@ -25,7 +25,7 @@ void members(V& v, Visited<V, ParameterKeys>& c) {
   v.type("ParameterKeys", "One parameter over the frames. Before its first key and after its last one it stays.");
   v.label(required("parameter"), c.parameter,
           "JSON pointer to what changes: `/frame/...` for a member of the job's `frame`, else a member of the scene's "
-          "settings, as `/lights/0/intensity` or `/coat/width_root`.");
+          "settings, as `/lights/0/intensity` or `/coats/0/coat/width_root`.");
   v.name("interpolation", c.interpolation, json_names::key_interpolations,
          "How it goes from key to key. step: it stays until the next key. linear: straight. spline: along a curve "
          "without corners that never leaves the range of the two keys beside it.");

@@ -216,6 +216,10 @@ template <class V>
 void members(V& v, Visited<V, ExportRequest>& c) {
   v.type("ExportRequest", "What is exported, and how much of it.");
   v.name(required("format"), c.format, json_names::export_formats, "What is written, as the operation says.");
+  v.text(
+      sparse("coat"), c.coat,
+      "Name of the only coat that is in it; all that are not muted unless given. `shells`, `cards` and `fields` hold "
+      "one, which is named where there are more.");
   v.integer("every", c.every, {1, 1e6},
             "Writes about one strand of so many, chosen by numbers of their own; above 1 they count as guides, unless "
             "they are widened.");
@@ -262,6 +266,8 @@ void members(V& v, Visited<V, EnvironmentUpload>& c) {
 template <class V, class Map>
 void map_members(V& v, Map& c, const char* scale_words) {
   v.name(required("field"), c.field, json_names::fields, "Field that is drawn or read.");
+  v.text(sparse("coat"), c.coat,
+         "Name of the coat whose field it is; unless given the first is drawn, or all are changed.");
   v.name("encoding", c.encoding, json_names::map_encodings);
   v.number("scale", c.scale, width_in_units, scale_words);
   v.name("units", c.units, json_names::units, "Unit of a scale of lengths.");
@@ -299,6 +305,7 @@ template <class V>
 void members(V& v, Visited<V, GuideUpload>& c) {
   v.type("GuideUpload", "How guide curves are read, and how far fur follows them.");
   v.name(required("format"), c.format, json_names::guide_formats, "Format of the file.");
+  v.text(sparse("coat"), c.coat, "Name of the coat that follows them; all unless given.");
   v.integer(
       "keys", c.keys, {1, limits::keys},
       "Curves that are used at most, chosen evenly by their order; fewer where the model has so many vertices that "

@@ -11,8 +11,49 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, SetCoat>& c) {
-  v.type("SetCoat", "Sets how the strands of the fur are made: their form, colours and markings.");
+  v.type("SetCoat", "Sets how the strands of a coat are made: their form, colours and markings.");
   v.object(required("coat"), c.coat, "The new coat.");
+  v.text(sparse("name"), c.name, "Name of the coat; the first one of the scene unless given.");
+}
+
+template <class V>
+void members(V& v, Visited<V, CoatBeginning>& c) {
+  v.type("CoatBeginning", "How the fields of a new coat begin: as those of another.");
+  v.text(sparse("from"), c.from, "Name of that coat; the first one of the scene unless given.");
+  v.name("region", c.region, json_names::coat_regions);
+  v.number("length", c.length, {0.01, 100, "factor"}, "Length over that of the other coat.");
+}
+
+template <class V>
+void members(V& v, Visited<V, CoatEntry>& c) {
+  v.type("CoatEntry",
+         "A coat as set_coats places it. It is new where the scene has none of its id or, without one, of its name.");
+  v.label(required("name"), c.name, "Name of the coat. Names differ.");
+  v.counter("id", c.id,
+            "Number of the coat from 0 to 7, which stays. A new one takes the lowest that is free unless given.");
+  v.boolean("muted", c.muted, "Whether it is left out: not drawn, not exported and not changed by tools.");
+  v.object("coat", c.coat,
+           "How its strands are made; unless given as before, or as in the coat that a new one begins as.");
+  v.object("begins", c.begins, "How the fields of a new coat begin; refused for one that is there.");
+}
+
+template <class V>
+void members(V& v, Visited<V, SetCoats>& c) {
+  v.type("SetCoats",
+         "Names the coats of the scene, in their order: makes, renames, mutes and orders them, and removes those that "
+         "are left out, with their fields. Each has its own strands and fields; `bare` and `mask` are shared by all. "
+         "Where its density "
+         "is above 0 is its region. One at least is not muted.");
+  v.objects(required("coats"), c.coats, {1, limits::coats}, "All coats of the scene.");
+}
+
+template <class V>
+void members(V& v, Visited<V, NamedCoat>& c) {
+  v.answer("NamedCoat", "A coat of the scene.");
+  v.text("name", c.name, "Name of the coat.");
+  v.counter("id", c.id, "Number of the coat, which stays.");
+  v.boolean("muted", c.muted, "Whether it is left out.");
+  v.object("coat", c.coat, "How its strands are made.");
 }
 
 template <class V>
@@ -134,6 +175,7 @@ void members(V& v, Visited<V, ChangeEditLayer>& c) {
              "of what was groomed. Tools change edit layers of at least .05 or at most -.05.");
     v.boolean("muted", c.muted, "Whether the edit layer is left out, for add and set.");
   }
+  if (v.takes(add)) v.text("coat", c.coat, "Coat whose changes alone it keeps, for add; those of all unless given.");
   if (v.takes(set)) v.text(sparse("rename"), c.rename, "The new name, for set.");
   if (v.takes(add || c.action == EditLayerAction::move)) {
     v.text("above", c.above,
@@ -156,7 +198,7 @@ void members(V& v, Visited<V, SettingsAnswer>& c) {
       "What a scene holds beside its fields and its log. Each member is as the command that sets it takes it, with "
       "all defaults; a member that is optional there is absent where it is not set.");
   v.counter("revision", c.revision, "Revision whose settings these are.");
-  v.object("coat", c.settings.coat, "Set by set_coat.");
+  v.objects("coats", c.settings.coats, {1, limits::coats}, "Set by set_coats and set_coat.");
   v.object("look", c.settings.look, "Set by set_look.");
   v.objects("lights", c.settings.lights, {0, limits::lights}, "Set by set_lights.");
   v.object("environment", c.settings.environment, "Set by set_environment.");

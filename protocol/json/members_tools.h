@@ -11,6 +11,7 @@ template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
   v.text(sparse("edit_layer"), c.edit_layer,
          "Edit layer that keeps what changes; the groom below all edit layers unless named.");
+  v.texts(sparse("coats"), c.coats, "Coats that it works on; all that are not muted unless named.");
 }
 
 /// Where a tool works.

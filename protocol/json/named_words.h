@@ -46,6 +46,12 @@ inline constexpr NamedWords named_words<MapEncoding>{
     "one vector of floats, along +u, +v and the normal. automatic: uv_tangent of direction, else value."};
 
 template <>
+inline constexpr NamedWords named_words<CoatRegion>{
+    "CoatRegion",
+    "Where a new coat grows. all: wherever the other coat does. none: nowhere yet; paint its density. mask: as far as "
+    "the mask allows, with its soft borders."};
+
+template <>
 inline constexpr NamedWords named_words<Field>{
     "Field",
     "A field on the surface. direction: where fur leans, its length is the inclination. length: sizes. density, bare "

@@ -47,6 +47,8 @@ inline constexpr std::array<Name<EditLayerAction>, 5> edit_layer_actions{{{"add"
                                                                           {"move", EditLayerAction::move},
                                                                           {"merge_down", EditLayerAction::merge_down},
                                                                           {"remove", EditLayerAction::remove}}};
+inline constexpr std::array<Name<CoatRegion>, 3> coat_regions{
+    {{"all", CoatRegion::all}, {"none", CoatRegion::none}, {"mask", CoatRegion::mask}}};
 inline constexpr std::array<Name<MaskAction>, 5> mask_actions{{{"select", MaskAction::select},
                                                                {"grow", MaskAction::grow},
                                                                {"shrink", MaskAction::shrink},

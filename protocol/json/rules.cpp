@@ -1,6 +1,7 @@
 #include "protocol/json/rules.h"
 
 #include <algorithm>
+#include <set>
 
 namespace pelage::json_parts {
 
@@ -318,6 +319,16 @@ void check_layer(const Value& value, const Tool& tool) {
   }
 }
 
+/// Refuses a list of coats that names one twice.
+template <class Tool>
+void check_coats(const Value& value, const Tool& tool) {
+  if constexpr (requires { tool.edit_layer; }) {
+    const std::set<std::string> names(tool.coats.begin(), tool.coats.end());
+    if (tool.coats.size() > limits::coats || names.size() != tool.coats.size())
+      value.refuse_below("coats", "Each coat is named once.", "at most " + std::to_string(limits::coats) + " names");
+  }
+}
+
 template <class Tool>
 void check_brush(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.brush; }) {
@@ -424,6 +435,19 @@ void check_names(const Value& value, const char* list, const std::vector<T>& nam
 void check(const Value& value, const SetBlowers& c) { check_names(value, "blowers", c.blowers); }
 void check(const Value& value, const SetAttractors& c) { check_names(value, "attractors", c.attractors); }
 
+void check(const Value& value, const SetCoats& command) {
+  check_names(value, "coats", command.coats);
+  std::set<std::uint64_t> ids;
+  for (std::size_t k = 0; k < command.coats.size(); ++k) {
+    const std::optional<std::uint64_t>& id = command.coats[k].id;
+    if (!id || (*id < limits::coats && ids.insert(*id).second)) continue;
+    value.refuse_below("coats/" + std::to_string(k) + "/id", "A coat has a number of its own.",
+                       "[0, " + std::to_string(limits::coats - 1) + "], each once");
+  }
+  if (std::ranges::all_of(command.coats, &CoatEntry::muted))
+    value.refuse_below("coats", "One coat at least is seen.", "one that is not muted");
+}
+
 void check(const Value& value, const SetCurves& command) {
   std::uint64_t count = 0;
   for (std::size_t k = 0; k < command.groups.size(); ++k) {
@@ -451,6 +475,7 @@ void check_command(const Value& value, const Command& command) {
         check_view(value, tool);
         check_brush(value, tool);
         check_layer(value, tool);
+        check_coats(value, tool);
         check(value, tool);
       },
       command);

@@ -109,28 +109,28 @@ double winding(const Coat& coat);
 
 /// Factor on a fibre's absorption, 1 to 1.8: light that water keeps inside crosses more pigment. A colour c is then
 /// c^factor, which darkens it and makes it more saturated.
-inline double wet_absorption(const Coat& coat) { return 1 + water_darkens * coat.wetness; }
+inline double wet_absorption(double wetness) { return 1 + water_darkens * wetness; }
 
 /// Factor on the weight of the highlight, 1 to 2: a film of water is smoother than the scales under it.
-inline double wet_shine(const Coat& coat) { return 1 + water_shines * coat.wetness; }
+inline double wet_shine(double wetness) { return 1 + water_shines * wetness; }
 
 /// Factor on the exponent of the highlight (one over the square of its width), 1 to 3.
-inline double wet_sharpness(const Coat& coat) { return 1 + water_sharpens * coat.wetness; }
+inline double wet_sharpness(double wetness) { return 1 + water_sharpens * wetness; }
 
 /// Factor on a fibre's roughness along it, .5 to 1: water fills the steps between its scales.
-inline double wet_roughness(const Coat& coat) { return 1 - 0.5 * coat.wetness; }
+inline double wet_roughness(double wetness) { return 1 - 0.5 * wetness; }
 
-/// A look as the coat's wetness leaves it: shinier, with sharper highlights.
-inline Look wet_look(const Coat& coat, Look look) {
-  look.specular *= wet_shine(coat);
-  look.specular_exponent *= wet_sharpness(coat);
-  look.fibre.longitudinal_roughness *= wet_roughness(coat);
+/// A look as a coat's wetness leaves it: shinier, with sharper highlights.
+inline Look wet_look(double wetness, Look look) {
+  look.specular *= wet_shine(wetness);
+  look.specular_exponent *= wet_sharpness(wetness);
+  look.fibre.longitudinal_roughness *= wet_roughness(wetness);
   return look;
 }
 
 /// A linear colour as the coat's wetness leaves it.
 inline glm::vec3 wet_colour(const Coat& coat, glm::vec3 colour) {
-  return coat.wetness > 0 ? glm::pow(colour, glm::vec3(static_cast<float>(wet_absorption(coat)))) : colour;
+  return coat.wetness > 0 ? glm::pow(colour, glm::vec3(static_cast<float>(wet_absorption(coat.wetness)))) : colour;
 }
 
 /// Returns the largest luminance of the ramp's colours; at least 1e-4.

@@ -10,45 +10,42 @@ namespace pelage {
 
 namespace {
 
-constexpr double max_strands = 2e6;  // that grow of a coat; fewer are wider
-
-double whole_coats_of(const FurModel& model) {
-  Coat coat;
-  coat.count = 1, coat.tile = 1;
-  return expected_strands(model, coat);
-}
+constexpr double max_strands = 2e6;  // that grow of all coats; fewer are wider
 
 }  // namespace
 
-void RasterFur::grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads) {
-  wanted.share *= share_of_coat, wanted.widening /= share_of_coat;
-  if (recipe == wanted && changes == copy.changes() && bending == how && std::ranges::equal(curves, with)) return;
+void RasterFur::grow(std::vector<GrowRecipe> wanted, std::span<const FurCurves> with, Bending how, int threads) {
+  for (GrowRecipe& recipe : wanted) recipe.share *= share_of_coat, recipe.widening /= share_of_coat;
+  if (recipes == wanted && changes == copy.changes() && bending == how && std::ranges::equal(curves, with)) return;
   fur.update(copy.model(), copy.fields(), wanted, threads, with, how);
-  recipe = wanted, changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
+  recipes = std::move(wanted), changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
 }
 
 void RasterFur::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-  fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipe.reset();
+  fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipes.clear();
 }
 
-RasterModel::RasterModel(const FurModel& model, const FurFields& fields, int threads,
+RasterModel::RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads,
                          const std::shared_ptr<RasterRoom>& room)
     : copy(model, fields),
-      whole_coats(whole_coats_of(model)),
+      fur_area(pelage::fur_area(model)),
       whole(copy, 1, threads, room),
       thin(copy, thin_share, threads, room) {}
 
-GrowRecipe RasterModel::recipe_for(const FurFrame& frame) const {
-  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, copy.model().has_colours)};
-  const double expected = whole_coats * frame.coat.count / (frame.coat.tile * frame.coat.tile);
-  recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
-  recipe.share = std::min(max_strands / std::max(expected, 1.0), 1.0);
-  recipe.widening = 1 / recipe.share;
-  return recipe;
+std::vector<GrowRecipe> RasterModel::recipes_for(const FurFrame& frame) const {
+  std::vector<GrowRecipe> recipes = recipes_of(frame, copy.model().has_colours, fur_area);
+  double expected = 0;
+  for (const GrowRecipe& recipe : recipes)
+    expected += fur_area * recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
+  for (GrowRecipe& recipe : recipes) {
+    recipe.share = std::min(max_strands / std::max(expected, 1.0), 1.0);
+    recipe.widening = 1 / recipe.share;
+  }
+  return recipes;
 }
 
 std::vector<glm::vec3> RasterModel::field_of(const FurFrame& frame) const {
-  const FurFields fields = copy.fields();
+  const FurFields fields = copy.fields()[frame.overlay_coat];
   const FurModel& model = copy.model();
   const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
   const auto at = [](std::span<const float> painted, std::size_t v, float rest) {

@@ -26,30 +26,30 @@ struct RasterFur {
   GrownFur fur;
   std::unique_ptr<Raster> raster;
   // What the fur was grown of:
-  std::optional<GrowRecipe> recipe;
+  std::vector<GrowRecipe> recipes;  // of each coat; empty before the first
   std::uint64_t changes = 0;
   std::vector<FurCurves> curves;
   Bending bending = Bending::left;
 
   /// Grows what is not as it was.
-  void grow(GrowRecipe wanted, std::span<const FurCurves> with, Bending how, int threads);
+  void grow(std::vector<GrowRecipe> wanted, std::span<const FurCurves> with, Bending how, int threads);
   void drop(int threads, const std::shared_ptr<RasterRoom>& room);
   std::size_t bytes() const { return fur.bytes() + raster->bytes(); }
 };
 
 /// What is kept of a model.
 struct RasterModel {
-  RasterModel(const FurModel& model, const FurFields& fields, int threads, const std::shared_ptr<RasterRoom>& room);
+  RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads, const std::shared_ptr<RasterRoom>& room);
 
   ModelCopy copy;
-  double whole_coats;  // how many coats of one strand on a tile of 1 its skin has room for
+  double fur_area;  // of the model
   std::uint64_t used = 0;
   RasterFur whole, thin;
 
-  GrowRecipe recipe_for(const FurFrame& frame) const;
+  std::vector<GrowRecipe> recipes_for(const FurFrame& frame) const;
   /// Of each vertex what the frame's overlay shows.
   std::vector<glm::vec3> field_of(const FurFrame& frame) const;
-  bool is_grown() const { return whole.recipe || thin.recipe; }
+  bool is_grown() const { return !whole.recipes.empty() || !thin.recipes.empty(); }
   void drop(int threads, const std::shared_ptr<RasterRoom>& room);
   /// That a drop would free.
   std::size_t grown_bytes() const { return whole.bytes() + thin.bytes(); }

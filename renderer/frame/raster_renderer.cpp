@@ -42,16 +42,39 @@ Area whole_area(const FurFrame& frame) {
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
-/// Returns whether a frame is a draft for which the thin share of its coat is enough (keep_strands): by where the
+/// Returns whether a frame is a draft for which the thin share of its coats is enough (keep_strands): by where the
 /// model's middle is, from outside of it.
 bool keeps_thin_share(const FurFrame& frame) {
   constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
-  const RasterQuality quality = quality_of(frame.knobs, winding(frame.coat));
   const double distance = -double{glm::dot(frame.camera.position, frame.camera.forward)};
   const double pixel = 2 * distance * double{frame.camera.tan_half_fov} / frame.height;
-  const double on_a_pixel = frame.coat.count / (frame.coat.tile * frame.coat.tile) * pixel * pixel;
-  return quality.strands_a_pixel <= of_draft && distance > outside &&
-         quality.kept_share(on_a_pixel, frame.coat.width_root / pixel) <= thin_share;
+  return distance > outside && std::ranges::all_of(frame.coats, [&](const NamedCoat& one) {
+           const Coat& coat = one.coat;
+           const RasterQuality quality = quality_of(frame.knobs, winding(coat));
+           const double on_a_pixel = coat.count / (coat.tile * coat.tile) * pixel * pixel;
+           return quality.strands_a_pixel <= of_draft &&
+                  quality.kept_share(on_a_pixel, coat.width_root / pixel) <= thin_share;
+         });
+}
+
+/// The looks of skin between the strands, of each piece.
+std::vector<std::array<SkinLook, 3>> skin_of(const RasterModel& own, const FurFrame& frame, int threads) {
+  const FurModel& model = own.copy.model();
+  const std::vector<FurFields> fields = own.copy.fields();
+  const std::vector<GrowRecipe> recipes = own.recipes_for(frame);
+  std::vector<std::unique_ptr<const Grower>> growers;
+  for (std::size_t c = 0; c < recipes.size(); ++c)
+    growers.push_back(std::make_unique<const Grower>(model, fields[c], recipes[c]));
+  std::vector<std::array<SkinLook, 3>> skin(model.triangles.size());
+  for_each_in_parallel(
+      static_cast<std::uint32_t>(skin.size()),
+      [&](std::uint32_t piece) {
+        std::vector<std::array<SkinLook, 3>> of_each;
+        for (const auto& grower : growers) of_each.push_back(grower->skin(piece));
+        skin[piece] = skin_under(of_each);
+      },
+      threads);
+  return skin;
 }
 
 /// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
@@ -89,13 +112,13 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
   return can(as_it_was) && can(true);
 }
 
-std::size_t RasterRenderer::add(const FurModel& model, const FurFields& fields) {
+std::size_t RasterRenderer::add(const FurModel& model, EachCoat<FurFields> fields) {
   assert(!has(model.id));
   return models_.try_emplace(model.id, std::make_unique<RasterModel>(model, fields, threads_, room_))
       .first->second->copy.bytes();
 }
 
-std::size_t RasterRenderer::update(std::uint64_t model, const FurFields& fields) {
+std::size_t RasterRenderer::update(std::uint64_t model, EachCoat<FurFields> fields) {
   return models_.at(model)->copy.update(fields);
 }
 
@@ -138,7 +161,7 @@ RasterFur& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
   own.used = ++uses_;
   RasterFur& standing = standing_for(frame, wanted.growth);
   const Bending bending = wanted.by_gpu ? Bending::left : Bending::done;
-  standing.grow(own.recipe_for(frame), frame.curves, bending, threads_);
+  standing.grow(own.recipes_for(frame), frame.curves, bending, threads_);
   keep_within_bounds(own);
   return standing;
 }
@@ -158,7 +181,7 @@ void RasterRenderer::keep_within_bounds(const RasterModel& own) {
 
 RasterScene RasterRenderer::scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const {
   RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
-                                                quality_of(frame.knobs, winding(frame.coat)), wanted.shown);
+                                                quality_of(frame.knobs, winding(frame.coat())), wanted.shown);
   if (!wanted.by_gpu) standing.raster->fill_cells(scene);
   scene.field = wanted.field, scene.drawn = wanted.tiles;
   return scene;
@@ -285,11 +308,7 @@ Result<Backplate> RasterRenderer::draw_backplate(const FurFrame& frame, DrawTime
   const DrawClock clock(times);
   try {
     RasterModel& model = *models_.at(frame.model);
-    const Grower grower(model.copy.model(), model.copy.fields(), model.recipe_for(frame));
-    std::vector<std::array<SkinLook, 3>> skin(model.copy.model().triangles.size());
-    for_each_in_parallel(
-        static_cast<std::uint32_t>(skin.size()), [&](std::uint32_t piece) { skin[piece] = grower.skin(piece); },
-        threads_);
+    const std::vector<std::array<SkinLook, 3>> skin = skin_of(model, frame, threads_);
     const FurFrame plate = plate_of(frame);
     const auto draw = [&](RasterOutput shown) { return draw_bare(model, plate, skin, shown); };
     return Backplate{draw(RasterOutput::light), draw(RasterOutput::direct), draw(RasterOutput::albedo),

@@ -53,8 +53,8 @@ class RasterRenderer {
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
   /// Both give the bytes that were taken over.
-  std::size_t add(const FurModel& model, const FurFields& fields);
-  std::size_t update(std::uint64_t model, const FurFields& fields);
+  std::size_t add(const FurModel& model, EachCoat<FurFields> fields);
+  std::size_t update(std::uint64_t model, EachCoat<FurFields> fields);
   void forget(std::uint64_t original);
   void forget_all();
   /// Of all copies of a model (FurModel::original), with their strands; not what a GPU has of them.

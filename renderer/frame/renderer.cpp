@@ -45,19 +45,23 @@ Status Renderer::take_gl(const Gl* gl) {
   return {};
 }
 
-UploadCount Renderer::add(const FurModel& model, const FurFields& fields) { return {raster_.add(model, fields)}; }
+UploadCount Renderer::add(const FurModel& model, EachCoat<FurFields> fields) { return {raster_.add(model, fields)}; }
 
-UploadCount Renderer::add_shells(const FurModel& model, const FurFields& fields) {
-  return shells_ ? shells_->add(model, fields) : UploadCount{};
+UploadCount Renderer::add_shells(const FurModel& model, EachCoat<FurFields> fields) {
+  return shells_ ? shells_->add(model, fields.front()) : UploadCount{};
 }
 
-UploadCount Renderer::update(std::uint64_t model, const FurFields& fields) {
+UploadCount Renderer::update(std::uint64_t model, EachCoat<FurFields> fields) {
   const UploadCount taken{raster_.update(model, fields)};
-  return has_shells(model) ? shells_->update(model, fields) : taken;
+  return has_shells(model) ? shells_->update(model, fields.front()) : taken;
 }
 
 Status Renderer::can_draw(const FurFrame& frame) const {
-  if (!is_layered(frame) || shells_) return {};
+  if (!is_layered(frame)) return {};
+  if (frame.coats.size() > 1)
+    return failure(Code::invalid, "Shells draw a single coat.", "/quality/method",
+                   "raster or strands, or all coats but one muted");
+  if (shells_) return {};
   return failure(Code::invalid, "This server has no GL, which draws shells.", "/quality/method", "raster or strands");
 }
 

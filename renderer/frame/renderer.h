@@ -41,14 +41,14 @@ class Renderer {
 
   bool has(std::uint64_t model) const { return raster_.has(model); }
   /// Takes a model that the renderer does not have yet, with its fields.
-  UploadCount add(const FurModel& model, const FurFields& fields);
+  UploadCount add(const FurModel& model, EachCoat<FurFields> fields);
   /// Returns whether a frame can be drawn: not shells without a GL (invalid, with a pointer into the request).
   Status can_draw(const FurFrame& frame) const;
   /// Returns whether it has what shells of a model need, and taking that, where there is a GL.
   bool has_shells(std::uint64_t model) const { return shells_ && shells_->has(model); }
-  UploadCount add_shells(const FurModel& model, const FurFields& fields);
+  UploadCount add_shells(const FurModel& model, EachCoat<FurFields> fields);
   /// Takes over the dirty ranges of a model that it has.
-  UploadCount update(std::uint64_t model, const FurFields& fields);
+  UploadCount update(std::uint64_t model, EachCoat<FurFields> fields);
 
   /// Grows the strands of a frame that have changed: what drawing it would do first.
   void grow(const FurFrame& frame);

@@ -2,6 +2,7 @@
 // 1).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -15,6 +16,14 @@
 #include "protocol/commands/look.h"
 
 namespace pelage {
+
+/// Something of each coat of a frame, in its order. One alone stands for a frame of one coat.
+template <class T>
+class EachCoat : public std::span<const T> {
+ public:
+  EachCoat(const T& only) : std::span<const T>(&only, 1) {}
+  EachCoat(const std::vector<T>& all) : std::span<const T>(all) {}
+};
 
 struct ImageView {
   int width = 0, height = 0;
@@ -72,6 +81,7 @@ struct FurPaint {
   std::span<const glm::vec4> root_colour, tip_colour;  // linear, cover
 };
 
+/// The fields of a coat. What all coats share each of them has.
 struct FurFields {
   std::span<const glm::vec2> direction;  // for each vertex, in (tangent, bitangent); length is the inclination [0, 1]
   std::span<const float> length;         // sizes
@@ -80,6 +90,7 @@ struct FurFields {
   FurPaint paint = {};
   std::span<const glm::vec2> closing = {};  // `direction` when the shutter of traced strands closes; empty: the same
   std::span<const glm::vec2> still = {};    // `direction` before wind or body moved it; empty: nothing did
+  CoatId coat = 0;
 };
 
 struct FurLight {
@@ -158,8 +169,8 @@ struct FurGround {
 
 /// Everything a frame needs beside the model: copied, so that the scene may go on changing while it is drawn.
 struct FurFrame {
-  std::uint64_t model = 0;  // of the last sync
-  Coat coat;
+  std::uint64_t model = 0;          // of the last sync
+  std::vector<NamedCoat> coats{1};  // that are drawn, at least one
   Look look;
   std::vector<FurLight> lights;  // at most 8
   Environment environment;
@@ -176,7 +187,18 @@ struct FurFrame {
   double exposure = 0;             // stops
   ToneMap tone_map = ToneMap::filmic;
   Overlay overlay = Overlay::none;
+  std::size_t overlay_coat = 0;   // whose field it shows
   std::vector<float> difference;  // of each vertex, [0, 1], 0 for none; what Overlay::difference shows
+
+  /// The first coat, or the only one.
+  Coat& coat() { return coats.front().coat; }
+  const Coat& coat() const { return coats.front().coat; }
+  /// The water that all coats have at least, [0, 1]: what their look has. Wetter ones have the rest as painted.
+  double wetness() const {
+    double least = 1;
+    for (const NamedCoat& one : coats) least = std::min(least, one.coat.wetness);
+    return least;
+  }
 
   bool operator==(const FurFrame&) const = default;
 };

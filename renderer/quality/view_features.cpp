@@ -85,7 +85,7 @@ ViewFeatures Looker::features(double times) const {
   view.area = std::min(area_ * times * skin_.pieces, max_depth_complexity * view.pixels);
   view.fur_pixels = area_ > 0 ? std::min(fur_ / area_, max_fur) : 0;
   view.lights = static_cast<double>(frame_.lights.size());
-  const Coat& coat = frame_.coat;
+  const Coat& coat = frame_.coat();
   view.width_pixels = area_ > 0 ? std::min(coat.width_root * sizes_ / area_, max_fur) : 0;
   view.winding = winding(coat);
   view.strands = seen_skin_ * times * coat.count / (coat.tile * coat.tile);

@@ -32,7 +32,9 @@ double kept_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
   const double pixel = pixel_at(scene, part);
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
-  return scene.quality.kept_share(on_a_pixel, width_at(part, pixel));
+  RasterQuality quality = scene.quality;
+  quality.strands_a_pixel *= double{part.unwound};
+  return quality.kept_share(on_a_pixel, width_at(part, pixel));
 }
 
 /// Returns the cosine between a root's normal and the direction to the camera below which its strand stays behind the

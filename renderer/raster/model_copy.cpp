@@ -36,7 +36,7 @@ std::size_t bytes_of(const std::vector<T>&... arrays) {
 
 }  // namespace
 
-ModelCopy::ModelCopy(const FurModel& model, const FurFields& fields)
+ModelCopy::ModelCopy(const FurModel& model, EachCoat<FurFields> fields)
     : positions_(copied(model.positions)),
       normals_(copied(model.normals)),
       tangents_(copied(model.tangents)),
@@ -50,44 +50,62 @@ ModelCopy::ModelCopy(const FurModel& model, const FurFields& fields)
   }
   model_ = {model.id, positions_,        normals_,       tangents_,       triangles_,   corners_,
             images_,  model.has_colours, model.original, rest_positions_, rest_normals_};
-  direction_.resize(positions_.size()), length_.resize(positions_.size());
-  const DirtyRange all{0, static_cast<std::uint32_t>(positions_.size())};
-  FurFields whole = fields;
-  whole.dirty = {&all, 1};
-  update(whole);
+  update(fields);
 }
 
-std::size_t ModelCopy::update(const FurFields& fields) {
-  assert(fields.length.size() == positions_.size());
+std::size_t ModelCopy::CoatCopy::update(const FurFields& fields, std::span<const DirtyRange> dirty) {
   const FurPaint& from = fields.paint;
-  std::size_t bytes = take(fields.direction, fields.dirty, direction_) + take(fields.length, fields.dirty, length_);
-  bytes += take(fields.still, fields.dirty, still_);
-  bytes += take(from.density, fields.dirty, paint_.density) + take(from.width, fields.dirty, paint_.width);
-  bytes += take(from.curl, fields.dirty, paint_.curl) + take(from.clump, fields.dirty, paint_.clump);
-  bytes += take(from.wetness, fields.dirty, paint_.wetness) + take(from.bare, fields.dirty, paint_.bare);
-  bytes += take(from.mask, fields.dirty, paint_.mask);
-  bytes += take(from.root_colour, fields.dirty, paint_.root_colour);
-  bytes += take(from.tip_colour, fields.dirty, paint_.tip_colour);
-  const bool other_skin = !std::equal(fields.skin.begin(), fields.skin.end(), skin_.begin(), skin_.end());
-  if (other_skin) skin_.assign(fields.skin.begin(), fields.skin.end());
-  if (bytes > 0 || other_skin) ++changes_;
+  std::size_t bytes = take(fields.direction, dirty, direction) + take(fields.length, dirty, length);
+  bytes += take(fields.still, dirty, still);
+  bytes += take(from.density, dirty, density) + take(from.width, dirty, width);
+  bytes += take(from.curl, dirty, curl) + take(from.clump, dirty, clump);
+  bytes += take(from.wetness, dirty, wetness) + take(from.bare, dirty, bare);
+  bytes += take(from.mask, dirty, mask);
+  bytes += take(from.root_colour, dirty, root_colour);
+  bytes += take(from.tip_colour, dirty, tip_colour);
   return bytes;
 }
 
-FurFields ModelCopy::fields() const {
-  FurFields fields{direction_, length_, {}, skin_, {}};
-  fields.paint = {paint_.density, paint_.width, paint_.curl,        paint_.clump,     paint_.wetness,
-                  paint_.bare,    paint_.mask,  paint_.root_colour, paint_.tip_colour};
-  fields.still = still_;
-  return fields;
+std::size_t ModelCopy::CoatCopy::bytes() const {
+  return bytes_of(direction, still, length, density, width, curl, clump, wetness, bare, mask, root_colour, tip_colour);
+}
+
+std::size_t ModelCopy::update(EachCoat<FurFields> fields) {
+  assert(!fields.empty());
+  const DirtyRange all{0, static_cast<std::uint32_t>(positions_.size())};
+  const bool changed = fields.size() != coats_.size();
+  std::size_t bytes = 0;
+  coats_.resize(fields.size());
+  for (std::size_t c = 0; c < fields.size(); ++c) {
+    assert(fields[c].length.size() == positions_.size());
+    CoatCopy& copy = coats_[c];
+    const bool other = copy.id != fields[c].coat || copy.length.empty();
+    if (other) copy = {}, copy.id = fields[c].coat;
+    bytes += copy.update(fields[c], other ? std::span(&all, 1) : fields[c].dirty);
+  }
+  const std::span<const FurSkinRegion> skin = fields.front().skin;
+  const bool other_skin = !std::equal(skin.begin(), skin.end(), skin_.begin(), skin_.end());
+  if (other_skin) skin_.assign(skin.begin(), skin.end());
+  if (bytes > 0 || other_skin || changed) ++changes_;
+  return bytes;
+}
+
+std::vector<FurFields> ModelCopy::fields() const {
+  std::vector<FurFields> all;
+  for (const CoatCopy& copy : coats_) {
+    FurFields& fields = all.emplace_back(FurFields{copy.direction, copy.length, {}, skin_, {}});
+    fields.paint = {copy.density, copy.width, copy.curl,        copy.clump,     copy.wetness,
+                    copy.bare,    copy.mask,  copy.root_colour, copy.tip_colour};
+    fields.still = copy.still, fields.coat = copy.id;
+  }
+  return all;
 }
 
 std::size_t ModelCopy::bytes() const {
   std::size_t bytes =
-      bytes_of(positions_, normals_, tangents_, rest_positions_, rest_normals_, triangles_, corners_, direction_,
-               still_, length_, skin_, paint_.density, paint_.width, paint_.curl, paint_.clump, paint_.wetness,
-               paint_.bare, paint_.mask, paint_.root_colour, paint_.tip_colour);
+      bytes_of(positions_, normals_, tangents_, rest_positions_, rest_normals_, triangles_, corners_, skin_);
   for (const auto& pixels : pixels_) bytes += pixels.capacity();
+  for (const CoatCopy& copy : coats_) bytes += copy.bytes();
   return bytes;
 }
 

@@ -11,26 +11,32 @@ namespace pelage {
 
 class ModelCopy {
  public:
-  ModelCopy(const FurModel& model, const FurFields& fields);
+  ModelCopy(const FurModel& model, EachCoat<FurFields> fields);
   ModelCopy(const ModelCopy&) = delete;  // views lie in it
   ModelCopy& operator=(const ModelCopy&) = delete;
 
-  /// Takes over the dirty ranges, and all of what is painted or bare where that has changed. Gives the bytes that were
-  /// written.
-  std::size_t update(const FurFields& fields);
+  /// Takes over the dirty ranges, and all of what is painted or bare where that has changed, and of coats that are new.
+  /// Gives the bytes that were written.
+  std::size_t update(EachCoat<FurFields> fields);
 
   /// Valid until the next update.
   const FurModel& model() const { return model_; }
-  FurFields fields() const;
+  std::vector<FurFields> fields() const;  // of each coat
   /// How many updates changed anything.
   std::uint64_t changes() const { return changes_; }
   std::uint64_t original() const { return model_.original ? model_.original : model_.id; }
   std::size_t bytes() const;
 
  private:
-  struct Paint {
+  struct CoatCopy {
+    CoatId id = 0;
+    std::vector<glm::vec2> direction, still;
+    std::vector<float> length;
     std::vector<float> density, width, curl, clump, wetness, bare, mask;
     std::vector<glm::vec4> root_colour, tip_colour;
+
+    std::size_t update(const FurFields& fields, std::span<const DirtyRange> dirty);
+    std::size_t bytes() const;
   };
 
   std::vector<glm::vec3> positions_, normals_, tangents_, rest_positions_, rest_normals_;
@@ -39,10 +45,8 @@ class ModelCopy {
   std::vector<std::vector<std::uint8_t>> pixels_;
   std::vector<ImageView> images_;
   FurModel model_;
-  std::vector<glm::vec2> direction_, still_;
-  std::vector<float> length_;
   std::vector<FurSkinRegion> skin_;
-  Paint paint_;
+  std::vector<CoatCopy> coats_;
   std::uint64_t changes_ = 0;
 };
 

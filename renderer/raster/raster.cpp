@@ -26,7 +26,7 @@ constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same 
 /// A strand by its number in the whole coat, from 1 on.
 struct NamedStrand {
   std::size_t number;
-  StrandRole role;
+  float coat;  // coat_number
 };
 
 /// Some parts of the fur, as they lie on the picture.
@@ -64,7 +64,7 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
     place_strands(scene, part, box, hidden, kept, batch.placed);
     if (scene.shown == RasterOutput::strand)
-      for (const std::uint32_t id : kept.ids) batch.named.push_back({first_number + id + 1, part.role});
+      for (const std::uint32_t id : kept.ids) batch.named.push_back({first_number + id + 1, coat_number(part)});
     if (!sends(scene.shown)) continue;
     batch.lit += light.light(scene, part, kept.ids, last, before, batch.placed);
   }
@@ -130,7 +130,7 @@ void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums
     const NamedStrand& strand = batches[entry.batch].named[static_cast<std::size_t>(next - placed.first.begin()) - 1];
     sums.red[pixel] = static_cast<float>(strand.number);
     sums.green[pixel] = glm::mix(placed.along[entry.knot], placed.along[entry.knot + 1], share);
-    sums.blue[pixel] = static_cast<float>(strand.role) + 1;
+    sums.blue[pixel] = strand.coat;
   }
 }
 

@@ -34,8 +34,8 @@ std::array<float, slice_count> strands_above(const Coat& coat) {
 }
 
 FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
-  if (!coat_ || !same_strands(*coat_, frame.coat)) coat_ = frame.coat, above_ = strands_above(frame.coat);
-  const Look look = wet_look(frame.coat, frame.look);
+  if (!coat_ || !same_strands(*coat_, frame.coat())) coat_ = frame.coat(), above_ = strands_above(frame.coat());
+  const Look look = wet_look(frame.wetness(), frame.look);
   if (look_ != look) {
     look_ = look;
     scattering_ = scattering_block(look), azimuthal_ = fit_azimuthal(make_scattering_table(look));
@@ -55,7 +55,7 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
     if (!images_ || pictured_ != model.id) images_.emplace(model.images), pictured_ = model.id;
     optics.images = &*images_;
   }
-  optics.wetness = static_cast<float>(frame.coat.wetness);
+  optics.wetness = static_cast<float>(frame.wetness());
   return optics;
 }
 

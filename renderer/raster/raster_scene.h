@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/limits.h"
 #include "renderer/input/picture.h"
 #include "renderer/input/raster_quality.h"
 #include "renderer/optics/eye_cache.h"
@@ -42,7 +43,7 @@ enum class RasterOutput {
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
   count,     // red: segments of strands that were blended; not premultiplied
-  strand     // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its role from 1 on
+  strand     // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its coat_number
 };
 /// Returns whether it goes as the colour of strands does.
 constexpr bool is_coloured(RasterOutput shown) {
@@ -52,6 +53,11 @@ constexpr bool is_coloured(RasterOutput shown) {
 constexpr bool sends(RasterOutput shown) {
   return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
          shown != RasterOutput::count && shown != RasterOutput::strand;
+}
+
+/// As pictures name the coat of a part: its number plus 1; limits::coats + 1 for curves.
+inline float coat_number(const GrownPart& part) {
+  return static_cast<float>(part.role == StrandRole::curve ? limits::coats + 1 : part.coat + std::size_t{1});
 }
 
 /// How wide a light is from a place: a far one the same from all.

@@ -64,7 +64,7 @@ bool ShadowMaps::wanted(const FurFrame& frame) {
 
 bool ShadowMaps::prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing) {
   const int resolution = frame.knobs.shells.shadow_resolution;
-  Key key{frame.model, drawing.model.version(), frame.coat, frame.lights, resolution};
+  Key key{frame.model, drawing.model.version(), frame.coat(), frame.lights, resolution};
   if (key == key_) {
     bind(gl);
     return false;

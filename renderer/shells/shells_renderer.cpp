@@ -42,7 +42,7 @@ std::string shape_of(const Coat& coat, const ModelBuffers& model) {
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const Layering& shells = frame.knobs.shells;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + light_of(frame, model.has_colours()) +
-         shape_of(frame.coat, model) + (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
+         shape_of(frame.coat(), model) + (frame.skin.empty() ? "" : "#define BARE_SKIN\n") +
          (max_lod(shells.count, shells.policy) > 0 ? "#define SHELL_LOD\n" : "") + "#define SHADING_MODEL " +
          std::to_string(static_cast<int>(frame.look.shading)) + "\n";
 }
@@ -139,11 +139,11 @@ FurDrawing ShellsRenderer::prepare(const FurFrame& frame, ModelBuffers& model, c
                                    ModelBuffers::DrawLists& lists) {
   const FrameBlock block = make_frame_block(frame, coat.slices(), model.has_colours(), target_.height());
   lists = model.lists_for(gl_, view_of(frame, block));
-  if (has_tufts(frame.coat)) tufts_.prepare(gl_, frame.model, frame.coat.tufts, model);
-  if (has_pattern(frame.coat)) pattern_.prepare(gl_, frame.model, frame.coat, model);
-  if (model.painted().fur) paint_.prepare(gl_, frame.coat);
+  if (has_tufts(frame.coat())) tufts_.prepare(gl_, frame.model, frame.coat().tufts, model);
+  if (has_pattern(frame.coat())) pattern_.prepare(gl_, frame.model, frame.coat(), model);
+  if (model.painted().fur) paint_.prepare(gl_, frame.coat());
   if (ShadowMaps::wanted(frame))
-    shadows_.prepare(gl_, frame, block, {frame, shape_of(frame.coat, model), model, lists, coat});
+    shadows_.prepare(gl_, frame, block, {frame, shape_of(frame.coat(), model), model, lists, coat});
   bind_blocks(frame, block);
   return {frame, variant_of(frame, model), model, lists, coat};
 }
@@ -197,7 +197,7 @@ Result<FloatImage> ShellsRenderer::draw(const FurFrame& frame, FrameCounters& co
 Result<FloatImage> ShellsRenderer::drawn(const FurFrame& frame, FrameCounters& counters) {
   if (!fit_target(frame)) return failure(Code::too_large, "no memory for a frame of this size", "/width");
   ModelBuffers& model = models_.at(frame.model);
-  const CoatTextures& coat = textures_of(frame.coat);
+  const CoatTextures& coat = textures_of(frame.coat());
   ModelBuffers::DrawLists lists;
   fragments_.begin();
   const Status drawn = draw_shells(prepare(frame, model, coat, lists));

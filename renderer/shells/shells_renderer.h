@@ -46,7 +46,7 @@ class ShellsRenderer {
   bool lost() const { return lost_; }
 
   /// Returns whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
-  bool misses_coat(const FurFrame& frame) const { return !has(frame.coat); }
+  bool misses_coat(const FurFrame& frame) const { return !has(frame.coat()); }
   /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Storage of all GL objects: models, coats, targets, maps.

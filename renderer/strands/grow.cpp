@@ -49,7 +49,7 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
   hash.add(tile_hash);
   for (const double value :
        {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share, coat.tufts.gather,
-        coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, coat.bend, coat.mess})
+        coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, recipe.wetter, coat.bend, coat.mess})
     hash.add(value);
   for (const std::uint64_t value :
        {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
@@ -110,6 +110,8 @@ struct CoatTables {
   std::uint64_t tile_hash;
 };
 
+const LeanTable& leans_of(const CoatTables& tables) { return tables.leans; }
+
 namespace {
 
 std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segments,
@@ -126,12 +128,17 @@ struct StandingForm {
 };
 
 StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t piece, const RootFields& root,
-                   const StandingForm& standing) {
+                   const StandingForm& standing, double wetter) {
   const auto whole = [](double share) {
     return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
   };
-  return {root.normal, static_cast<float>(strand.number),         standing.reach, standing.stretch, root.wetness,
-          piece,       {whole(copy.share.y), whole(copy.share.z)}};
+  return {root.normal,
+          static_cast<float>(strand.number),
+          standing.reach,
+          standing.stretch,
+          std::min(root.wetness + static_cast<float>(wetter), 1.0f),
+          piece,
+          {whole(copy.share.y), whole(copy.share.z)}};
 }
 
 }  // namespace
@@ -242,7 +249,7 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
     if (piece.closing) set.closing.push_back(point(*piece.closing));
   }
   set.to_mean.push_back(colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots)));
-  set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing));
+  set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing, recipe.wetter));
 }
 
 PieceBend Grower::Impl::bend_of(std::uint32_t piece) const {
@@ -280,6 +287,24 @@ Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe&
     : impl_(std::make_unique<const Impl>(model, fields, recipe, std::move(before))) {}
 
 Grower::~Grower() = default;
+
+double fur_area(const FurModel& model) {
+  Coat coat;
+  coat.count = 1, coat.tile = 1;
+  return expected_strands(model, coat);
+}
+
+std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, double area) {
+  std::vector<GrowRecipe> recipes;
+  for (const NamedCoat& one : frame.coats) {
+    const double expected = area * one.coat.count / (one.coat.tile * one.coat.tile);
+    recipes.push_back({.coat = one.coat,
+                       .model_colours = takes_model_colours(frame.look, has_colours),
+                       .guard_share = expected > 0 ? std::min(one.coat.guard_hairs / expected, 1.0) : 0,
+                       .wetter = one.coat.wetness - frame.wetness()});
+  }
+  return recipes;
+}
 
 double expected_strands(const FurModel& model, const Coat& coat) {
   double sum = 0;
@@ -349,6 +374,22 @@ std::array<SkinLook, 3> Grower::skin(std::uint32_t piece) const {
     const float thin = 1 - std::clamp(vertex.density, 0.0f, 1.0f);
     const float grown = glm::smoothstep(0.0f, covering, vertex.length) * (1 - thin * thin * thin);
     corners[static_cast<std::size_t>(k)] = {impl_->colours.under(root), grown, vertex.bare, vertex.wetness};
+  }
+  return corners;
+}
+
+std::array<SkinLook, 3> skin_under(std::span<const std::array<SkinLook, 3>> of_each) {
+  if (of_each.size() == 1) return of_each.front();
+  std::array<SkinLook, 3> corners = of_each.front();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    SkinLook& corner = corners[k];
+    glm::vec3 under(0);
+    float sum = 0, open = 1;
+    for (const auto& one : of_each) {
+      under += one[k].grown * one[k].under, sum += one[k].grown, open *= 1 - one[k].grown;
+      corner.wetness = std::max(corner.wetness, one[k].wetness);
+    }
+    if (sum > 0) corner.under = under / sum, corner.grown = 1 - open;
   }
   return corners;
 }

@@ -25,6 +25,7 @@ struct GrowRecipe {
   double share = 1;            // of the strands that grow, by a number of their own, (0, 1]
   double guard_share = 0;      // of the strands that stand as guard hairs, [0, 1]
   double widening = 1;         // factor on their width, >= 1: 1 / share keeps what they cover
+  double wetter = 0;           // than FurFrame::wetness, [0, 1]
 
   bool operator==(const GrowRecipe&) const = default;
 };
@@ -32,8 +33,14 @@ struct GrowRecipe {
 /// A part of the surface that is grown at a time: indices of the model's pieces that lie together.
 using StrandChunk = std::vector<std::uint32_t>;
 
-/// Compact parts of at most `strands_each` strands, or of one piece.
-std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each);
+/// Returns the strands of whole fur with one on a square of a size, before density, bare skin and `share` reduce them.
+double fur_area(const FurModel& model);
+
+/// How the coats of a frame grow whole, each of as wide strands as it has. `area` is the model's fur_area.
+std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, double area);
+
+/// Compact parts of at most `strands_each` strands of all coats together, or of one piece.
+std::vector<StrandChunk> make_chunks(const FurModel& model, EachCoat<Coat> coats, double strands_each);
 
 /// Returns how many strands to expect of the whole fur, before density, bare skin and `share` reduce their number.
 double expected_strands(const FurModel& model, const Coat& coat);
@@ -45,8 +52,13 @@ struct SkinLook {
   float bare = 0, wetness = 0;  // painted, [0, 1]
 };
 
+/// Returns the look of skin between the strands of several coats.
+std::array<SkinLook, 3> skin_under(std::span<const std::array<SkinLook, 3>> of_each);
+
 /// What strands of a coat share, wherever they stand.
 struct CoatTables;
+/// Returns the curves in which the coat leans.
+const LeanTable& leans_of(const CoatTables& tables);
 
 /// Prepared once for a state of the fields; then asked for chunks, from any thread. The model's views must outlive it.
 /// Deterministic: the same strands whatever the chunks are and whoever asks. A strand of n segments takes 20 (n + 1) +

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "base/parallel.h"
+#include "renderer/coat/strand_tile.h"
 #include "renderer/strands/sampling.h"
 
 namespace pelage {
@@ -13,6 +15,11 @@ namespace pelage {
 namespace {
 
 constexpr double strands_of_grown_part = 1000;
+
+double on_area_of(const Coat& coat) { return coat.count / (coat.tile * coat.tile); }
+
+/// What whole fur covers of the skin under it, over its length.
+double cover_of(const Coat& coat) { return on_area_of(coat) * std::max(coat.width_root + coat.width_tip, 1e-9); }
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
   double area = 0;
@@ -68,67 +75,85 @@ void add_bend(const PieceBend& bend, const LeanTable& leans, float stretch, glm:
 
 }  // namespace
 
-void GrownFur::divide(const FurModel& model, const GrowRecipe& recipe) {
-  const Coat& coat = recipe.coat;
-  if (model.id == model_ && coat.count == count_ && coat.tile == tile_ && recipe.share == share_) return;
-  chunks_ = make_chunks(model, coat, strands_of_grown_part / recipe.share);
-  parts_.clear(), still_.assign(chunks_.size(), {}), curves_.clear(), skin_.assign(model.triangles.size(), {});
-  bends_.clear();
+bool GrownFur::divided_for(const FurModel& model, EachCoat<FurFields> fields, EachCoat<GrowRecipe> recipes) const {
+  if (model.id != model_ || recipes.size() != coats_.size()) return false;
+  for (std::size_t c = 0; c < coats_.size(); ++c) {
+    const GrownCoat& coat = coats_[c];
+    const Coat& wanted = recipes[c].coat;
+    if (fields[c].coat != coat.id || wanted.count != coat.count || wanted.tile != coat.tile ||
+        recipes[c].share != coat.share)
+      return false;
+  }
+  return true;
+}
+
+void GrownFur::divide(const FurModel& model, EachCoat<FurFields> fields, EachCoat<GrowRecipe> recipes) {
+  std::vector<Coat> coats;
+  for (const GrowRecipe& recipe : recipes) coats.push_back(recipe.coat);
+  chunks_ = make_chunks(model, coats, strands_of_grown_part / recipes.front().share);
+  coats_.clear(), parts_.clear(), curves_.clear(), still_.assign(coats.size() * chunks_.size(), {});
   const auto none = std::make_shared<const StrandSet>();
-  for (const StrandChunk& chunk : chunks_) parts_.push_back({.strands = none, .area = area_of(model, chunk)});
+  for (std::size_t c = 0; c < coats.size(); ++c) {
+    coats_.push_back(
+        {fields[c].coat, static_cast<double>(coats[c].count), coats[c].tile, recipes[c].share, {}, {}, {}});
+    coats_.back().skin.assign(model.triangles.size(), {});
+    for (const StrandChunk& chunk : chunks_)
+      parts_.push_back({.strands = none, .area = area_of(model, chunk), .coat = fields[c].coat});
+  }
   parts_.push_back({.role = StrandRole::curve, .strands = none, .crowding = 0});
-  model_ = model.id, count_ = coat.count, tile_ = coat.tile, share_ = recipe.share;
+  model_ = model.id;
 }
 
 /// Grows a chunk at rest. Returns the number of strands that were grown.
-std::size_t GrownFur::grow_still(const FurModel& model, const Grower& grower, const GrowRecipe& recipe,
-                                 std::size_t chunk) {
-  Still& still = still_[chunk];
-  const std::uint64_t state = grower.fingerprint(chunks_[chunk]);
+std::size_t GrownFur::grow_still(const Growing& how, std::size_t chunk) {
+  const std::size_t number = part_of(how.coat, chunk);
+  Still& still = still_[number];
+  const std::uint64_t state = how.grower.fingerprint(chunks_[chunk]);
   if (still.state == state) return 0;
-  still = {std::make_shared<const StrandSet>(grower.grow(chunks_[chunk])), state};
+  still = {std::make_shared<const StrandSet>(how.grower.grow(chunks_[chunk])), state};
   for (const StrandRoot& root : still.strands->roots) still.stretch = std::max(still.stretch, root.stretch);
-  GrownPart& part = parts_[chunk];
+  GrownPart& part = parts_[number];
   part.strands = still.strands;
-  find_bounds(model, chunks_[chunk], part);
+  find_bounds(how.model, chunks_[chunk], part);
   still.low = part.low, still.high = part.high;
   Hash skin;
-  for (const std::uint32_t piece : chunks_[chunk]) skin.add_value(skin_[piece] = grower.skin(piece));
+  for (const std::uint32_t piece : chunks_[chunk])
+    skin.add_value(coats_[how.coat].skin[piece] = how.grower.skin(piece));
   part.skin = skin.value();
   const std::size_t count = still.strands->count();
-  const double on_area = recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
-  const double of_coat = on_area * recipe.share * part.area;
-  part.crowding = static_cast<float>(static_cast<double>(count) / std::max(of_coat, 1e-12));
-  part.wider = static_cast<float>(1 / recipe.share);
+  const double on_area = on_area_of(how.recipe.coat);
+  const double of_coat = on_area * how.recipe.share * part.area;
+  part.crowding = static_cast<float>(static_cast<double>(count) / std::max(of_coat, 1e-12) * how.cover);
+  part.wider = static_cast<float>(1 / how.recipe.share);
+  part.unwound = static_cast<float>(how.unwound);
   part.packing = static_cast<float>(glm::pi<double>() * on_area);
   return count;
 }
 
-void GrownFur::bend_part(const Grower& grower, Bending bending, std::size_t chunk) {
-  GrownPart& part = parts_[chunk];
-  const Still& still = still_[chunk];
+void GrownFur::bend_part(const Growing& how, std::size_t chunk) {
+  GrownPart& part = parts_[part_of(how.coat, chunk)];
+  const Still& still = still_[part_of(how.coat, chunk)];
   glm::vec3 low(0), high(0);
   for (const std::uint32_t piece : chunks_[chunk])
-    add_bend(bends_[piece] = grower.bend_of(piece), grower.leans(), still.stretch, low, high);
+    add_bend(coats_[how.coat].bends[piece] = how.grower.bend_of(piece), how.grower.leans(), still.stretch, low, high);
   part.low = still.low + low, part.high = still.high + high;
-  if (bending == Bending::left) return;
+  if (how.bending == Bending::left) return;
   auto bent = std::make_shared<StrandSet>(*still.strands);
-  grower.bend(chunks_[chunk], *bent);
+  how.grower.bend(chunks_[chunk], *bent);
   part.strands = std::move(bent);
 }
 
 /// Bends what has grown as well, where something moves it.
-std::size_t GrownFur::grow_part(const FurModel& model, const Grower& grower, const GrowRecipe& recipe, Bending bending,
-                                std::size_t chunk) {
-  const std::size_t grown = grow_still(model, grower, recipe, chunk);
-  GrownPart& part = parts_[chunk];
-  const Still& still = still_[chunk];
+std::size_t GrownFur::grow_part(const Growing& how, std::size_t chunk) {
+  const std::size_t grown = grow_still(how, chunk);
+  GrownPart& part = parts_[part_of(how.coat, chunk)];
+  const Still& still = still_[part_of(how.coat, chunk)];
   Hash state;
-  state.add(still.state), state.add(grower.bend_fingerprint(chunks_[chunk]));
-  state.add(static_cast<std::uint64_t>(bending));
+  state.add(still.state), state.add(how.grower.bend_fingerprint(chunks_[chunk]));
+  state.add(static_cast<std::uint64_t>(how.bending));
   if (part.state == state.value()) return grown;
   part.state = state.value(), part.strands = still.strands, part.low = still.low, part.high = still.high;
-  if (!bends_.empty()) bend_part(grower, bending, chunk);
+  if (!coats_[how.coat].bends.empty()) bend_part(how, chunk);
   return grown;
 }
 
@@ -142,17 +167,43 @@ std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
   return part.strands->count();
 }
 
-std::size_t GrownFur::update(const FurModel& model, const FurFields& fields, const GrowRecipe& recipe, int threads,
-                             std::span<const FurCurves> curves, Bending bending) {
-  divide(model, recipe);
-  const Grower grower(model, fields, recipe, tables_);
-  tables_ = grower.tables(), leans_ = {tables_, &grower.leans()};
-  bends_.resize(fields.still.empty() ? 0 : model.triangles.size());
+void GrownFur::join_skin() {
+  std::vector<std::array<SkinLook, 3>> of_each(coats_.size());
+  skin_.resize(coats_.front().skin.size());
+  for (std::size_t piece = 0; piece < skin_.size(); ++piece) {
+    for (std::size_t c = 0; c < coats_.size(); ++c) of_each[c] = coats_[c].skin[piece];
+    skin_[piece] = skin_under(of_each);
+  }
+}
+
+std::size_t GrownFur::update(const FurModel& model, EachCoat<FurFields> fields, EachCoat<GrowRecipe> recipes,
+                             int threads, std::span<const FurCurves> curves, Bending bending) {
+  assert(fields.size() == recipes.size() && !recipes.empty());
+  if (!divided_for(model, fields, recipes)) divide(model, fields, recipes);
+  if (recipes.size() > 1) bending = Bending::done;
+  std::vector<std::unique_ptr<const Grower>> growers;
+  std::vector<Growing> how;
+  for (std::size_t c = 0; c < recipes.size(); ++c) {
+    GrownCoat& coat = coats_[c];
+    growers.push_back(std::make_unique<const Grower>(model, fields[c], recipes[c], coat.tables));
+    coat.tables = growers.back()->tables();
+    coat.bends.resize(fields[c].still.empty() ? 0 : model.triangles.size());
+    how.push_back({model, *growers.back(), recipes[c], bending, c,
+                   cover_of(recipes[c].coat) / cover_of(recipes[0].coat),
+                   std::sqrt(winding(recipes[0].coat) / winding(recipes[c].coat))});
+  }
   std::atomic<std::size_t> grown{set_curves(curves)};
+  const auto chunks = static_cast<std::uint32_t>(chunks_.size());
   for_each_in_parallel(
-      static_cast<std::uint32_t>(chunks_.size()),
-      [&](std::uint32_t chunk) { grown += grow_part(model, grower, recipe, bending, chunk); }, threads);
+      chunks * static_cast<std::uint32_t>(how.size()),
+      [&](std::uint32_t part) { grown += grow_part(how[part / chunks], part % chunks); }, threads);
+  join_skin();
   return grown;
+}
+
+FurBend GrownFur::bend() const {
+  if (coats_.size() != 1 || !coats_.front().tables) return {};
+  return {coats_.front().bends, leans_of(*coats_.front().tables).rows()};
 }
 
 std::size_t GrownFur::count() const {
@@ -166,7 +217,9 @@ std::size_t GrownFur::bytes() const {
   for (const GrownPart& part : parts_) sum += part.strands->bytes();
   for (std::size_t i = 0; i < still_.size(); ++i)
     if (still_[i].strands && still_[i].strands != parts_[i].strands) sum += still_[i].strands->bytes();
-  return sum + skin_.size() * sizeof(skin_[0]) + bends_.size() * sizeof(PieceBend);
+  for (const GrownCoat& coat : coats_)
+    sum += coat.skin.size() * sizeof(skin_[0]) + coat.bends.size() * sizeof(PieceBend);
+  return sum + skin_.size() * sizeof(skin_[0]);
 }
 
 }  // namespace pelage

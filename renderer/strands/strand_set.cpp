@@ -64,13 +64,15 @@ void add_chunks(std::span<Placed> pieces, double strands_each, std::vector<Stran
 
 }  // namespace
 
-std::vector<StrandChunk> make_chunks(const FurModel& model, const Coat& coat, double strands_each) {
+std::vector<StrandChunk> make_chunks(const FurModel& model, EachCoat<Coat> coats, double strands_each) {
   std::vector<Placed> pieces;
   pieces.reserve(model.triangles.size());
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
     const glm::vec3 sum = model.positions[t.x] + model.positions[t.y] + model.positions[t.z];
-    pieces.push_back({sum / 3.0f, i, expected_strands(model.corners[i], coat)});
+    double strands = 0;
+    for (const Coat& coat : coats) strands += expected_strands(model.corners[i], coat);
+    pieces.push_back({sum / 3.0f, i, strands});
   }
   std::vector<StrandChunk> chunks;
   if (!pieces.empty()) add_chunks(pieces, strands_each, chunks);

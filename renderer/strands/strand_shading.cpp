@@ -7,7 +7,7 @@ namespace pelage {
 namespace {
 
 Look traced_look(const FurFrame& frame) {
-  Look look = wet_look(frame.coat, frame.look);
+  Look look = wet_look(frame.wetness(), frame.look);
   const Tracing& trace = frame.knobs.trace;
   if (trace.transport == Transport::paths || trace.scattering == StrandScattering::energy_conserving)
     look.shading = ShadingModel::energy_conserving;
@@ -30,12 +30,12 @@ LitStrand lit(const Hit& hit, glm::vec3 to_light, glm::vec3 to_camera) {
 
 StrandShading::StrandShading(const FurFrame& frame)
     : look_(traced_look(frame)),
-      wetness_(frame.coat.wetness),
+      wetness_(frame.wetness()),
       lobes_(energy_conserving_lobes(look_.fibre)),
       optics_(optics_of(look_, wetness_)) {}
 
 bool StrandShading::fits(const FurFrame& frame) const {
-  return look_ == traced_look(frame) && wetness_ == frame.coat.wetness;
+  return look_ == traced_look(frame) && wetness_ == frame.wetness();
 }
 
 glm::vec3 StrandShading::absorption(glm::vec3 colour) const {

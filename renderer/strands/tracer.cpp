@@ -33,18 +33,30 @@ double mean_length(std::span<const float> lengths) {
   return furred > 0 ? sum / static_cast<double>(furred) : 0;
 }
 
+/// Returns the mean length of the coat that has the shortest fur, sizes; 0 where all are bald.
+double shortest_fur(EachCoat<FurFields> fields) {
+  double shortest = 0;
+  for (const FurFields& of_coat : fields) {
+    const double length = mean_length(of_coat.length);
+    if (length > 0 && (shortest == 0 || length < shortest)) shortest = length;
+  }
+  return shortest;
+}
+
 /// Thins strands out for a view and widens the others. The share is a power of 1/2, so that a step of the camera seldom
 /// changes it. The width is bounded, because wide strands stand out of short fur into the light: widened to a third of
 /// its height they make it a tenth too bright, and a small animal larger than it is. So from afar no more strands are
 /// left out.
-void thin_out(const FurFrame& frame, double expected, double fur_length, GrowRecipe& recipe) {
+void thin_out(const FurFrame& frame, double expected, double fur_length, std::vector<GrowRecipe>& recipes) {
   const double nearest = std::max(glm::length(glm::dvec3(frame.camera.position)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
-  const double width = std::max({frame.coat.width_root, frame.coat.width_tip, 1e-6});
+  double width = 1e-6;
+  for (const GrowRecipe& recipe : recipes) width = std::max({width, recipe.coat.width_root, recipe.coat.width_tip});
   const double seen = width / std::clamp(min_width * pixel, 1e-9, std::max(widest * fur_length, 1e-9));
   const double allowed = expected > 0 ? frame.knobs.trace.strands / expected : 1;
-  recipe.share = std::exp2(std::floor(std::log2(std::min({seen, allowed, 1.0}))));
-  recipe.widening = std::clamp(1 / recipe.share, 1.0, std::max(widest_allowed / width, 1.0));
+  const double share = std::exp2(std::floor(std::log2(std::min({seen, allowed, 1.0}))));
+  for (GrowRecipe& recipe : recipes)
+    recipe.share = share, recipe.widening = std::clamp(1 / share, 1.0, std::max(widest_allowed / width, 1.0));
 }
 
 /// Returns the bytes of a backplate and of the AOVs that are made in the end.
@@ -71,7 +83,7 @@ struct Tracer::Picture {
 struct Tracer::Impl {
   Impl(int threads, std::size_t bytes, bool yielding) : workers{threads, yielding}, memory(bytes), world(bytes) {}
 
-  Result<World::Change> grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
+  Result<World::Change> grow(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame,
                              std::size_t picture_bytes, const GoOn& go_on);
 
   WorkThreads workers;
@@ -93,17 +105,18 @@ Status Tracer::admit(int width, int height, std::span<const Aov> aovs, bool filt
 }
 
 /// Grows strands in the memory that the picture leaves.
-Result<World::Change> Tracer::Impl::grow(const FurModel& model, const FurFields& fields, const FurFrame& frame,
+Result<World::Change> Tracer::Impl::grow(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame,
                                          std::size_t picture_bytes, const GoOn& go_on) {
   world.set_memory(memory - picture_bytes);
-  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
-  const double expected = expected_strands(model, frame.coat);
-  recipe.guard_share = expected > 0 ? std::min(frame.coat.guard_hairs / expected, 1.0) : 0;
-  thin_out(frame, expected, mean_length(fields.length), recipe);
-  return world.update(model, fields, frame, recipe, workers, go_on);
+  const double area = fur_area(model);
+  std::vector<GrowRecipe> recipes = recipes_of(frame, model.has_colours, area);
+  double expected = 0;
+  for (const GrowRecipe& recipe : recipes) expected += area * recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
+  thin_out(frame, expected, shortest_fur(fields), recipes);
+  return world.update(model, fields, frame, recipes, workers, go_on);
 }
 
-Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
+Status Tracer::begin(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame, Backplate base,
                      std::span<const Aov> aovs, const GoOn& go_on) {
   Impl& tracer = *impl_;
   const bool filter = frame.knobs.trace.filter;
@@ -119,7 +132,7 @@ Status Tracer::begin(const FurModel& model, const FurFields& fields, const FurFr
   std::vector<int> active(film.tiles().begin(), film.tiles().end());
   tracer.picture =
       std::make_shared<Picture>(Picture{TraceScene(frame, std::move(base), tracer.shading), std::move(film),
-                                        std::move(active), !fields.closing.empty(), reserved});
+                                        std::move(active), !fields.front().closing.empty(), reserved});
   tracer.picture->report.strands = change->strands;
   tracer.picture->report.grow_ms = passed.milliseconds();
   return {};
@@ -132,7 +145,7 @@ std::size_t Tracer::picture_bytes() const {
   return picture.film.bytes() + picture.scene.backplate_bytes();
 }
 
-Status Tracer::resume(const FurModel& model, const FurFields& fields, std::shared_ptr<Picture> picture,
+Status Tracer::resume(const FurModel& model, EachCoat<FurFields> fields, std::shared_ptr<Picture> picture,
                       const GoOn& go_on) {
   Impl& tracer = *impl_;
   const FurFrame& frame = picture->scene.frame();

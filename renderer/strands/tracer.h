@@ -41,7 +41,7 @@ class Tracer {
   /// Grows what changed since the last scene, and begins a picture of no passes. The views are not stored. Paths
   /// scatter by energy_conserving, as the contract has it. Fails with too_large when memory is not enough, and with
   /// unavailable when `go_on` returned false.
-  Status begin(const FurModel& model, const FurFields& fields, const FurFrame& frame, Backplate base,
+  Status begin(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame, Backplate base,
                std::span<const Aov> aovs, const GoOn& go_on);
   /// Adds a pass, and says in the report why it was the last one. Fails with unavailable when `go_on` returned false;
   /// the picture then has to be begun again.
@@ -55,7 +55,7 @@ class Tracer {
   std::size_t picture_bytes() const;
   /// Continues a picture, with the same bits as without the pause; model and fields are those that it was begun with.
   /// Fails as `begin` does.
-  Status resume(const FurModel& model, const FurFields& fields, std::shared_ptr<Picture> picture, const GoOn& go_on);
+  Status resume(const FurModel& model, EachCoat<FurFields> fields, std::shared_ptr<Picture> picture, const GoOn& go_on);
 
   TraceReport report() const;
   /// Returns an AOV of a picture with at least one pass, in the conventions of Renderer::draw_aovs.

@@ -129,55 +129,63 @@ struct World::Impl {
     rtcSetDeviceMemoryMonitorFunction(device.get(), count_memory, &budget);
   }
 
-  /// Pieces that belong together, and what was grown of them.
-  struct Chunk {
-    StrandChunk pieces;
-    std::optional<std::uint64_t> grown = {};  // fingerprint
+  /// Of a coat, what the surface was divided for.
+  struct Division {
+    double count = 0, tile = 0, share = 0;
+    bool operator==(const Division&) const = default;
   };
 
-  bool set_model(const FurModel& next, const GrowRecipe& recipe);
+  bool set_model(const FurModel& next, EachCoat<GrowRecipe> recipes);
   bool set_curves(const FurFrame& frame);
-  bool grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown);
+  bool grow(const Grower& grower, std::size_t part, std::atomic<std::size_t>& grown);
   bool join(const FurFrame& frame);
+  glm::vec3 root_colour(std::size_t chunk) const;
 
   MemoryBudget budget;
   EmbreeDevice device;
   std::uint64_t model = 0;
-  double count = 0, tile = 0, share = 0;  // of the recipe that the chunks were made for; 0 while there are none
-  std::vector<Chunk> chunks;
-  std::vector<std::unique_ptr<StrandPart>> parts;  // of each chunk; the last has the curves
+  std::vector<Division> divided;                       // of each coat; empty while there are no chunks
+  std::vector<StrandChunk> chunks;                     // of all coats together
+  std::vector<std::unique_ptr<StrandPart>> parts;      // of each coat and chunk; the last has the curves
+  std::vector<std::optional<std::uint64_t>> grown_of;  // of each coat and chunk: fingerprint of what has grown there
   std::vector<FurCurves> curves;
-  std::vector<std::uint32_t> part_of_triangle;  // of the skin
+  std::vector<std::uint32_t> chunk_of_triangle;  // of the skin
   EmbreeGeometry skin;
   EmbreeScene all;
 };
 
 /// The surface's triangles, each once, and the chunk that one of its pieces is in.
-bool World::Impl::set_model(const FurModel& next, const GrowRecipe& recipe) {
-  const Coat& coat = recipe.coat;
-  if (next.id == model && coat.count == count && coat.tile == tile && recipe.share == share) return true;
-  parts.clear(), chunks.clear(), curves.clear(), skin.reset();
-  count = 0;  // until all of it has worked
-  const double whole_strands = strands_of_part / recipe.share;
-  for (StrandChunk& pieces : make_chunks(next, coat, whole_strands)) chunks.push_back({std::move(pieces)});
-  for (std::uint32_t i = 0; i <= chunks.size(); ++i) parts.push_back(std::make_unique<StrandPart>(i, budget));
+bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) {
+  std::vector<Division> wanted;
+  std::vector<Coat> coats;
+  for (const GrowRecipe& recipe : recipes) {
+    wanted.push_back({static_cast<double>(recipe.coat.count), recipe.coat.tile, recipe.share});
+    coats.push_back(recipe.coat);
+  }
+  if (next.id == model && wanted == divided) return true;
+  parts.clear(), curves.clear(), skin.reset();
+  divided.clear();  // until all of it has worked
+  chunks = make_chunks(next, coats, strands_of_part / recipes.front().share);
+  const std::size_t of_coats = coats.size() * chunks.size();
+  for (std::uint32_t i = 0; i <= of_coats; ++i) parts.push_back(std::make_unique<StrandPart>(i, budget));
+  grown_of.assign(of_coats, {});
   std::vector<std::pair<glm::uvec3, std::uint32_t>> faces;
   for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-    for (const std::uint32_t piece : chunks[c].pieces) faces.emplace_back(next.triangles[piece], c);
+    for (const std::uint32_t piece : chunks[c]) faces.emplace_back(next.triangles[piece], c);
   }
   const auto key = [](const auto& face) { return std::array{face.first.x, face.first.y, face.first.z}; };
   std::sort(faces.begin(), faces.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::vector<glm::uvec3> triangles;
-  part_of_triangle.clear();
+  chunk_of_triangle.clear();
   for (const auto& face : faces) {
     if (!triangles.empty() && triangles.back() == face.first) continue;
-    triangles.push_back(face.first), part_of_triangle.push_back(face.second);
+    triangles.push_back(face.first), chunk_of_triangle.push_back(face.second);
   }
   if (!triangles.empty()) {
     skin = make_skin(device.get(), next, triangles);
     if (!skin) return false;
   }
-  model = next.id, count = coat.count, tile = coat.tile, share = recipe.share;
+  model = next.id, divided = std::move(wanted);
   return true;
 }
 
@@ -189,16 +197,28 @@ bool World::Impl::set_curves(const FurFrame& frame) {
   return true;
 }
 
-bool World::Impl::grow(const Grower& grower, std::size_t chunk, std::atomic<std::size_t>& grown) {
-  Chunk& of = chunks[chunk];
-  const std::uint64_t fingerprint = grower.fingerprint(of.pieces);
-  if (of.grown == fingerprint) return true;
-  of.grown.reset();
-  parts[chunk]->drop();
-  if (!parts[chunk]->set(device.get(), grower.grow(of.pieces, budget.left()))) return false;
-  of.grown = fingerprint;
-  grown += parts[chunk]->strands().count();
+bool World::Impl::grow(const Grower& grower, std::size_t part, std::atomic<std::size_t>& grown) {
+  const StrandChunk& pieces = chunks[part % chunks.size()];
+  const std::uint64_t fingerprint = grower.fingerprint(pieces);
+  if (grown_of[part] == fingerprint) return true;
+  grown_of[part].reset();
+  parts[part]->drop();
+  if (!parts[part]->set(device.get(), grower.grow(pieces, budget.left()))) return false;
+  grown_of[part] = fingerprint;
+  grown += parts[part]->strands().count();
   return true;
+}
+
+/// The mean over the strands of all coats.
+glm::vec3 World::Impl::root_colour(std::size_t chunk) const {
+  if (divided.size() == 1) return parts[chunk]->root_colour();
+  glm::vec3 sum(0);
+  float count = 0;
+  for (std::size_t part = chunk; part < grown_of.size(); part += chunks.size()) {
+    const auto strands = static_cast<float>(parts[part]->strands().count());
+    sum += strands * parts[part]->root_colour(), count += strands;
+  }
+  return count > 0 ? sum / count : glm::vec3(0);
 }
 
 /// All parts, the skin and the eyeballs under one index.
@@ -226,19 +246,21 @@ World::~World() = default;
 
 void World::set_memory(std::size_t memory) { impl_->budget.set_limit(memory); }
 
-Result<World::Change> World::update(const FurModel& model, const FurFields& fields, const FurFrame& frame,
-                                    const GrowRecipe& recipe, const WorkThreads& workers,
+Result<World::Change> World::update(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame,
+                                    EachCoat<GrowRecipe> recipes, const WorkThreads& workers,
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
   world.all.reset();                      // it holds the parts that are to go
   rtcGetDeviceError(world.device.get());  // clears the error of an earlier scene that did not fit into memory
-  if (!world.set_model(model, recipe) || !world.set_curves(frame)) return no_memory();
-  const Grower grower(model, fields, recipe);
+  if (!world.set_model(model, recipes) || !world.set_curves(frame)) return no_memory();
+  std::vector<std::unique_ptr<const Grower>> growers;
+  for (std::size_t c = 0; c < recipes.size(); ++c)
+    growers.push_back(std::make_unique<const Grower>(model, fields[c], recipes[c]));
   std::atomic<std::size_t> grown{0};
   std::atomic<bool> wanted{true};
-  const bool whole = for_each_until_false(workers, world.chunks.size(), [&](std::size_t chunk) {
+  const bool whole = for_each_until_false(workers, world.grown_of.size(), [&](std::size_t part) {
     if (!go_on()) wanted = false;
-    return wanted && world.grow(grower, chunk, grown);
+    return wanted && world.grow(*growers[part / world.chunks.size()], part, grown);
   });
   if (!wanted) return not_wanted();
   if (!whole || !world.join(frame)) return no_memory();
@@ -268,7 +290,7 @@ Hit World::intersect(const Ray& ray) const {
   hit.normal = across * (1 / std::max(glm::length(across), 1e-30f));
   if (glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
   const bool eye = found.hit.geomID == world.parts.size() + 1;
-  if (!eye) hit.colour = world.parts[world.part_of_triangle[found.hit.primID]]->root_colour();
+  if (!eye) hit.colour = world.root_colour(world.chunk_of_triangle[found.hit.primID]);
   return hit;
 }
 

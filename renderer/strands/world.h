@@ -83,8 +83,8 @@ class World {
   };
   /// Brings strands, skin and eyes up to date. Fails with too_large when memory is not enough, and with unavailable
   /// when `go_on` returned false; what a ray hits is then undefined until an update succeeds.
-  Result<Change> update(const FurModel& model, const FurFields& fields, const FurFrame& frame, const GrowRecipe& recipe,
-                        const WorkThreads& workers, const std::function<bool()>& go_on);
+  Result<Change> update(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame,
+                        EachCoat<GrowRecipe> recipes, const WorkThreads& workers, const std::function<bool()>& go_on);
 
   std::size_t bytes() const;  // of strands and index
 

@@ -54,15 +54,15 @@ double crowding_of(const Coat& coat) {
 
 double finest_texel(const FurFrame& frame, int pixels) {
   const double enlarged = std::max(1.0, static_cast<double>(frame.height) / pixels);
-  return frame.coat.tile / slice_texels * std::sqrt(enlarged);
+  return frame.coat().tile / slice_texels * std::sqrt(enlarged);
 }
 
 glm::mat4 world_to_clip(const FurFrame& frame) { return projection(frame) * view(frame.camera); }
 
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels) {
   assert(frame.lights.size() <= 8);
-  const Look look = wet_look(frame.coat, frame.look);
-  const Coat& coat = frame.coat;
+  const Look look = wet_look(frame.wetness(), frame.look);
+  const Coat& coat = frame.coat();
   FrameBlock block;
   block.world_to_clip = world_to_clip(frame);
   block.viewpoint = {frame.camera.position, 2 * frame.camera.tan_half_fov / static_cast<float>(pixels)};

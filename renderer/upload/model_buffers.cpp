@@ -248,8 +248,9 @@ void ModelBuffers::update(const Gl& gl, const FurFields& fields, UploadCount& co
   const DirtyRange all{0, static_cast<std::uint32_t>(first_.size() - 1)};
   const Painted painted = painted_in(fields.paint);
   const bool same_skin = std::equal(fields.skin.begin(), fields.skin.end(), skin_.begin(), skin_.end());
-  const std::span<const DirtyRange> dirty = painted == painted_ && same_skin ? fields.dirty : std::span(&all, 1);
-  painted_ = painted, skin_.assign(fields.skin.begin(), fields.skin.end());
+  const std::span<const DirtyRange> dirty =
+      painted == painted_ && same_skin && fields.coat == coat_ ? fields.dirty : std::span(&all, 1);
+  coat_ = fields.coat, painted_ = painted, skin_.assign(fields.skin.begin(), fields.skin.end());
   if (!dirty.empty()) ++version_;
   for (const DirtyRange& range : sent_as_one(dirty)) send_fur(gl, fields, range, count);
 }

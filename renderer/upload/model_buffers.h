@@ -46,7 +46,8 @@ class ModelBuffers {
   /// Sends the whole model and its fields.
   ModelBuffers(const Gl& gl, const FurModel& model, const FurFields& fields, UploadCount& count);
 
-  /// Sends the vertices in `fields.dirty` only, or all when other skin is bare or other fields are painted. Lengths are
+  /// Sends the vertices in `fields.dirty` only, or all of another coat, or when other skin is bare or other fields
+  /// are painted. Lengths are
   /// sent as bare skin leaves them, so that no shader has to know.
   void update(const Gl& gl, const FurFields& fields, UploadCount& count);
 
@@ -102,6 +103,7 @@ class ModelBuffers {
   std::uint64_t original_ = 0;
   bool has_colours_ = false;
   Painted painted_;
+  CoatId coat_ = 0;
   std::uint64_t version_ = 0;
   std::vector<std::uint32_t> welded_;  // the model's vertex of each render vertex, rising
   std::vector<std::uint32_t> first_;   // of each model's vertex, its first render vertex; one more at the end

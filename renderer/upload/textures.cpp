@@ -160,7 +160,7 @@ Texture send_table(const Gl& gl, const ScatteringTable& table) {
 }  // namespace
 
 void ScatteringTextures::prepare(const Gl& gl, const FurFrame& frame) {
-  const Look look = wet_look(frame.coat, frame.look);
+  const Look look = wet_look(frame.wetness(), frame.look);
   if (look_ != look) {
     look_ = look;
     const ScatteringBlock block = scattering_block(look);

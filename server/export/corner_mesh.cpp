@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/lean_curve.h"
+#include "server/fields/coats.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
@@ -39,7 +40,7 @@ CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
 
 std::vector<glm::vec3> places_at(const SceneView& scene, double s) {
   const Mesh& mesh = scene.model.surface.mesh();
-  const Coat& coat = scene.settings.coat;
+  const Coat& coat = first_seen(scene.settings.coats).coat;
   std::vector<glm::vec3> places(mesh.positions.size());
   for (std::uint32_t v = 0; v < places.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);

@@ -9,6 +9,7 @@
 #include "server/export/mesh_fields.h"
 #include "server/export/shells.h"
 #include "server/export/strand_files.h"
+#include "server/fields/coats.h"
 
 namespace pelage {
 
@@ -74,12 +75,30 @@ Result<ExportFile> file_of(const SceneView& scene, ExportedStrands gathered, con
   return strand_file(std::make_shared<const ExportedStrands>(std::move(gathered)), request, std::move(file));
 }
 
+/// The settings with all coats muted but those that the file is to hold.
+Result<SceneSettings> with_asked_coats(SceneSettings settings, const ExportRequest& request) {
+  std::vector<NamedCoat>& coats = settings.coats;
+  const auto seen = coats.size() - static_cast<std::size_t>(std::ranges::count(coats, true, &NamedCoat::muted));
+  if (request.coat.empty()) {
+    if (seen == 1 || holds_strands(request.format)) return settings;
+    return failure(Code::invalid, "The file holds one coat.", "/coat", "the name of a coat");
+  }
+  if (!find_coat(coats, request.coat)) return failure(Code::invalid, "The scene has no coat of this name.", "/coat");
+  for (NamedCoat& coat : coats) coat.muted = coat.name != request.coat;
+  return settings;
+}
+
 }  // namespace
 
 Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest& request, const Cancel& cancel) try {
-  Result<ExportedStrands> strands = gather_strands(scene.view(), request, cancel);
+  const SceneView whole = scene.view();
+  const Result<SceneSettings> settings = with_asked_coats(whole.settings, request);
+  if (!settings) return settings.status();
+  const FieldSet fields = whole.fields.of_coat(first_seen(settings->coats).id);
+  const SceneView view{whole.model, fields, *settings, whole.revision, whole.skin_texture, whole.copy_id, whole.swing};
+  Result<ExportedStrands> strands = gather_strands(view, request, cancel);
   if (!strands) return strands.status();
-  Result<ExportFile> file = file_of(scene.view(), std::move(*strands), request);
+  Result<ExportFile> file = file_of(view, std::move(*strands), request);
   if (!file) return file;
   file->about.bytes = size_of(file->parts, cancel);
   return file;

@@ -95,13 +95,32 @@ Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles) {
   return proxy;
 }
 
-ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat) {
+namespace {
+
+/// A coat that is seen, and its fields.
+struct StandingCoat {
+  FieldSet fields;
+  const Coat& coat;
+
+  double length_at(std::uint32_t vertex) const {
+    return fields.number(Field::density, vertex) > 0 ? fields.number(Field::length, vertex) : 0;
+  }
+};
+
+}  // namespace
+
+ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const std::vector<NamedCoat>& coats) {
   constexpr std::size_t middle = UnitStrand::places / 2 - 1, tip = UnitStrand::places - 1;
+  std::vector<StandingCoat> standing;
+  for (const NamedCoat& coat : coats)
+    if (!coat.muted) standing.push_back({fields.of_coat(coat.id), coat.coat});
   ProxyFur fur;
   const std::span<const float> mask = fields.values(Field::mask);
   for (const std::uint32_t vertex : proxy.vertices) {
-    const UnitStrand strand = strand_at(vertex, mesh, fields, coat);
-    const double length = fields.length().empty() ? 0 : mesh.size * double{fields.length()[vertex]};
+    const StandingCoat& longest =
+        *std::ranges::max_element(standing, {}, [&](const StandingCoat& coat) { return coat.length_at(vertex); });
+    const UnitStrand strand = strand_at(vertex, mesh, longest.fields, longest.coat);
+    const double length = mesh.size * longest.length_at(vertex);
     fur.middles.emplace_back(length * strand.offsets[middle]);
     fur.tips.emplace_back(length * strand.offsets[tip]);
     fur.mask.push_back(mask.empty() ? 1 : mask[vertex]);

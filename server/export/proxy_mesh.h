@@ -34,7 +34,7 @@ struct ProxyFur {
   std::vector<glm::vec3> middles, tips;
   std::vector<float> mask;
 };
-ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
+ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const std::vector<NamedCoat>& coats);
 
 /// A binary glTF 2.0 file: one mesh with POSITION, NORMAL and indices (16 bits where they suffice), on one node whose
 /// translation is the centre. With fur the mesh has the attributes _FUR_MIDDLE, _FUR_TIP and _MASK as well. There

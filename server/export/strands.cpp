@@ -18,11 +18,13 @@ namespace {
 constexpr double strands_each = 6000;  // of a set
 constexpr int strands_of_card = 8;     // enough to find clumps
 
-GrowRecipe recipe_of(const FurFrame& frame, const FurModel& model, const ExportRequest& request) {
-  GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model.has_colours)};
-  recipe.share = 1.0 / request.every;
-  recipe.widening = request.widen ? request.every : 1;
-  return recipe;
+std::vector<GrowRecipe> recipes_for(const FurFrame& frame, const FurModel& model, const ExportRequest& request) {
+  std::vector<GrowRecipe> recipes = recipes_of(frame, model.has_colours, fur_area(model));
+  for (GrowRecipe& recipe : recipes) {
+    recipe.share = 1.0 / request.every;
+    recipe.widening = request.widen ? request.every : 1;
+  }
+  return recipes;
 }
 
 /// Texture coordinates at the roots of one set, by the triangle that is nearest to each.
@@ -95,29 +97,42 @@ std::uint64_t ExportedStrands::points() const {
                          [](std::uint64_t sum, const StrandSet& set) { return sum + set.points.size(); });
 }
 
+static void grow_coats(const FurModel& model, const std::vector<FurFields>& fields, const FurFrame& frame,
+                       const ExportRequest& request, const Cancel& cancel, ExportedStrands& strands) {
+  const std::vector<GrowRecipe> recipes = recipes_for(frame, model, request);
+  for (std::size_t c = 0; c < recipes.size(); ++c) {
+    const Grower grower(model, fields[c], recipes[c]);
+    const std::vector<StrandChunk> chunks = make_chunks(model, recipes[c].coat, strands_each * request.every);
+    std::vector<StrandSet> sets(chunks.size());
+    for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()), [&](std::uint32_t i) {
+      cancel.check();
+      sets[i] = grower.grow(chunks[i]);
+    });
+    for (StrandSet& set : sets) {
+      if (set.count() == 0) continue;
+      strands.sets.push_back(std::move(set)), strands.group_of.push_back(c);
+    }
+    strands.groups.push_back({static_cast<int>(frame.coats[c].id), frame.coats[c].name});
+  }
+}
+
 Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& asked, const Cancel& cancel) {
   const Mesh& mesh = scene.model.surface.mesh();
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, mesh);
-  const FurFields fields = make_fields(scene, skin, {});
   const FurFrame frame = make_frame(scene, FrameRequest{});
-  const double expected = expected_strands(model, frame.coat);
+  double expected = 0;
+  for (const NamedCoat& coat : frame.coats) expected += expected_strands(model, coat.coat);
   const ExportRequest request = needed(asked, expected);
   if (Status many = check_count(expected, request); !many.ok()) return many;
 
-  const Grower grower(model, fields, recipe_of(frame, model, request));
-  const std::vector<StrandChunk> chunks = make_chunks(model, frame.coat, strands_each * request.every);
   ExportedStrands strands;
   strands.place = file_place(mesh, request), strands.size = mesh.size;
   if (request.skin) strands.skin = skin_of(mesh, strands.place);
-  strands.sets.resize(chunks.size());
-  for_each_in_parallel(static_cast<std::uint32_t>(chunks.size()), [&](std::uint32_t i) {
-    cancel.check();
-    strands.sets[i] = grower.grow(chunks[i]);
-  });
-  std::erase_if(strands.sets, [](const StrandSet& set) { return set.count() == 0; });
+  grow_coats(model, make_fields(scene, skin, {}), frame, request, cancel, strands);
   if (request.curves && !frame.curves.empty()) {
+    strands.group_of.push_back(strands.groups.size()), strands.groups.push_back({limits::coats, "whiskers"});
     strands.sets.push_back(grow_curves(frame.curves));
     strands.curve_sets = 1;
   }

@@ -31,9 +31,17 @@ struct ExportedSkin {
   std::vector<std::array<glm::vec2, 3>> uvs;  // of each triangle, v up; empty: none
 };
 
+/// What files call strands of one coat, or the curves.
+struct StrandGroup {
+  int id = 0;  // NamedCoat::id; of curves limits::coats
+  std::string name;
+};
+
 /// Places are internal: (model - centre) / size.
 struct ExportedStrands {
-  std::vector<StrandSet> sets;      // of the fur, in an order that depends on nothing but the scene; then the curves
+  std::vector<StrandSet> sets;        // of the fur, in an order that depends on nothing but the scene; then the curves
+  std::vector<std::size_t> group_of;  // of each set, in `groups`
+  std::vector<StrandGroup> groups;
   std::size_t curve_sets = 0;       // the last ones: whiskers, lashes and brows
   std::vector<glm::vec2> root_uvs;  // of each strand the texture coordinates of its root, v up; empty: none
   FilePlace place;

@@ -14,7 +14,7 @@ void print_vector(Buffered& out, glm::vec3 v) { out.print("({}, {}, {})", v.x, v
 /// A set of strands in the file.
 struct FileSet {
   const StrandSet& strands;
-  int group;           // 0 is fur, 1 curves
+  const StrandGroup& group;
   std::size_t before;  // strands in earlier sets
 };
 
@@ -32,9 +32,8 @@ class Parts {
   void add_array(std::string_view declaration, bool of_points, std::string_view interpolation, const Print& print) {
     add_text(fmt::format("        {} = [", declaration));
     std::size_t before = 0;
-    const std::size_t fur = strands_->sets.size() - strands_->curve_sets;
     for (std::size_t k = 0; k < strands_->sets.size(); ++k) {
-      const FileSet set{strands_->sets[k], k < fur ? 0 : 1, before};
+      const FileSet set{strands_->sets[k], strands_->groups[strands_->group_of[k]], before};
       const std::size_t count = of_points ? set.strands.points.size() : set.strands.count();
       parts_.push_back([kept = strands_, set, count, print](const Sink& sink) {
         Buffered out(sink);
@@ -180,15 +179,23 @@ void add_root_uvs(const ExportedStrands& strands, Parts& parts) {
   }
 }
 
+/// A string of USD.
+std::string quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
 void add_groom_names(bool as_guides, Parts& parts) {
   parts.add_array("int[] primvars:groom_id", false, "uniform",
                   [](Buffered& out, const FileSet& set, std::size_t i) { out.print("{}", set.before + i); });
   parts.add_array("int[] primvars:groom_group_id", false, "uniform",
-                  [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.group); });
+                  [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", set.group.id); });
   parts.add_array("string[] primvars:groom_group_name", false, "uniform",
-                  [](Buffered& out, const FileSet& set, std::size_t) {
-                    out.print("{}", set.group == 0 ? "\"fur\"" : "\"whiskers\"");
-                  });
+                  [](Buffered& out, const FileSet& set, std::size_t) { out.print("{}", quoted(set.group.name)); });
   parts.add_text(
       fmt::format("        int[] primvars:groom_guide = [{}] (\n            interpolation = \"constant\"\n        )\n",
                   as_guides ? 1 : 0));

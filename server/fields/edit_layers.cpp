@@ -66,7 +66,8 @@ glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vec
 }
 
 StackWriter::StackWriter(const FieldSet& fields, Field field, std::size_t sheets) : fields_(fields), field_(field) {
-  for (std::size_t s = 0; s < first_edit_layer + sheets; ++s) parts_.push_back({field, {}, {}, static_cast<Sheet>(s)});
+  for (std::size_t s = 0; s < first_edit_layer + sheets; ++s)
+    parts_.push_back({field, {}, {}, static_cast<Sheet>(s), fields.owner(field)});
 }
 
 void StackWriter::put(std::uint32_t vertex, Sheet sheet, glm::vec4 value) {
@@ -133,7 +134,8 @@ Arrangement arranged(const std::vector<EditLayer>& layers, const ChangeEditLayer
   for (std::size_t k = 0; k < layers.size(); ++k) now.from.push_back(static_cast<int>(k));
   if (command.action == EditLayerAction::add) {
     now.insert(now.place_above(command.above),
-               {command.name, command.weight.value_or(1), command.muted.value_or(false)}, nothing);
+               {command.name, command.weight.value_or(1), command.muted.value_or(false), command.coat.value_or("")},
+               nothing);
     return now;
   }
   const std::size_t at = number_of(command.name, layers);
@@ -210,14 +212,14 @@ std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const C
   return arranged(layers, command).layers;
 }
 
-FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
-                              const FieldSet& fields) {
+/// The same for the coat that is selected; fields that all share count as the first one's.
+static void change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
+                               const FieldSet& fields, FieldDelta& delta) {
   const Arrangement next = arranged(layers, command);
   const auto at = static_cast<std::size_t>(std::max(index_of(command.name, layers), 0));
-  FieldDelta delta;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (!any_edit_layer_has(field, fields)) continue;
+    if (fields.owner(field) != fields.coat() || !any_edit_layer_has(field, fields)) continue;
     StackWriter writer(fields, field, std::max(layers.size(), next.layers.size()));
     for (std::uint32_t v = 0; v < fields.size(); ++v) {
       EditLayerStack stack = stack_at(fields, field, v, layers.size());
@@ -231,6 +233,13 @@ FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<
     }
     writer.finish(delta);
   }
+}
+
+FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
+                              const FieldSet& fields) {
+  FieldDelta delta;
+  for (std::size_t coat = 0; coat < fields.coats(); ++coat)
+    change_edit_layers(command, layers, fields.of_coat(static_cast<CoatId>(coat)), delta);
   finish_parts(delta);
   return delta;
 }

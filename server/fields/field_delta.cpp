@@ -4,6 +4,7 @@
 #include <cassert>
 #include <iterator>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace pelage {
@@ -13,7 +14,7 @@ namespace {
 /// Merges two rising lists; where both have a vertex, bits that flip twice stay.
 FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
   const auto channels = static_cast<std::size_t>(shape_of(first.field).channels);
-  FieldDelta::Part both{first.field, {}, {}, first.sheet};
+  FieldDelta::Part both{first.field, {}, {}, first.sheet, first.coat};
   std::size_t i = 0, k = 0;
   while (i < first.vertices.size() || k < second.vertices.size()) {
     const bool in_first =
@@ -48,12 +49,13 @@ std::vector<std::uint32_t> united(std::span<const FieldDelta::Part> parts) {
 }  // namespace
 
 bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second) {
-  return std::pair(first.sheet, first.field) < std::pair(second.sheet, second.field);
+  return std::tuple(first.sheet, first.coat, first.field) < std::tuple(second.sheet, second.coat, second.field);
 }
 
-const FieldDelta::Part* FieldDelta::part(Field field, Sheet sheet) const {
-  const auto found = std::find_if(parts.begin(), parts.end(),
-                                  [&](const Part& part) { return part.field == field && part.sheet == sheet; });
+const FieldDelta::Part* FieldDelta::part(Field field, Sheet sheet, CoatId coat) const {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+    return part.field == field && part.sheet == sheet && part.coat == coat;
+  });
   return found == parts.end() ? nullptr : &*found;
 }
 

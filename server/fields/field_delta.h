@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "protocol/commands/coat.h"
 #include "protocol/commands/field.h"
 
 namespace pelage {
@@ -24,20 +25,21 @@ inline constexpr std::size_t sheet_count = first_edit_layer + limits::edit_layer
 
 /// Applied once it leads from one state to another, applied again it leads back.
 struct FieldDelta {
-  /// The change of one field on one sheet.
+  /// The change of one field of one coat on one sheet.
   struct Part {
     Field field = Field::direction;
     std::vector<std::uint32_t> vertices;  // rising
     std::vector<std::uint32_t> flips;     // for each vertex its channels: the bits before xor the bits after; not all 0
     Sheet sheet = seen_sheet;
+    CoatId coat = 0;  // 0 for a field that all coats share
     bool operator==(const Part&) const = default;
   };
 
-  std::vector<Part> parts;  // by rising sheet, then field; none is empty
+  std::vector<Part> parts;  // by rising sheet, then coat, then field; none is empty
 
   bool empty() const { return parts.empty(); }
   /// Null when the field does not change there.
-  const Part* part(Field field, Sheet sheet = seen_sheet) const;
+  const Part* part(Field field, Sheet sheet = seen_sheet, CoatId coat = 0) const;
   /// The vertices at which any field changes on any sheet, rising.
   std::vector<std::uint32_t> vertices() const;
   /// Runs of vertices at which something changes that is seen, and of no others.

@@ -74,6 +74,20 @@ EditLayerStack mixed_stack(const FieldSet& fields, Field field, std::span<const 
   return stack;
 }
 
+/// Calls fill(own, field) for each coat and each of its fields that anything has touched, with both sets seen from that
+/// coat.
+template <class Fill>
+void fill_each(const FieldSet& fields, FieldSet& result, const Fill& fill) {
+  for (std::size_t c = 0; c < fields.coats(); ++c) {
+    const auto coat = static_cast<CoatId>(c);
+    const FieldSet own = fields.of_coat(coat);
+    result.select(coat);
+    for (std::size_t f = 0; f < field_count; ++f)
+      if (own.owner(field_at(f)) == coat && !own.at_default(field_at(f))) fill(own, field_at(f));
+  }
+  result.select(fields.coat());
+}
+
 /// Puts what edit layers cover into `result`, vertex by vertex; does nothing where none covers the field.
 void put_stacks(FieldSet& result, Field field, const FieldSet& fields, const std::vector<EditLayer>& layers,
                 const std::function<EditLayerStack(std::uint32_t)>& stack_of) {
@@ -101,20 +115,18 @@ FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& afte
   const auto old = static_cast<std::uint32_t>(fields.size());
   assert(before.positions.size() == old && after.positions.size() == old + parents.size());
   FieldSet result(after.positions.size());
-  for (std::size_t f = 0; f < field_count; ++f) {
-    const Field field = field_at(f);
-    if (fields.at_default(field)) continue;
+  fill_each(fields, result, [&](const FieldSet& own, Field field) {
     const auto parents_of = [&](std::uint32_t v) {
       return std::array<MixShare, 2>{{{parents[v - old].x, 0.5}, {parents[v - old].y, 0.5}}};
     };
-    for (std::uint32_t v = 0; v < old; ++v) result.set(field, v, fields.value(field, v));
+    for (std::uint32_t v = 0; v < old; ++v) result.set(field, v, own.value(field, v));
     for (std::uint32_t v = old; v < after.positions.size(); ++v)
-      result.set(field, v, stored(field, mixed(fields, field, parents_of(v), before, after, v)));
-    put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
-      return v < old ? stack_at(fields, field, v, layers.size())
-                     : mixed_stack(fields, field, parents_of(v), before, after, v, layers.size());
+      result.set(field, v, stored(field, mixed(own, field, parents_of(v), before, after, v)));
+    put_stacks(result, field, own, layers, [&](std::uint32_t v) {
+      return v < old ? stack_at(own, field, v, layers.size())
+                     : mixed_stack(own, field, parents_of(v), before, after, v, layers.size());
     });
-  }
+  });
   return result;
 }
 
@@ -123,41 +135,40 @@ FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
                  const std::vector<EditLayer>& layers) {
   assert(before.positions.size() == fields.size() && after.positions.size() == shares.size());
   FieldSet result(shares.size());
-  for (std::size_t f = 0; f < field_count; ++f) {
-    const Field field = field_at(f);
-    if (fields.at_default(field)) continue;
+  fill_each(fields, result, [&](const FieldSet& own, Field field) {
     const double factor = field == Field::length ? longer : 1;
     for (std::uint32_t v = 0; v < shares.size(); ++v)
-      result.set(field, v, stored(field, factor * mixed(fields, field, shares[v], before, after, v)));
-    put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
-      EditLayerStack stack = mixed_stack(fields, field, shares[v], before, after, v, layers.size());
+      result.set(field, v, stored(field, factor * mixed(own, field, shares[v], before, after, v)));
+    put_stacks(result, field, own, layers, [&](std::uint32_t v) {
+      EditLayerStack stack = mixed_stack(own, field, shares[v], before, after, v, layers.size());
       stack.base *= factor;
       for (glm::dvec4& added : stack.added) added *= factor;
       return stack;
     });
-  }
+  });
   return result;
 }
 
 FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
                 const std::vector<EditLayer>& layers) {
   assert(before.positions.size() == fields.size() && after.positions.size() == fields.size());
-  constexpr Field field = Field::direction;
   FieldSet result = fields;
-  if (fields.at_default(field)) return result;
   const auto along = [&](std::uint32_t vertex, glm::dvec4 value) {
     const Frame from = frame_of(before, vertex), to = frame_of(after, vertex);
     const glm::dvec3 direction = turn * (value.x * from.tangent + value.y * from.bitangent);
     return glm::dvec4(glm::dot(direction, to.tangent), glm::dot(direction, to.bitangent), 0, 0);
   };
-  for (std::uint32_t v = 0; v < fields.size(); ++v)
-    result.set(field, v, stored(field, along(v, glm::dvec4(fields.value(field, v)))));
-  put_stacks(result, field, fields, layers, [&](std::uint32_t v) {
-    EditLayerStack stack = stack_at(fields, field, v, layers.size());
-    if (!stack.covered) return stack;
-    stack.base = along(v, stack.base);
-    for (std::size_t k = 0; k < layers.size(); ++k) stack.added[k] = along(v, stack.added[k]);
-    return stack;
+  fill_each(fields, result, [&](const FieldSet& own, Field field) {
+    if (field != Field::direction) return;
+    for (std::uint32_t v = 0; v < fields.size(); ++v)
+      result.set(field, v, stored(field, along(v, glm::dvec4(own.value(field, v)))));
+    put_stacks(result, field, own, layers, [&](std::uint32_t v) {
+      EditLayerStack stack = stack_at(own, field, v, layers.size());
+      if (!stack.covered) return stack;
+      stack.base = along(v, stack.base);
+      for (std::size_t k = 0; k < layers.size(); ++k) stack.added[k] = along(v, stack.added[k]);
+      return stack;
+    });
   });
   return result;
 }

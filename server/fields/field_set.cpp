@@ -1,6 +1,7 @@
 #include "server/fields/field_set.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -30,8 +31,9 @@ void add_hash(FieldsHash& sum, const FieldDelta::Part& part, std::uint32_t verte
   for (int c = 0; c < count; c += 2) {
     const float second = c + 1 < count ? channels[c + 1] : default_value;
     if (bits_of(channels[c]) == bits_of(default_value) && bits_of(second) == bits_of(default_value)) continue;
-    const std::uint64_t key = (std::uint64_t{part.sheet} << 40) | (std::uint64_t{vertex} << 8) |
-                              (static_cast<std::uint64_t>(part.field) << 2) | static_cast<std::uint64_t>(c);
+    const std::uint64_t key = (std::uint64_t{part.coat} << 48) | (std::uint64_t{part.sheet} << 40) |
+                              (std::uint64_t{vertex} << 8) | (static_cast<std::uint64_t>(part.field) << 2) |
+                              static_cast<std::uint64_t>(c);
     const std::uint64_t bits = bits_of(channels[c]) << 32 | bits_of(second);
     const std::uint64_t low = mix_bits(bits ^ mix_bits(key)), high = mix_bits(bits + mix_bits(~key));
     sum.low += remove ? 0 - low : low;
@@ -46,8 +48,9 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
 }
 
 /// Returns whether the array exists from the beginning on.
-bool never_cleared(Sheet sheet, Field field) {
-  return sheet == seen_sheet && (field == Field::direction || field == Field::length);
+bool never_cleared(const FieldDelta::Part& part) {
+  const Field field = part.field;
+  return part.coat == 0 && part.sheet == seen_sheet && (field == Field::direction || field == Field::length);
 }
 
 bool all_at_default(const std::vector<float>& values, float default_value) {
@@ -76,35 +79,75 @@ Groom stored_groom(glm::dvec2 direction, double length, double stretch) {
 }
 
 FieldSet::FieldSet(std::size_t vertices)
-    : vertices_(vertices), sheets_(1), hash_{mix_bits(vertices), mix_bits(~std::uint64_t{vertices})} {
-  touched(Field::direction), touched(Field::length);
+    : vertices_(vertices),
+      upright_(std::make_shared<std::vector<float>>(2 * vertices, 0.0f)),
+      bald_(std::make_shared<std::vector<float>>(vertices, 0.0f)),
+      hash_{mix_bits(vertices), mix_bits(~std::uint64_t{vertices})} {
+  select(0);
 }
 
-std::vector<float>& FieldSet::touched(Field field, Sheet sheet) {
-  if (sheet >= sheets_.size()) sheets_.resize(std::size_t{sheet} + 1);
-  std::vector<float>& values = sheets_[sheet][static_cast<std::size_t>(field)];
+void FieldSet::select(CoatId coat) {
+  coat_ = coat;
+  if (coat >= coats_.size()) coats_.resize(std::size_t{coat} + 1);
+  Sheets& sheets = coats_[coat];
+  if (sheets.empty()) sheets.resize(1);
+  Array& direction = sheets[seen_sheet][static_cast<std::size_t>(Field::direction)];
+  Array& length = sheets[seen_sheet][static_cast<std::size_t>(Field::length)];
+  if (!direction) direction = upright_;
+  if (!length) length = bald_;
+}
+
+FieldSet FieldSet::of_coat(CoatId coat) const {
+  FieldSet other = *this;
+  if (coat != coat_) other.select(coat);
+  return other;
+}
+
+const std::vector<float>& FieldSet::array(Sheet sheet, Field field, CoatId coat) const {
+  static const std::vector<float> none;
+  if (coat >= coats_.size() || sheet >= coats_[coat].size()) return none;
+  const Array& values = coats_[coat][sheet][static_cast<std::size_t>(field)];
+  return values ? *values : none;
+}
+
+std::vector<float>& FieldSet::touched(Sheet sheet, Field field, CoatId coat) {
+  if (coat >= coats_.size()) coats_.resize(std::size_t{coat} + 1);
+  if (sheet >= coats_[coat].size()) coats_[coat].resize(std::size_t{sheet} + 1);
+  Array& values = coats_[coat][sheet][static_cast<std::size_t>(field)];
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);
-  if (values.empty()) values.assign(vertices_ * channels, default_of(sheet, field));
-  return values;
+  if (!values)
+    values = std::make_shared<std::vector<float>>(vertices_ * channels, default_of(sheet, field));
+  else if (values.use_count() > 1)
+    values = std::make_shared<std::vector<float>>(*values);
+  else
+    std::atomic_thread_fence(std::memory_order_acquire);  // after the last of those who shared it has read it
+  return *values;
 }
 
 glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const { return on_sheet(seen_sheet, field, vertex); }
 
 glm::vec4 FieldSet::on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const {
+  return read(sheet, field, owner(field), vertex);
+}
+
+glm::vec4 FieldSet::value_of(const FieldDelta::Part& part, std::uint32_t vertex) const {
+  return read(part.sheet, part.field, part.coat, vertex);
+}
+
+glm::vec4 FieldSet::read(Sheet sheet, Field field, CoatId coat, std::uint32_t vertex) const {
   assert(vertex < vertices_);
   const int channels = shape_of(field).channels;
-  if (untouched(sheet, field)) {
+  const std::vector<float>& values = array(sheet, field, coat);
+  if (values.empty()) {
     const float default_value = default_of(sheet, field);
     return {default_value, channels > 1 ? default_value : 0, channels > 2 ? default_value : 0,
             channels > 3 ? default_value : 0};
   }
-  const float* stored = &sheets_[sheet][static_cast<std::size_t>(field)][vertex * static_cast<std::size_t>(channels)];
+  const float* stored = &values[vertex * static_cast<std::size_t>(channels)];
   return {stored[0], channels > 1 ? stored[1] : 0, channels > 2 ? stored[2] : 0, channels > 3 ? stored[3] : 0};
 }
 
-bool FieldSet::untouched(Sheet sheet, Field field) const {
-  return sheet >= sheets_.size() || sheets_[sheet][static_cast<std::size_t>(field)].empty();
-}
+bool FieldSet::untouched(Sheet sheet, Field field) const { return array(sheet, field, owner(field)).empty(); }
 
 float FieldSet::number(Field field, std::uint32_t vertex) const {
   assert(vertex < vertices_ && shape_of(field).channels == 1);
@@ -128,8 +171,8 @@ std::span<const glm::vec4> FieldSet::colours(Field field) const {
 void FieldSet::set(Field field, std::uint32_t vertex, glm::vec4 value) {
   assert(vertex < vertices_);
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);
-  float* stored = &touched(field)[vertex * channels];
-  const FieldDelta::Part part{field, {}, {}};
+  float* stored = &touched(seen_sheet, field, owner(field))[vertex * channels];
+  const FieldDelta::Part part{field, {}, {}, seen_sheet, owner(field)};
   add_hash(hash_, part, vertex, stored, true);
   for (std::size_t c = 0; c < channels; ++c) stored[c] = value[static_cast<int>(c)] + 0.0f;
   add_hash(hash_, part, vertex, stored, false);
@@ -147,7 +190,7 @@ FieldsHash FieldSet::hash_after(const FieldDelta& delta) const {
     const int channels = shape_of(part.field).channels;
     const std::uint32_t* flips = part.flips.data();
     for (const std::uint32_t v : part.vertices) {
-      glm::vec4 stored = on_sheet(part.sheet, part.field, v);
+      glm::vec4 stored = value_of(part, v);
       add_hash(hash, part, v, &stored.x, true);
       flip(&stored.x, flips, channels);
       add_hash(hash, part, v, &stored.x, false);
@@ -166,7 +209,7 @@ void FieldSet::apply(const FieldDelta& delta) {
   assert(accepts(delta));
   for (const FieldDelta::Part& part : delta.parts) {
     const auto channels = static_cast<std::size_t>(shape_of(part.field).channels);
-    std::vector<float>& values = touched(part.field, part.sheet);
+    std::vector<float>& values = touched(part.sheet, part.field, part.coat);
     const std::uint32_t* flips = part.flips.data();
     const float default_value = default_of(part.sheet, part.field);
     bool to_default = true;
@@ -180,22 +223,23 @@ void FieldSet::apply(const FieldDelta& delta) {
         to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
     }
     // A field that is back at its default everywhere takes no drawing time and no memory any more.
-    if (to_default && !never_cleared(part.sheet, part.field) && all_at_default(values, default_value)) values = {};
+    if (to_default && !never_cleared(part) && all_at_default(values, default_value))
+      coats_[part.coat][part.sheet][static_cast<std::size_t>(part.field)].reset();
   }
 }
 
 std::size_t FieldSet::bytes() const {
   std::size_t sum = 0;
-  for (const Arrays& sheet : sheets_) {
-    for (const std::vector<float>& values : sheet) sum += values.size() * sizeof(float);
+  for (const Sheets& sheets : coats_) {
+    for (const auto& sheet : sheets) {
+      for (const Array& values : sheet) sum += values ? values->size() * sizeof(float) : 0;
+    }
   }
   return sum;
 }
 
-static FieldDelta::Part difference(const FieldSet& from, const FieldSet& to, Field field, Sheet sheet) {
-  FieldDelta::Part part{field, {}, {}, sheet};
-  for (std::uint32_t v = 0; v < from.size(); ++v)
-    put_change(part, v, from.on_sheet(sheet, field, v), to.on_sheet(sheet, field, v));
+static FieldDelta::Part difference(const FieldSet& from, const FieldSet& to, FieldDelta::Part part) {
+  for (std::uint32_t v = 0; v < from.size(); ++v) put_change(part, v, from.value_of(part, v), to.value_of(part, v));
   return part;
 }
 
@@ -203,11 +247,15 @@ FieldDelta difference(const FieldSet& from, const FieldSet& to) {
   assert(from.size() == to.size());
   FieldDelta delta;
   for (std::size_t s = 0; s < sheet_count; ++s) {
-    for (std::size_t f = 0; f < field_count; ++f) {
-      const auto sheet = static_cast<Sheet>(s);
-      if (from.untouched(sheet, field_at(f)) && to.untouched(sheet, field_at(f))) continue;
-      FieldDelta::Part part = difference(from, to, field_at(f), sheet);
-      if (!part.vertices.empty()) delta.parts.push_back(std::move(part));
+    for (std::size_t c = 0; c < std::max(from.coats(), to.coats()); ++c) {
+      const FieldSet first = from.of_coat(static_cast<CoatId>(c)), second = to.of_coat(static_cast<CoatId>(c));
+      for (std::size_t f = 0; f < field_count; ++f) {
+        const auto sheet = static_cast<Sheet>(s);
+        if (first.owner(field_at(f)) != c) continue;
+        if (first.untouched(sheet, field_at(f)) && second.untouched(sheet, field_at(f))) continue;
+        FieldDelta::Part part = difference(from, to, {field_at(f), {}, {}, sheet, static_cast<CoatId>(c)});
+        if (!part.vertices.empty()) delta.parts.push_back(std::move(part));
+      }
     }
   }
   return delta;
@@ -215,33 +263,37 @@ FieldDelta difference(const FieldSet& from, const FieldSet& to) {
 
 namespace {
 
-FieldChange measure_part(const FieldDelta::Part& part, const FieldSet& fields) {
+/// What is known of a field's change so far: `mean_change` is still a sum.
+void add_part(const FieldDelta::Part& part, const FieldSet& fields, FieldChange& change) {
   const int channels = shape_of(part.field).channels;
-  FieldChange change{.field = std::string(shape_of(part.field).name), .changed = part.vertices.size()};
   const std::uint32_t* flips = part.flips.data();
-  double sum = 0;
+  change.changed += part.vertices.size();
   for (const std::uint32_t v : part.vertices) {
-    const glm::vec4 here = fields.value(part.field, v);
+    const glm::vec4 here = fields.value_of(part, v);
     double square = 0;
     for (int c = 0; c < channels; ++c) {
       const double there = std::bit_cast<float>(std::bit_cast<std::uint32_t>(here[c]) ^ flips[c]);
       square += (there - here[c]) * (there - here[c]);
     }
     flips += channels;
-    sum += std::sqrt(square);
+    change.mean_change += std::sqrt(square);
     change.max_change = std::max(change.max_change, std::sqrt(square));
   }
-  change.mean_change = sum / static_cast<double>(part.vertices.size());
-  return change;
 }
 
 }  // namespace
 
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields) {
-  std::vector<FieldChange> changes;
-  changes.reserve(delta.parts.size());
+  std::array<FieldChange, field_count> by_field;
   for (const FieldDelta::Part& part : delta.parts) {
-    if (part.sheet == seen_sheet) changes.push_back(measure_part(part, fields));
+    if (part.sheet == seen_sheet) add_part(part, fields, by_field[static_cast<std::size_t>(part.field)]);
+  }
+  std::vector<FieldChange> changes;
+  for (std::size_t f = 0; f < field_count; ++f) {
+    if (by_field[f].changed == 0) continue;
+    by_field[f].field = shape_of(field_at(f)).name;
+    by_field[f].mean_change /= static_cast<double>(by_field[f].changed);
+    changes.push_back(std::move(by_field[f]));
   }
   return changes;
 }

@@ -1,9 +1,11 @@
-// All fields of a model with their edit layers, the rounding of stored values, and the difference between two sets.
+// All fields of a model's coats with their edit layers, the rounding of stored values, and the difference between two
+// sets.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,10 +46,20 @@ glm::vec2 stored_direction(glm::dvec2 direction);
 float stored_value(Field field, double value);
 Groom stored_groom(glm::dvec2 direction, double length, double stretch);
 
+/// The fields of all coats, seen from one of them. A copy shares the arrays until either of both changes them.
 class FieldSet {
  public:
-  /// Sets all fields to their defaults: fur upright and of length 0.
+  /// Sets all fields to their defaults: fur upright and of length 0. Seen from coat 0.
   explicit FieldSet(std::size_t vertices);
+
+  /// The coat whose fields are read and set; those that all coats share are the same from each.
+  CoatId coat() const { return coat_; }
+  void select(CoatId coat);
+  FieldSet of_coat(CoatId coat) const;
+  /// The coats that any field has a value for: all from 0 to one less than this.
+  std::size_t coats() const { return coats_.size(); }
+  /// Which coat's array a field of the selected coat is in.
+  CoatId owner(Field field) const { return is_shared(field) ? CoatId{0} : coat_; }
 
   std::size_t size() const { return vertices_; }
   /// The channels of one vertex. All 0 beyond the field's own.
@@ -64,13 +76,16 @@ class FieldSet {
 
   /// All values, channel by channel for each vertex; empty while nothing has touched the field, and after a delta that
   /// took back all of it.
-  const std::vector<float>& values(Field field) const { return sheets_[seen_sheet][static_cast<std::size_t>(field)]; }
+  const std::vector<float>& values(Field field) const { return array(seen_sheet, field, owner(field)); }
   bool at_default(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;
   std::span<const glm::vec4> colours(Field field) const;  // of a field with four channels; empty as values() is
   const std::vector<float>& length() const { return values(Field::length); }
 
-  /// Kept up to date for touched vertices only. A value at its default adds nothing.
+  /// Returns what a part of a delta is about at one vertex, whichever coat is selected.
+  glm::vec4 value_of(const FieldDelta::Part& part, std::uint32_t vertex) const;
+
+  /// Of all coats. Kept up to date for touched vertices only. A value at its default adds nothing.
   FieldsHash hash() const { return hash_; }
   /// What it will be once the delta is applied.
   FieldsHash hash_after(const FieldDelta& delta) const;
@@ -85,19 +100,27 @@ class FieldSet {
   std::size_t bytes() const;
 
  private:
-  using Arrays = std::array<std::vector<float>, field_count>;
-  std::vector<float>& touched(Field field, Sheet sheet = seen_sheet);
+  /// Shared with the sets that this one was copied to or from; null for defaults.
+  using Array = std::shared_ptr<std::vector<float>>;
+  using Sheets = std::vector<std::array<Array, field_count>>;  // as many as were ever needed
+
+  const std::vector<float>& array(Sheet sheet, Field field, CoatId coat) const;
+  std::vector<float>& touched(Sheet sheet, Field field, CoatId coat);
+  glm::vec4 read(Sheet sheet, Field field, CoatId coat, std::uint32_t vertex) const;
 
   std::size_t vertices_;
-  std::vector<Arrays> sheets_;  // as many as were ever needed
+  Array upright_, bald_;  // direction and length of a coat that nothing has touched, which are read as spans
+  CoatId coat_ = 0;
+  std::vector<Sheets> coats_;  // as many as were ever needed
   FieldsHash hash_;
 };
 
-/// The change that leads from one set of fields to another on the same vertices, and back.
+/// The change that leads from one set of fields to another on the same vertices, and back; of all coats.
 FieldDelta difference(const FieldSet& from, const FieldSet& to);
 
-/// Measures a change: for each field that changed, the vertices that changed a bit, and by how much. The change of a
-/// field with several channels is the length of the difference. `fields` are those before the change or after it.
+/// Measures a change: for each field that changed, the vertices that changed a bit, and by how much; of several coats
+/// together. The change of a field with several channels is the length of the difference. `fields` are those before the
+/// change or after it.
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields);
 
 }  // namespace pelage

@@ -17,7 +17,8 @@ namespace pelage {
 /// Takes new values of one field, vertex by vertex in rising order, and keeps those whose bits differ.
 class FieldWriter {
  public:
-  FieldWriter(const FieldSet& fields, Field field) : fields_(fields), part_{field, {}, {}} {}
+  FieldWriter(const FieldSet& fields, Field field)
+      : fields_(fields), part_{field, {}, {}, seen_sheet, fields.owner(field)} {}
 
   /// Puts a value, rounded and clamped to the field's range. Returns true when the limit stopped a value that was
   /// moving further out; never for directions, whose inclination may be asked for beyond 1.

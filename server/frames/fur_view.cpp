@@ -192,19 +192,33 @@ FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
   return model;
 }
 
-FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,
-                      const std::vector<glm::vec2>* moved) {
-  return {moved ? std::span(*moved) : scene.fields.direction(), scene.fields.length(), dirty, skin,
-          make_paint(scene.fields)};
+std::vector<NamedCoat> seen_coats(const SceneSettings& settings) {
+  std::vector<NamedCoat> seen;
+  for (const NamedCoat& coat : settings.coats)
+    if (!coat.muted) seen.push_back(coat);
+  return seen;
+}
+
+std::vector<FurFields> make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin,
+                                   std::span<const DirtyRange> dirty, const MovedFur* moved) {
+  std::vector<FurFields> all;
+  for (const NamedCoat& coat : seen_coats(scene.settings)) {
+    const FieldSet fields = scene.fields.of_coat(coat.id);  // whose arrays are the scene's
+    FurFields& made = all.emplace_back(FurFields{fields.direction(), fields.length(), dirty, skin, make_paint(fields)});
+    if (moved) made.direction = (*moved)[all.size() - 1];
+    made.coat = coat.id;
+  }
+  return all;
 }
 
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
-                       const std::vector<glm::vec2>* moved, bool shells) {
+                       const MovedFur* moved, bool shells) {
   std::vector<DirtyRange> ranges;
   for (const VertexRange& range : dirty) ranges.push_back({range.begin, range.end});
   const std::vector<FurSkinRegion> skin = make_skin(scene.settings.skin, scene.model.surface.mesh());
-  FurFields fields = make_fields(scene, skin, ranges, moved);
-  if (moved) fields.still = scene.fields.direction();
+  std::vector<FurFields> fields = make_fields(scene, skin, ranges, moved);
+  for (FurFields& of_coat : fields)
+    if (moved) of_coat.still = scene.fields.of_coat(of_coat.coat).direction();
   const std::uint64_t copy = copy_id(scene);
   const bool known = renderer.has(copy);
   if (known && (!shells || renderer.has_shells(copy))) return renderer.update(copy, fields);
@@ -218,7 +232,8 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
 
 FurredSkin furred_skin(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
-  FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles, scene.fields.length()};
+  FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles,
+                  scene.fields.of_coat(seen_coats(scene.settings).front().id).length()};
   if (!mesh.triangles.empty())
     skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
   return skin;
@@ -228,7 +243,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   const Mesh& mesh = scene.model.surface.mesh();
   FurFrame frame;
   frame.model = copy_id(scene);
-  frame.coat = scene.settings.coat;
+  frame.coats = seen_coats(scene.settings);
   frame.look = request.look.value_or(scene.settings.look);
   frame.environment = scene.settings.environment;
   if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);
@@ -253,6 +268,8 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   frame.background = request.background, frame.background_colour = request.background_colour;
   frame.exposure = request.exposure, frame.tone_map = request.tone_map;
   frame.overlay = request.overlay;
+  const auto shown = std::ranges::find(frame.coats, request.overlay_coat, &NamedCoat::name);
+  if (shown != frame.coats.end()) frame.overlay_coat = static_cast<std::size_t>(shown - frame.coats.begin());
   return frame;
 }
 

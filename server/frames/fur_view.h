@@ -10,6 +10,7 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/input/fur_scene.h"
 #include "renderer/quality/view_features.h"
+#include "server/frames/moved_fur.h"
 #include "server/scene/scene.h"
 #include "server/surface/mesh.h"
 
@@ -30,7 +31,10 @@ std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, con
 /// in these colours, else the dirty vertex ranges. If `moved` is not null, the fur leans as it says, and `dirty` covers
 /// the changes of the scene and of `moved`. With `shells`, also uploads what shells need.
 UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::vector<VertexRange>& dirty,
-                       const std::vector<glm::vec2>* moved = nullptr, bool shells = false);
+                       const MovedFur* moved = nullptr, bool shells = false);
+
+/// The coats of a scene that are seen, in its order.
+std::vector<NamedCoat> seen_coats(const SceneSettings& settings);
 
 /// Returns the id by which the renderer caches the model in its present colours, without what is hidden.
 std::uint64_t copy_id(const SceneView& scene);
@@ -55,14 +59,16 @@ ModelArrays make_arrays(const SceneView& scene);
 
 /// Views of the scene and of the arrays.
 FurModel make_model(const SceneView& scene, const ModelArrays& arrays);
-/// Views of the scene and of the others; the fur leans as `moved` says, where it is not null.
-FurFields make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin, std::span<const DirtyRange> dirty,
-                      const std::vector<glm::vec2>* moved = nullptr);
+/// The fields of each coat that is seen: views of the scene and of the others; the fur leans as `moved` says, where it
+/// is not null.
+std::vector<FurFields> make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin,
+                                   std::span<const DirtyRange> dirty, const MovedFur* moved = nullptr);
 
-/// The skin and the length of its fur, which cost and error follow from: views of the scene.
+/// The skin and the length of its fur, of the first coat that is seen, which cost and error follow from: views of the
+/// scene.
 FurredSkin furred_skin(const SceneView& scene);
 
-/// A frame in internal coordinates, with the scene's coat, look and lights.
+/// A frame in internal coordinates, with the scene's coats, look and lights.
 FurFrame make_frame(const SceneView& scene, const FrameRequest& request);
 
 }  // namespace pelage

@@ -36,7 +36,7 @@ MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t i
   PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, scene.fur);
   MeasuredScene made{{Surface(std::move(mesh).value()), std::move(patches), id, "measured"}, std::move(fields), {}};
-  made.settings.coat = scene.coat;
+  made.settings.coats.front().coat = scene.coat;
   made.settings.lights.resize(static_cast<std::size_t>(scene.lights), made.settings.lights.front());
   return made;
 }

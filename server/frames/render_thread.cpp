@@ -202,7 +202,7 @@ Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& 
 
 bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job) {
   if (!renderer.misses_coat(frame)) return job.coat = nullptr, false;
-  if (!job.coat || !job.coat->fits(frame.coat)) job.coat = baker.ask(frame.coat);
+  if (!job.coat || !job.coat->fits(frame.coat())) job.coat = baker.ask(frame.coat());
   return job.put_back = !job.coat->settled();
 }
 

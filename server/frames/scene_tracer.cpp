@@ -32,7 +32,7 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
   const bool blurred = shown.moment && open > 0;
   begun_->opening = blurred ? moved_at(view, *shown.moment - open / 2) : shown.direction;
   begun_->closing = blurred ? moved_at(view, *shown.moment + open / 2) : nullptr;
-  Status status = with_views(*begun_, [&](const FurModel& model, const FurFields& fields) {
+  Status status = with_views(*begun_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
     return tracer_.begin(model, fields, *begun_->picture.frame, std::move(start->base), aovs, go_on);
   });
   if (!status.ok()) return status;
@@ -46,19 +46,19 @@ std::unique_ptr<PictureTracer::Aside> SceneTracer::set_aside() {
 
 Status SceneTracer::resume(std::unique_ptr<Aside> aside, const GoOn& go_on) {
   begun_.reset(static_cast<Begun*>(aside.release()));
-  return with_views(*begun_, [&](const FurModel& model, const FurFields& fields) {
+  return with_views(*begun_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
     return tracer_.resume(model, fields, std::move(begun_->traced), go_on);
   });
 }
 
 Status SceneTracer::with_views(const Begun& begun,
-                               const std::function<Status(const FurModel&, const FurFields&)>& use) {
+                               const std::function<Status(const FurModel&, const std::vector<FurFields>&)>& use) {
   const SceneView view = begun.view();
   const Mesh& mesh = view.model.surface.mesh();
   const std::vector<FurSkinRegion> skin = make_skin(view.settings.skin, mesh);
   const DirtyRange all{0, static_cast<std::uint32_t>(mesh.positions.size())};
-  FurFields fields = make_fields(view, skin, std::span(&all, 1), begun.opening.get());
-  if (begun.closing) fields.closing = *begun.closing;
+  std::vector<FurFields> fields = make_fields(view, skin, std::span(&all, 1), begun.opening.get());
+  for (std::size_t c = 0; begun.closing && c < fields.size(); ++c) fields[c].closing = (*begun.closing)[c];
   return use(make_model(view, arrays_of(begun)), fields);
 }
 

@@ -38,7 +38,8 @@ class SceneTracer : public PictureTracer {
     std::shared_ptr<Tracer::Picture> traced;
   };
   /// Calls use(model, fields) with views of what a picture is traced from.
-  Status with_views(const Begun& begun, const std::function<Status(const FurModel&, const FurFields&)>& use);
+  Status with_views(const Begun& begun,
+                    const std::function<Status(const FurModel&, const std::vector<FurFields>&)>& use);
   const ModelArrays& arrays_of(const Begun& begun);
 
   FrameService& frames_;

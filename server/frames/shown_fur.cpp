@@ -1,17 +1,24 @@
 #include "server/frames/shown_fur.h"
 
+#include <utility>
+
+#include "server/frames/fur_view.h"
 #include "server/motion/sway.h"
 
 namespace pelage {
 
 MovedDirection moved_at(const SceneView& scene, double moment) {
   const Mesh& mesh = scene.model.surface.mesh();
-  const StillFur fur{mesh.positions,           mesh.normals,          mesh.tangents,
-                     scene.fields.direction(), scene.fields.length(), scene.fields.values(Field::stiffness)};
   std::optional<BodyMotion> body;
   if (scene.swing) body = BodyMotion{scene.swing->acceleration, scene.swing->step};
-  return std::make_shared<const std::vector<glm::vec2>>(
-      swayed(fur, scene.settings.wind, moment, body ? &*body : nullptr));
+  MovedFur moved;
+  for (const NamedCoat& coat : seen_coats(scene.settings)) {
+    const FieldSet fields = scene.fields.of_coat(coat.id);
+    const StillFur fur{mesh.positions,     mesh.normals,    mesh.tangents,
+                       fields.direction(), fields.length(), fields.values(Field::stiffness)};
+    moved.push_back(swayed(fur, scene.settings.wind, moment, body ? &*body : nullptr));
+  }
+  return std::make_shared<const MovedFur>(std::move(moved));
 }
 
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request) {

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "protocol/commands/frame.h"
+#include "server/frames/moved_fur.h"
 #include "server/scene/scene.h"
 
 namespace pelage {
 
-/// A direction field that the wind has moved; null for fur at rest.
-using MovedDirection = std::shared_ptr<const std::vector<glm::vec2>>;
+/// Null for fur at rest.
+using MovedDirection = std::shared_ptr<const MovedFur>;
 
 /// The scene's at a moment.
 MovedDirection moved_at(const SceneView& scene, double moment);

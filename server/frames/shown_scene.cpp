@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "server/fields/coats.h"
 #include "server/frames/fur_view.h"
 
 namespace pelage {
@@ -16,6 +17,9 @@ Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastS
     if (!past) return past.status();
     view.snapshot = std::move(*past), view.fixed = true;
   }
+  const NamedCoat* coat = find_coat(view.snapshot->settings->coats, request.overlay_coat);
+  if (!coat || (coat->muted && !request.overlay_coat.empty()))
+    return failure(Code::invalid, "no coat of this name is seen", "/overlay_coat", "a coat that is not muted");
   if (request.overlay != Overlay::difference) return view;
   view.fixed = true;
   const Result<SceneSnapshot> compared = scene.snapshot_at(request.overlay_from.value_or(0), "/overlay_from");
@@ -52,10 +56,8 @@ double full_change(Field field, const FieldSet& from, const FieldSet& to) {
   return longest;
 }
 
-}  // namespace
-
-std::vector<float> change_shares(const FieldSet& from, const FieldSet& to) {
-  std::vector<float> shares(to.size(), 0.0f);
+/// Raises the shares to those of the coat that is selected.
+void add_shares(const FieldSet& from, const FieldSet& to, std::vector<float>& shares) {
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (from.at_default(field) && to.at_default(field)) continue;
@@ -68,6 +70,14 @@ std::vector<float> change_shares(const FieldSet& from, const FieldSet& to) {
       shares[v] = std::max(shares[v], static_cast<float>(std::clamp(share, 1e-6, 1.0)));
     }
   }
+}
+
+}  // namespace
+
+std::vector<float> change_shares(const FieldSet& from, const FieldSet& to) {
+  std::vector<float> shares(to.size(), 0.0f);
+  for (std::size_t coat = 0; coat < std::max(from.coats(), to.coats()); ++coat)
+    add_shares(from.of_coat(static_cast<CoatId>(coat)), to.of_coat(static_cast<CoatId>(coat)), shares);
   return shares;
 }
 

@@ -33,9 +33,9 @@ struct ToolExtras {
 /// The fur that pixels of a stroke may show.
 struct SeenFur {
   const FieldSet& fields;
-  const Coat& coat;
-  double& visits;        // of vertices, by the commands of a request so far: each pixel adds to it
-  const Cancel& cancel;  // asked between pixels
+  const std::vector<NamedCoat>& coats;  // muted ones show nothing
+  double& visits;                       // of vertices, by the commands of a request so far: each pixel adds to it
+  const Cancel& cancel;                 // asked between pixels
 };
 
 /// Replaces pixel samples of the command's stroke by what they show: positions on the fur, if the brush reaches fur and

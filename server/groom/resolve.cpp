@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 
@@ -52,11 +53,42 @@ Stroke seen_from(const View& view) {
   return stroke;
 }
 
+/// The fur of all coats that are seen.
+class SeenCoats {
+ public:
+  SeenCoats(const Surface& surface, const SeenFur& fur) {
+    for (const NamedCoat& coat : fur.coats) {
+      if (coat.muted) continue;
+      fields_.push_back(fur.fields.of_coat(coat.id));
+      standing_.emplace_back(surface, fields_.back(), coat.coat);
+    }
+  }
+
+  /// The nearest of what StandingFur::hit_by gives for each coat.
+  std::optional<glm::dvec3> hit_by(const StandingFur::Ray& ray, double beside) const {
+    std::optional<glm::dvec3> nearest;
+    for (const StandingFur& standing : standing_) {
+      const std::optional<glm::dvec3> hit = standing.hit_by(ray, beside);
+      if (hit && (!nearest || glm::distance(*hit, ray.origin) < glm::distance(*nearest, ray.origin))) nearest = hit;
+    }
+    return nearest;
+  }
+  double visits() const {
+    double sum = 0;
+    for (const StandingFur& standing : standing_) sum += standing.visits();
+    return sum;
+  }
+
+ private:
+  std::deque<FieldSet> fields_;  // which do not move
+  std::deque<StandingFur> standing_;
+};
+
 /// What pixels of a stroke's view show.
 class SeenPlaces {
  public:
   /// `fur` is null where skin alone is looked for.
-  SeenPlaces(const Stroke& stroke, const Brush& brush, const Surface& surface, const StandingFur* fur)
+  SeenPlaces(const Stroke& stroke, const Brush& brush, const Surface& surface, const SeenCoats* fur)
       : view_(*stroke.view),
         camera_(place_camera(view_.camera, static_cast<double>(view_.width) / view_.height, surface.mesh())),
         surface_(surface),
@@ -85,7 +117,7 @@ class SeenPlaces {
   const View& view_;
   PlacedCamera camera_;
   const Surface& surface_;
-  const StandingFur* fur_;
+  const SeenCoats* fur_;
   BrushStroke brush_;
 };
 
@@ -103,8 +135,8 @@ Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, cons
   if (pixels && !stroke.view)
     return failure(Code::invalid, "pixel samples need the view they were drawn on", "/stroke/view");
   if (!brush.reach && pixels && brush.falloff_shape == FalloffShape::volume) brush.reach = Reach::fur;
-  const std::optional<StandingFur> standing =
-      pixels && fur ? fur_reached(brush, surface, fur->fields, fur->coat) : std::nullopt;
+  std::optional<SeenCoats> standing;
+  if (pixels && fur && brush.reach == Reach::fur) standing.emplace(surface, *fur);
   std::optional<SeenPlaces> seen;
   if (pixels) seen.emplace(stroke, brush, surface, standing ? &*standing : nullptr);
   std::vector<StrokeSample> resolved;

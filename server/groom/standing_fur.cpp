@@ -54,6 +54,13 @@ double longest_fur(const FieldSet& fields) {
   return lengths.empty() ? 0 : double{*std::max_element(lengths.begin(), lengths.end())};
 }
 
+double longest_fur_of_all(const FieldSet& fields) {
+  double longest = 0;
+  for (std::size_t coat = 0; coat < fields.coats(); ++coat)
+    longest = std::max(longest, longest_fur(fields.of_coat(static_cast<CoatId>(coat))));
+  return longest;
+}
+
 /// The one nearest to the camera of those that the ray hits, else the one nearest to the ray.
 struct StandingFur::Hit {
   double gap = std::numeric_limits<double>::infinity(), along = 0;
@@ -64,7 +71,12 @@ struct StandingFur::Hit {
 };
 
 StandingFur::StandingFur(const Surface& surface, const FieldSet& fields, const Coat& coat)
-    : surface_(surface), fields_(fields), coat_(coat), lengths_(fields.length()), longest_(longest_fur(fields)) {}
+    : surface_(surface),
+      fields_(fields),
+      coat_(coat),
+      lengths_(fields.length()),
+      densities_(fields.values(Field::density)),
+      longest_(longest_fur(fields)) {}
 
 const UnitStrand& StandingFur::strand(std::uint32_t vertex) const {
   const auto [known, added] = strands_.try_emplace(vertex);

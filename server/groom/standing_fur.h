@@ -28,6 +28,8 @@ UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fie
 
 /// Returns the longest fur, sizes; 0 where all is bald.
 double longest_fur(const FieldSet& fields);
+/// The same of all coats.
+double longest_fur_of_all(const FieldSet& fields);
 
 /// The standing fur in internal coordinates. Its arguments have to outlive it. It is for one thread, because it caches
 /// strands.
@@ -52,7 +54,11 @@ class StandingFur {
   /// it.
   std::optional<glm::dvec3> hit_by(const Ray& ray, double beside) const;
 
-  double length(std::uint32_t vertex) const { return lengths_.empty() ? 0 : double{lengths_[vertex]}; }
+  /// 0 where no strand of the coat stands.
+  double length(std::uint32_t vertex) const {
+    if (lengths_.empty() || (!densities_.empty() && !(densities_[vertex] > 0))) return 0;
+    return lengths_[vertex];
+  }
   double longest() const { return longest_; }
   /// How many vertices rays have looked at so far (EvaluationCost).
   double visits() const { return visits_; }
@@ -66,7 +72,7 @@ class StandingFur {
   const Surface& surface_;
   const FieldSet& fields_;
   const Coat& coat_;
-  const std::vector<float>& lengths_;
+  const std::vector<float>&lengths_, &densities_;
   double longest_ = 0;
   mutable double visits_ = 0;
   mutable std::unordered_map<std::uint32_t, UnitStrand> strands_;

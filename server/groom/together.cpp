@@ -70,7 +70,8 @@ FieldDelta together(std::span<const FieldDelta> images, const FieldSet& fields) 
   for (std::size_t f = 0; f < field_count; ++f) {
     std::vector<Reading> readings;
     for (const FieldDelta& image : images)
-      if (const FieldDelta::Part* part = image.part(field_at(f))) readings.emplace_back(*part, fields);
+      if (const FieldDelta::Part* part = image.part(field_at(f), seen_sheet, fields.owner(field_at(f))))
+        readings.emplace_back(*part, fields);
     add_field(field_at(f), std::move(readings), fields, delta);
   }
   return delta;

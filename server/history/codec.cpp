@@ -16,6 +16,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 constexpr std::uint64_t fields_of_a_sheet = 16;  // room for more than there are
 static_assert(field_count <= fields_of_a_sheet);
+constexpr std::uint64_t sheets_of_a_coat = 32;  // the same
+static_assert(sheet_count <= sheets_of_a_coat);
 
 void put_number(std::string& text, std::uint64_t value) {
   for (; value >= 0x80; value >>= 7) text.push_back(static_cast<char>(value | 0x80));
@@ -84,13 +86,15 @@ bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& v
   return true;
 }
 
-/// One field's change on one sheet; false when the bytes hold none that could follow `before`.
+/// One field's change on one sheet of a coat; false when the bytes hold none that could follow `before`.
 bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
   const std::uint64_t place = in.number(), count = in.number();
-  const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet;
-  if (field >= field_count || sheet >= sheet_count) return false;
+  const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet % sheets_of_a_coat;
+  const std::uint64_t coat = place / fields_of_a_sheet / sheets_of_a_coat;
+  if (field >= field_count || sheet >= sheet_count || coat >= limits::coats) return false;
+  if (coat > 0 && is_shared(field_at(field))) return false;
   if (count == 0 || count > in.left()) return false;  // each vertex takes a byte or more
-  part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet);
+  part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet), part.coat = static_cast<CoatId>(coat);
   if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
   if (!take_vertices(in, count, part.vertices)) return false;
   in.words(part.flips, count * static_cast<std::uint64_t>(shape_of(part.field).channels));
@@ -103,7 +107,8 @@ std::string encode_delta(const FieldDelta& delta) {
   std::string text;
   put_number(text, delta.parts.size());
   for (const FieldDelta::Part& part : delta.parts) {
-    put_number(text, part.sheet * fields_of_a_sheet + static_cast<std::uint64_t>(part.field));
+    put_number(
+        text, (part.coat * sheets_of_a_coat + part.sheet) * fields_of_a_sheet + static_cast<std::uint64_t>(part.field));
     put_number(text, part.vertices.size());
     put_vertices(text, part.vertices);
     put_words(text, part.flips);
@@ -115,7 +120,7 @@ Result<FieldDelta> decode_delta(std::span<const std::byte> bytes) {
   Bytes in(bytes);
   FieldDelta delta;
   const std::uint64_t parts = in.number();
-  bool good = in.good() && parts <= field_count * sheet_count;
+  bool good = in.good() && parts <= field_count * sheet_count * limits::coats;
   for (std::uint64_t i = 0; good && i < parts; ++i) {
     FieldDelta::Part part;
     good = take_part(in, delta, part);

@@ -9,6 +9,7 @@
 
 #include "protocol/json/decode.h"
 #include "protocol/json/names.h"
+#include "server/fields/coats.h"
 #include "server/fields/edit_layers.h"
 #include "server/history/codec.h"
 
@@ -59,7 +60,12 @@ struct Set {
   SceneSettings& settings;
   Revision next;
 
-  void operator()(const SetCoat& c) const { settings.coat = c.coat; }
+  void operator()(const SetCoat& c) const { settings.coats = with_change(settings.coats, c); }
+  void operator()(const SetCoats& c) const {
+    std::vector<NamedCoat> after = with_change(settings.coats, c);
+    settings.layers = with_coats(settings.layers, settings.coats, after);
+    settings.coats = std::move(after);
+  }
   void operator()(const SetLook& c) const { settings.look = c.look; }
   void operator()(const SetLights& c) const { settings.lights = c.lights; }
   void operator()(const SetEnvironment& c) const { settings.environment = c.environment; }
@@ -86,8 +92,19 @@ std::optional<SceneSettings> with_setting(SceneSettings settings, const Command&
   return std::visit(apply, command) ? std::optional(std::move(settings)) : std::nullopt;
 }
 
+namespace {
+
+SetCoats command_of(const std::vector<NamedCoat>& coats) {
+  SetCoats command;
+  for (const NamedCoat& coat : coats)
+    command.coats.push_back({.name = coat.name, .id = coat.id, .muted = coat.muted, .coat = coat.coat});
+  return command;
+}
+
+}  // namespace
+
 std::vector<Command> commands_of(const SceneSettings& settings) {
-  std::vector<Command> commands{SetCoat{settings.coat},        SetLook{settings.look},
+  std::vector<Command> commands{command_of(settings.coats),    SetLook{settings.look},
                                 SetLights{settings.lights},    SetEnvironment{settings.environment},
                                 SetGround{settings.ground},    SetWind{settings.wind},
                                 SetEyes{settings.eyes},        SetCurves{settings.curves},
@@ -96,7 +113,8 @@ std::vector<Command> commands_of(const SceneSettings& settings) {
                                 SetSymmetry{settings.symmetry}};
   for (const NamedRevision& named : settings.checkpoints) commands.push_back(Checkpoint{named.name, named.revision});
   for (const EditLayer& layer : settings.layers)
-    commands.push_back(ChangeEditLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted});
+    commands.push_back(
+        ChangeEditLayer{.name = layer.name, .weight = layer.weight, .muted = layer.muted, .coat = layer.coat});
   return commands;
 }
 

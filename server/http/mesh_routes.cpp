@@ -11,7 +11,7 @@ using httplib::Response;
 
 std::string file_of(const ProxyMesh& mesh, const SceneSnapshot& scene, const MeshRequest& wanted) {
   if (!wanted.fur) return glb_of(mesh);
-  const ProxyFur fur = fur_on(mesh, scene.model->surface.mesh(), *scene.fields, scene.settings->coat);
+  const ProxyFur fur = fur_on(mesh, scene.model->surface.mesh(), *scene.fields, scene.settings->coats);
   return glb_of(mesh, &fur);
 }
 

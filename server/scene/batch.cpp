@@ -1,9 +1,12 @@
 #include "server/scene/batch.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 
 #include "base/stopwatch.h"
 #include "protocol/json/encode.h"
+#include "server/fields/coats.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/evaluation_cost.h"
@@ -31,7 +34,7 @@ Command with_named(Command command, const SceneSettings& settings) {
       if (named.name != blow->blower) continue;
       Blow filled = named.blow;
       filled.stroke = blow->stroke, filled.brush = blow->brush;
-      filled.blower = blow->blower, filled.edit_layer = blow->edit_layer;
+      filled.blower = blow->blower, filled.edit_layer = blow->edit_layer, filled.coats = blow->coats;
       *blow = std::move(filled);
       break;
     }
@@ -42,6 +45,7 @@ Command with_named(Command command, const SceneSettings& settings) {
       Attract filled = named.attract;
       filled.stroke = attract->stroke, filled.brush = attract->brush;
       filled.attractor = attract->attractor, filled.edit_layer = attract->edit_layer;
+      filled.coats = attract->coats;
       *attract = std::move(filled);
       break;
     }
@@ -82,22 +86,52 @@ FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& s
   return all;
 }
 
+/// What a tool does to one coat.
+Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& images, const Step& step,
+                         const Surface& surface, const FieldSet& fields, const SceneSettings& settings,
+                         const Cancel& cancel) {
+  std::optional<FieldSet> baseline;
+  if (step.baseline) baseline = step.baseline->of_coat(coat.id < step.baseline->coats() ? coat.id : CoatId{0});
+  const ToolExtras extras{
+      coat.coat, baseline ? &*baseline : nullptr, step.source.get(), step.pictures.own.get(), step.pictures.alpha.get(),
+      cancel};
+  const FieldSet own = fields.of_coat(coat.id);
+  if (!erases_edit_layer(images.front())) return evaluate_all_images(images, surface, own, settings, extras);
+  Evaluation erased;
+  erased.delta = erase_all_images(images, surface, own, settings, extras);
+  return erased;
+}
+
+/// Evaluates a tool on each coat that it works on. What all coats share changes as the first of them says.
+Evaluation evaluate_coats(const Step& step, const Surface& surface, const FieldSet& fields,
+                          const SceneSettings& settings, const Cancel& cancel) {
+  const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
+  const std::vector<CoatId> chosen =
+      coats_to_groom(coats_of(step.command), edit_layer_of(step.command), settings.coats, settings.layers);
+  Evaluation all;
+  for (const NamedCoat& coat : settings.coats) {
+    if (std::ranges::count(chosen, coat.id) == 0) continue;
+    Evaluation one = evaluate_coat(coat, images, step, surface, fields, settings, cancel);
+    if (coat.id != chosen.front())
+      std::erase_if(one.delta.parts, [](const FieldDelta::Part& part) { return is_shared(part.field); });
+    all.delta = compose(all.delta, one.delta);
+    all.clamped += one.clamped;
+    for (std::string& warning : one.warnings)
+      if (std::ranges::count(all.warnings, warning) == 0) all.warnings.push_back(std::move(warning));
+  }
+  return all;
+}
+
 /// Evaluates all images of a command, and applies them to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings,
                            const Cancel& cancel) {
   Evaluation all;
-  if (const auto* layer = std::get_if<ChangeEditLayer>(&step.command)) {
+  if (const auto* layer = std::get_if<ChangeEditLayer>(&step.command))
     all.delta = change_edit_layers(*layer, settings.layers, fields);
-    fields.apply(all.delta);
-    return all;
-  }
-  const ToolExtras extras{settings.coat,           step.baseline.get(),       step.source.get(),
-                          step.pictures.own.get(), step.pictures.alpha.get(), cancel};
-  const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
-  if (erases_edit_layer(images.front()))
-    all.delta = erase_all_images(images, surface, fields, settings, extras);
+  else if (const auto* coats = std::get_if<SetCoats>(&step.command))
+    all.delta = change_coats(*coats, settings.coats, fields);
   else
-    all = evaluate_all_images(images, surface, fields, settings, extras);
+    all = evaluate_coats(step, surface, fields, settings, cancel);
   fields.apply(all.delta);
   return all;
 }
@@ -176,12 +210,15 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
 }
 
 Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface, const FieldSet& fields) {
-  const double longest = longest_fur(fields);
+  const double longest = longest_fur_of_all(fields);
   double visits = 0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (const auto* set = std::get_if<SetSymmetry>(&steps[k].command)) symmetry = set->symmetry;
-    if (Status refused = add_cost(steps[k].command, symmetry, surface, longest, visits); !refused.ok())
-      return in_batch(refused, k, steps.size());
+    const std::size_t named = coats_of(steps[k].command).size();
+    for (std::size_t coat = 0; coat < (named > 0 ? named : fields.coats()); ++coat) {
+      if (Status refused = add_cost(steps[k].command, symmetry, surface, longest, visits); !refused.ok())
+        return in_batch(refused, k, steps.size());
+    }
   }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/limits.h"
+#include "server/fields/coats.h"
 #include "server/groom/evaluation_cost.h"
 #include "server/guides/guide_keys.h"
 #include "server/scene/model.h"
@@ -66,10 +67,13 @@ Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, con
                                     const ExecuteOptions& options) {
   Interpolate command;
   command.strength = upload.strength;
+  if (!upload.coat.empty()) command.coats = {upload.coat};
   const SnapshotPtr now = scene.snapshot();
+  const NamedCoat* coat = find_coat(now->settings->coats, upload.coat);
+  if (!coat) return failure(Code::invalid, "The scene has no coat of this name.", "/coat");
   const Surface& surface = now->model->surface;
   const std::vector<GuideCurve> curves = in_scene(file, upload, *now->model);
-  GuideKeys found = keys_of(curves, surface, now->settings->coat);
+  GuideKeys found = keys_of(curves, surface, coat->coat);
   command.keys = std::move(found.keys);
   thin(command, static_cast<std::size_t>(upload.keys), now->settings->symmetry, surface);
   command.sigma = upload.sigma.value_or(sigma_between(command.keys.size(), surface.mesh()));

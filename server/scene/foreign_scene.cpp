@@ -43,7 +43,7 @@ Result<std::set<std::string>> good_pictures(const Journal& file, const std::stri
 bool is_good(const FieldSet& fields, const FieldDelta::Part& part, std::uint32_t vertex) {
   constexpr float max_addition = 1e9f;
   const FieldShape& shape = shape_of(part.field);
-  const glm::vec4 value = fields.on_sheet(part.sheet, part.field, vertex);
+  const glm::vec4 value = fields.value_of(part, vertex);
   const bool adds = part.sheet >= first_edit_layer;
   const float low = adds ? -max_addition : shape.min, high = adds ? max_addition : shape.max;
   for (int c = 0; c < shape.channels; ++c) {
@@ -118,11 +118,21 @@ class LogCheck {
     return {};
   }
 
+  static Status check_coats(const std::vector<NamedCoat>& coats) {
+    std::set<std::string> names;
+    std::set<CoatId> ids;
+    for (const NamedCoat& coat : coats) names.insert(coat.name), ids.insert(coat.id);
+    if (coats.empty() || names.size() != coats.size() || ids.size() != coats.size() || *ids.rbegin() >= limits::coats)
+      return refused("its coats have not one name and one number each");
+    return std::ranges::all_of(coats, &NamedCoat::muted) ? refused("all of its coats are muted") : Status{};
+  }
+
   Status check(const SceneSettings& settings, Revision now) const {
     if (settings.layers.size() > limits::edit_layers) return refused("it has too many edit layers");
     std::set<std::string> layers;
     for (const EditLayer& layer : settings.layers) layers.insert(layer.name);
     if (layers.size() != settings.layers.size()) return refused("two of its edit layers have one name");
+    if (Status bad = check_coats(settings.coats); !bad.ok()) return bad;
     for (const NamedRevision& named : settings.checkpoints) {
       if (named.revision < history_.first_revision() || named.revision > now)
         return refused("a checkpoint is at a revision that is not there");

@@ -71,7 +71,7 @@ void scale(Coat& coat, double factor) {
 /// Sizes that are shares of the model's stay as long as they are in its unit.
 SceneSettings scaled(SceneSettings settings, double factor) {
   if (factor == 1) return settings;
-  scale(settings.coat, factor);
+  for (NamedCoat& coat : settings.coats) scale(coat.coat, factor);
   for (Eye& eye : settings.eyes) scale(eye.radius, factor, 1e-6, 1e6);
   for (SkinRegion& region : settings.skin) {
     for (int axis = 0; axis < 3; ++axis) scale(region.radii[axis], factor, 1e-6, 1e6);

@@ -8,6 +8,7 @@
 
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
+#include "server/fields/coats.h"
 #include "server/fields/edit_layers.h"
 #include "server/groom/evaluate.h"
 #include "server/groom/first_groom.h"
@@ -205,7 +206,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
 
 /// A command as it is evaluated: resolved, with all that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
-  const SeenFur fur{past.fields, past.settings.coat, past.visits, past.options.cancel};
+  const SeenFur fur{past.fields, past.settings.coats, past.visits, past.options.cancel};
   Result<Command> resolved = resolve(command, present_->model->surface, &fur);
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
@@ -230,8 +231,17 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
     return failure(Code::invalid, "the scene has no blower of this name", "/blower");
   if (const auto* attract = std::get_if<Attract>(&command); attract && missing(settings.attractors, attract->attractor))
     return failure(Code::invalid, "the scene has no attractor of this name", "/attractor");
-  if (const auto* layer = std::get_if<ChangeEditLayer>(&command)) return check(*layer, settings.layers);
+  if (const auto* layer = std::get_if<ChangeEditLayer>(&command)) {
+    if (layer->coat && !layer->coat->empty() && !find_coat(settings.coats, *layer->coat))
+      return failure(Code::invalid, "the scene has no coat of this name", "/coat");
+    return check(*layer, settings.layers);
+  }
+  if (const auto* coats = std::get_if<SetCoats>(&command)) return check(*coats, settings.coats);
+  if (const auto* coat = std::get_if<SetCoat>(&command)) return check(*coat, settings.coats);
   if (Status bad = check_groomed(edit_layer_of(command), settings.layers); !bad.ok()) return bad;
+  if (Status bad = check_groomed_coats(coats_of(command), edit_layer_of(command), settings.coats, settings.layers);
+      !bad.ok())
+    return bad;
   const auto* base = std::get_if<SetSkinTexture>(&command);
   if (base == nullptr || base->picture.empty()) return {};
   return check_skin_texture(base->picture, journal_);
@@ -341,14 +351,16 @@ std::vector<std::vector<Command>> Scene::effective_log() const {
 
 Result<MapFile> Scene::draw_map(const MapRequest& request) const {
   const SnapshotPtr now = snapshot();
-  Result<MapFile> file = make_map_file(now->model->surface.mesh(), *now->fields, request);
+  const NamedCoat* coat = find_coat(now->settings->coats, request.coat);
+  if (!coat) return failure(Code::invalid, "the scene has no coat of this name", "/coat");
+  Result<MapFile> file = make_map_file(now->model->surface.mesh(), now->fields->of_coat(coat->id), request);
   if (file) file->answer.revision = now->revision;
   return file;
 }
 
 Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
   const SnapshotPtr now = snapshot();
-  return pelage::pick(now->model->surface, *now->fields, wanted);
+  return pelage::pick(now->model->surface, now->fields->of_coat(first_seen(now->settings->coats).id), wanted);
 }
 
 Status Scene::rename(const std::string& name) {

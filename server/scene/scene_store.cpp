@@ -445,6 +445,7 @@ Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
   command.tile = upload.tile;
+  if (!upload.coat.empty()) command.coats = {upload.coat};
   command.scale = upload.scale.value_or(picture->scale.value_or(1));
   if (!upload.scale && picture->scale) command.units = Units::relative;  // what files say is in sizes
   return scene.execute({command}, execute);

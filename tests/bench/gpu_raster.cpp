@@ -46,9 +46,9 @@ class Duel {
     if (!made) std::fprintf(stderr, "%s\n", made.status().message.c_str()), std::exit(4);
     gpu_ = std::move(made).value();
     std::printf("shaders built in %.0f ms\n", built.milliseconds());
-    GrowRecipe recipe{.coat = frame.coat, .model_colours = takes_model_colours(frame.look, model_.has_colours)};
+    GrowRecipe recipe{.coat = frame.coat(), .model_colours = takes_model_colours(frame.look, model_.has_colours)};
     fur_.update(model_, make_fields(model.view(), {}, {}), recipe, default_threads());
-    quality_ = quality_of(frame.knobs, winding(frame.coat));
+    quality_ = quality_of(frame.knobs, winding(frame.coat()));
     scene_ = raster_.scene_of(model_, fur_, frame, quality_, RasterOutput::light);
     raster_.fill_cells(scene_);
     std::printf("%zu strands\n", fur_.count());
@@ -127,7 +127,7 @@ int run(const Setup& setup) {
               setup.width, setup.height, setup.triangles);
   testing::FurredModel model = testing::furred({Builtin::creature, setup.triangles});
   model.model.name = "creature", model.settings = first_settings(model.model);
-  if (setup.strands > 0) model.settings.coat.count = setup.strands;
+  if (setup.strands > 0) model.settings.coats[0].coat.count = setup.strands;
   for (const auto& [name, tier] :
        {std::pair{"draft", Tier::draft}, {"interactive", Tier::interactive}, {"detailed", Tier::detailed}}) {
     FrameRequest request;

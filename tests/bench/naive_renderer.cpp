@@ -56,7 +56,7 @@ CoatTextures trilinear(const Gl& gl, const Coat& coat) {
 NaiveRenderer::NaiveRenderer(const Gl& gl, const testing::FurredModel& model, const FurFrame& frame)
     : gl_(gl),
       frame_(frame),
-      coat_(trilinear(gl, frame.coat)),
+      coat_(trilinear(gl, frame.coat())),
       model_(send(gl, model)),
       skin_(gl, shaders::skin_vert, shaders::skin_frag, defines_of(frame, model)),
       shell_(gl, shaders::fur_vert, shaders::naive_frag, defines_of(frame, model)),

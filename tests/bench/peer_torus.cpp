@@ -25,11 +25,11 @@ struct Listed {
 };
 
 Listed write_strands(const FurModel& model, const FurFields& fields, const FurFrame& frame, std::ostream& file) {
-  const Grower grower(model, fields, {.coat = frame.coat});
+  const Grower grower(model, fields, {.coat = frame.coat()});
   const StrandShading shading(frame);
   Listed listed;
   std::vector<float> numbers;
-  for (const StrandChunk& chunk : make_chunks(model, frame.coat, strands_each)) {
+  for (const StrandChunk& chunk : make_chunks(model, frame.coat(), strands_each)) {
     const StrandSet set = grower.grow(chunk);
     listed.strands += set.count(), listed.points = set.segments + 1;
     numbers.clear();
@@ -60,7 +60,7 @@ void write_settings(const FurFrame& frame, std::ostream& out) {
       << ", \"tan_half_fov\": " << camera.tan_half_fov << "},\n  \"light\": {\"direction\": " << light.direction
       << ", \"half_angle\": " << light.angle << ", \"radiance\": " << light.radiance
       << "},\n  \"environment\": " << ambient * frame.environment.sky
-      << ",\n  \"skin\": " << frame.coat.ramp.front().colour
+      << ",\n  \"skin\": " << frame.coat().ramp.front().colour
       << ",\n  \"fibre\": {\"longitudinal_roughness\": " << fibre.longitudinal_roughness
       << ", \"azimuthal_roughness\": " << fibre.azimuthal_roughness << ", \"cuticle_tilt\": " << fibre.cuticle_tilt
       << ", \"refractive_index\": " << fibre.refractive_index << "}";
@@ -70,7 +70,7 @@ void write_settings(const FurFrame& frame, std::ostream& out) {
 
 testing::FurredModel peer_torus() {
   testing::FurredModel model = testing::furred({Builtin::torus, 8000}, {.length = 0.06, .inclination = 0.55});
-  Coat& coat = model.settings.coat;
+  Coat& coat = model.settings.coats[0].coat;
   coat.count = 600, coat.width_root = 0.003, coat.width_tip = 0.001, coat.colour_spread = 0;
   coat.clump = 0.5, coat.clump_size = 0.03, coat.root_share = 0.2;
   coat.ramp = {{0, {.20f, .10f, .05f}}, {1, {.52f, .33f, .18f}}};
@@ -95,7 +95,8 @@ std::size_t write_peer_scene(const testing::FurredModel& model, const FurFrame& 
   const SceneView view = model.view();
   const ModelArrays arrays = make_arrays(view);
   std::ofstream strands(folder + "/strands.bin", std::ios::binary), skin(folder + "/skin.bin", std::ios::binary);
-  const Listed listed = write_strands(make_model(view, arrays), make_fields(view, frame.skin, {}), frame, strands);
+  const Listed listed =
+      write_strands(make_model(view, arrays), make_fields(view, frame.skin, {}).front(), frame, strands);
   const Mesh& mesh = model.model.surface.mesh();
   put(skin, std::span<const glm::vec3>(mesh.positions));
   put(skin, std::span<const glm::uvec3>(mesh.triangles));

@@ -60,8 +60,8 @@ testing::FurredModel model_of(const Setup& setup) {
   if (setup.view == "sleek") {  // short fur that lies
     testing::FurredModel model = testing::furred({Builtin::torus, 3000}, {.length = 0.02, .inclination = 0.9});
     model.settings = first_settings(model.model);
-    model.settings.coat.root_share = 0.7, model.settings.coat.clump = 0.25;
-    model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
+    model.settings.coats[0].coat.root_share = 0.7, model.settings.coats[0].coat.clump = 0.25;
+    model.settings.coats[0].coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
     return model;
   }
   const bool torus = setup.view.starts_with("torus"), sphere = setup.view.starts_with("sphere");
@@ -74,7 +74,7 @@ testing::FurredModel model_of(const Setup& setup) {
   if (setup.view.ends_with("sky")) model.settings.lights.clear();
   if (setup.view.ends_with("sun")) model.settings.lights.resize(1), model.settings.look.ambient = 0;
   model.settings.ground.visible = setup.view == "ground";
-  Coat& coat = model.settings.coat;
+  Coat& coat = model.settings.coats[0].coat;
   if (setup.view == "curly") coat.curl = 0.12, coat.curl_turns = 8, coat.curl_together = 0.5, coat.clump = 0.5;
   if (setup.view == "wet") coat.wetness = 1, coat.clump = 0.6, coat.clump_size = 0.016, coat.fine_clump = 0.7;
   if (setup.view == "mohawk") add_mohawk(model);
@@ -219,9 +219,10 @@ int run(const Setup& setup) {
   const FurModel fur_model = make_model(model.view(), arrays);
   GrownFur fur;
   const Cost grown = measure([&] {
-    fur.update(fur_model, make_fields(model.view(), frame.skin, {}),
-               {.coat = frame.coat, .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1,
-               frame.curves);
+    fur.update(
+        fur_model, make_fields(model.view(), frame.skin, {}),
+        GrowRecipe{.coat = frame.coat(), .model_colours = takes_model_colours(frame.look, fur_model.has_colours)}, 1,
+        frame.curves);
   });
   std::printf("%s %s: %zu strands, %.1f MB, grown in %.0f CPU ms\n", instruction_set(), setup.view.c_str(), fur.count(),
               static_cast<double>(fur.bytes()) / 1e6, grown.cpu);

@@ -59,7 +59,7 @@ testing::FurredModel plush(const Options& options) {
   const FirstGroom fur{.length = 0.042, .inclination = 0.42};
   testing::FurredModel model =
       options.ply.empty() ? testing::furred({Builtin::creature, 20000}, fur) : testing::furred_file(options.ply, fur);
-  Coat& coat = model.settings.coat;
+  Coat& coat = model.settings.coats[0].coat;
   coat.count = options.count, coat.width_root = 0.00044, coat.width_tip = 0.00011, coat.root_share = 0.15;
   coat.clump = 0.45, coat.clump_size = 0.025, coat.fine_clump = 0.6, coat.fine_clump_size = 0.008, coat.curl = 0.01;
   coat.ramp = {{0, {.3f, .29f, .28f}}, {.5, {.5f, .48f, .46f}}, {1, {.72f, .70f, .67f}}};

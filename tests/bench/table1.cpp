@@ -29,7 +29,7 @@ constexpr Row rows[] = {{"torus", {Builtin::torus, 567}, false, {80, 15, 65.3, 3
 
 testing::FurredModel model_of(const Row& row) {
   testing::FurredModel model = testing::furred(row.model);
-  if (row.pattern) model.settings.coat.pattern.kind = PatternKind::stripes;
+  if (row.pattern) model.settings.coats[0].coat.pattern.kind = PatternKind::stripes;
   model.settings.lights.resize(1);
   return model;
 }

@@ -83,7 +83,7 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   const std::vector<VertexRange> all = whole_range(view.fields.size());
   sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::shells);
   FurFrame frame = make_frame(view, request);
-  frame.coat.count = std::min(frame.coat.count, max_count_);
+  frame.coat().count = std::min(frame.coat().count, max_count_);
   renderer_.clear_view_cache();
   return frame;
 }

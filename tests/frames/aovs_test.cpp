@@ -61,7 +61,7 @@ TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
 
 TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
   FurredModel model = furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0});
-  model.settings.coat.bend = 0;
+  model.settings.coats[0].coat.bend = 0;
   const FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
   const auto images = aovs_of(model, request, {Aov::depth, Aov::position, Aov::normal, Aov::tangent});
@@ -249,8 +249,8 @@ TEST_F(Layers, OverlaysShowOnTheFurAlone) {
 TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4});
   const glm::vec3 colour(0.6f, 0.3f, 0.12f);
-  model.settings.coat.ramp = {{0, colour}};
-  model.settings.coat.colour_spread = 0;
+  model.settings.coats[0].coat.ramp = {{0, colour}};
+  model.settings.coats[0].coat.colour_spread = 0;
   const auto lit = aovs_of(model, small_frame(), {Aov::albedo});
   for (std::size_t i = 0; i < lit[0].rgba.size() / 4; ++i) {
     ASSERT_LT(glm::distance(pixel(lit[0], i), colour * lit[0].rgba[4 * i + 3]), 0.015f);
@@ -262,7 +262,7 @@ TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
 /// Red to the right, then yellow, green, blue and violet against the clock, as it shows on the screen.
 TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0});
-  model.settings.coat.ramp = {{0, glm::vec3(0.2f)}};
+  model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.2f)}};
   FrameRequest request = small_frame(AutoView::top);
   request.overlay = Overlay::direction;
   request.background = Background::colour;

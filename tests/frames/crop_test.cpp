@@ -25,7 +25,7 @@ std::vector<Crop> crops() { return {{32, 32, 64, 32}, {0, height - 9, width, 9},
 FurredModel animal() {
   FurredModel model = furred({Builtin::creature, 2000});
   model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 1};
-  model.settings.coat.guard_hairs = 200;
+  model.settings.coats[0].coat.guard_hairs = 200;
   return model;
 }
 

@@ -14,7 +14,7 @@ class EnvironmentLight : public WithRenderer {
   Image draw_in(const Environment& environment, ShadingModel shading = ShadingModel::kajiya) {
     FurredModel model = furred({Builtin::sphere, 1000});
     model.settings.lights.clear();
-    model.settings.coat.ramp = {{0, glm::vec3(0.5f)}};
+    model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.5f)}};
     model.settings.look.shading = shading;
     model.settings.environment = environment;
     return draw(*renderer, model, small_frame(AutoView::front, 128));

@@ -26,7 +26,7 @@ class GroomedFrames : public ::testing::Test {
     FurFrame frame = make_frame(model.view(), request);
     const ModelArrays arrays = make_arrays(model.view());
     const FurModel fur = make_model(model.view(), arrays);
-    const FurFields fields = make_fields(model.view(), frame.skin, dirty);
+    const std::vector<FurFields> fields = make_fields(model.view(), frame.skin, dirty);
     if (known.insert(fur.id).second) drawer.add(fur, fields);
     drawer.update(fur.id, fields);
     return frame;

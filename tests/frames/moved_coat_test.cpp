@@ -44,7 +44,7 @@ FrameRequest seen_from(const glm::dmat3& turn) {
 
 void expect_the_coat_to_go_along(Renderer& renderer, const Coat& coat) {
   FurredModel rest = furred({Builtin::creature, 2000});
-  rest.settings.coat = coat;
+  rest.settings.coats[0].coat = coat;
   const Image before = draw(renderer, rest, seen_from(glm::dmat3(1)));
   const Image along = draw(renderer, turned(rest, true), seen_from(glm::dmat3(quarter)));
   const Image in_space = draw(renderer, turned(rest, false), seen_from(glm::dmat3(quarter)));

@@ -57,7 +57,7 @@ glm::dvec3 colour_at(const Image& image, glm::dvec2 place, int reach = 6) {
 
 TEST_F(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
   FurredModel model = ball();
-  model.settings.coat.guard_hairs = 2000;
+  model.settings.coats[0].coat.guard_hairs = 2000;
   const Image before = drawn(model);
   for (std::size_t i = first_painted; i < field_count; ++i) {  // touched, but as at rest
     const float rest = field_shapes[i].default_value;
@@ -95,8 +95,8 @@ TEST_F(PaintedFrames, DensityTakesStrandsAway) {
 TEST_F(PaintedFrames, WhatDensityLeavesIsWhole) {
   // White fur over dark roots and skin from close above: kept strands are as bright as before, in gaps is the skin.
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0.2});
-  model.settings.coat.ramp = {{0, {0, 0, 0}}, {0.1, {1, 1, 1}}};
-  model.settings.coat.colour_spread = 0, model.settings.coat.clump = 0;
+  model.settings.coats[0].coat.ramp = {{0, {0, 0, 0}}, {0.1, {1, 1, 1}}};
+  model.settings.coats[0].coat.colour_spread = 0, model.settings.coats[0].coat.clump = 0;
   Look& look = model.settings.look;
   look.skin = glm::vec3(0), look.ambient = 0.6, look.ambient_floor = 1, look.diffuse = look.specular = 0;
   request = small_frame(AutoView::none, 256);
@@ -117,7 +117,7 @@ TEST_F(PaintedFrames, WhatDensityLeavesIsWhole) {
 
 TEST_F(PaintedFrames, WidthCoversMoreOrLess) {
   FurredModel model = ball();
-  model.settings.coat.count = 1500;
+  model.settings.coats[0].coat.count = 1500;
   const double whole = sum_of_alpha(drawn(model));
   flood(model, Field::width, 0.3f);
   EXPECT_LT(sum_of_alpha(drawn(model)), 0.98 * whole);
@@ -165,7 +165,7 @@ TEST_F(PaintedFrames, WaterDarkensAsTheCoatsOwn) {
   EXPECT_LT(wet, 0.95 * damp);
   FurredModel whole = ball();
   whole.settings.look.specular = 0;
-  whole.settings.coat.wetness = 1;
+  whole.settings.coats[0].coat.wetness = 1;
   EXPECT_NEAR(wet, lightness(drawn(whole)), 0.25 * wet);
   flood(whole, Field::wetness, 1.0f);
   const double soaked = lightness(drawn(whole));
@@ -310,11 +310,12 @@ TEST_F(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
 TEST_F(PaintedFrames, ExtremesGiveFinitePictures) {
   FurredModel model = ball(0.08, 300);
   model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
-  model.settings.coat.curl_turns = 20, model.settings.coat.clump_size = 0.5, model.settings.coat.tile = 0.01;
-  model.settings.coat.count = 10;  // on each of the many tiles
+  model.settings.coats[0].coat.curl_turns = 20, model.settings.coats[0].coat.clump_size = 0.5,
+  model.settings.coats[0].coat.tile = 0.01;
+  model.settings.coats[0].coat.count = 10;  // on each of the many tiles
   request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
-  model.settings.coat.guard_hairs = 500;
+  model.settings.coats[0].coat.guard_hairs = 500;
   for (const bool max : {false, true}) {
     for (std::size_t i = first_painted; i < field_count; ++i) {
       const float value = max ? field_shapes[i].max : field_shapes[i].min;

@@ -16,8 +16,8 @@ TEST_F(RasterViews, AStrokeDrawsItsPartWithTheBitsOfAWholeFrame) {
   }
   request.knobs.scale = 1, request.knobs.raster = {.strands = 1000, .light_of = 1};
   EXPECT_LT(expect_same_bits(model), 0.7);
-  model.settings.coat.variation = {.length = 1, .lean = 1};
-  model.settings.coat.guard_hairs = 100;
+  model.settings.coats[0].coat.variation = {.length = 1, .lean = 1};
+  model.settings.coats[0].coat.guard_hairs = 100;
   expect_same_bits(model);
 }
 
@@ -144,7 +144,7 @@ TEST_F(RasterViews, AnotherPictureBetweenIsNotMistakenForIt) {
   model.settings.lights.resize(1);
   EXPECT_EQ(drawn(model, stroke(model)).redrawn, 1) << "other light";
   expect_part();
-  model.settings.coat.count /= 2;
+  model.settings.coats[0].coat.count /= 2;
   EXPECT_EQ(drawn(model, stroke(model)).redrawn, 1) << "another coat";
   expect_part();
 }

@@ -153,7 +153,7 @@ TEST_F(Base, SkinIsLitAsIfNothingGrewOnIt) {
 
 TEST_F(Base, OfTheKnobsOnlyEyeStepsCount) {
   FurredModel model = smooth_ball();
-  model.settings.coat.pattern.kind = PatternKind::spots;
+  model.settings.coats[0].coat.pattern.kind = PatternKind::spots;
   model.settings.lights[0].cast_shadow = CastShadow::hard;
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.08}};
   FrameRequest request = askew(80, 60);
@@ -173,7 +173,7 @@ TEST_F(Base, OfTheKnobsOnlyEyeStepsCount) {
 /// Frames before and after are those of a renderer that never drew a base.
 TEST_F(Base, LeavesFramesAsTheyAre) {
   FurredModel model = furred({Builtin::creature, 2000});
-  model.settings.coat.pattern.kind = PatternKind::spots;
+  model.settings.coats[0].coat.pattern.kind = PatternKind::spots;
   model.settings.skin = {{.centre = {0, 0, 0.3}, .radii = glm::dvec3(0.1)}};
   const Image before = draw(*renderer, model, small_frame());
   base_of(model, askew(64, 64));

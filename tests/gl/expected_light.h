@@ -93,7 +93,7 @@ inline Expected expected_light(const FurFrame& frame, const FibreShading& shadin
   const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));
   const glm::dvec3 colour(c.colour), normal(c.normal);
   const std::size_t slice = std::min<std::size_t>(static_cast<std::size_t>(c.height * slice_count), slice_count - 1);
-  const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat)[slice]);
+  const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat())[slice]);
   const glm::dvec3 above = double(c.above) * stopped(look, crossed, 0.6);
   const glm::dvec3 reached{from_all_around(above.r), from_all_around(above.g), from_all_around(above.b)};
   const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), reached, std::min(look.self_shadow, 1.0));
@@ -105,7 +105,7 @@ inline Expected expected_light(const FurFrame& frame, const FibreShading& shadin
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_camera)};
     const double behind = light_behind(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look, strands_to_light(frame.coat, c, from.to_light), crossed);
+    sum.direct += whole * let_through(look, strands_to_light(frame.coat(), c, from.to_light), crossed);
     sum.unshadowed += whole;
   }
   sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);

@@ -23,7 +23,7 @@ namespace {
 /// A golden scene that a software GL draws in less than a second: a small picture of a few strands.
 GoldenScene small_scene(std::size_t number, int size = 128) {
   GoldenScene scene(goldens()[number], size);
-  scene.model.settings.coat.count /= 8;
+  scene.model.settings.coats[0].coat.count /= 8;
   return scene;
 }
 
@@ -92,7 +92,7 @@ GoldenScene whole_creature(int size) {
   GoldenScene scene = small_scene(0, size);
   scene.model.model.name = "creature";
   scene.model.settings = first_settings(scene.model.model);
-  scene.model.settings.coat.count /= 8, scene.model.settings.coat.wetness = 0.5;
+  scene.model.settings.coats[0].coat.count /= 8, scene.model.settings.coats[0].coat.wetness = 0.5;
   scene.model.settings.ground.visible = true;
   CurveGroup whisker;
   const Mesh& mesh = scene.model.model.surface.mesh();
@@ -123,7 +123,7 @@ TEST_P(GpuRasterTwin, DrawsAModelsOwnPicture) {
   FurredModel model = furred(with_planar_uvs(make_builtin({Builtin::creature, 1000})));
   model.skin_texture = red_and_blue(), model.settings.skin_texture = "picture";
   model.settings.look.colour_source = ColourSource::model;
-  model.settings.coat.count /= 8;
+  model.settings.coats[0].coat.count /= 8;
   expect_same(model, small_frame(AutoView::front, 96), "picture");
 }
 
@@ -194,12 +194,13 @@ TEST_P(GpuRasterTwin, FollowsALightThatStandsNear) {
 
 TEST_P(GpuRasterTwin, FollowsTheWind) {
   GoldenScene scene = small_scene(3, 96);  // a pattern changes how it leans
-  scene.model.settings.coat.curl = 0.1;
+  scene.model.settings.coats[0].coat.curl = 0.1;
   const Image calm = draw(*by_gl, scene.model, scene.request);
-  std::vector<glm::vec2> blown(scene.model.fields.direction().begin(), scene.model.fields.direction().end());
+  MovedFur moved{{scene.model.fields.direction().begin(), scene.model.fields.direction().end()}};
+  std::vector<glm::vec2>& blown = moved[0];
   const auto frame_of = [&](Renderer& renderer) {
     const VertexRange all{0, static_cast<std::uint32_t>(blown.size())};
-    sync_scene(renderer, scene.model.view(), {all}, &blown, false);
+    sync_scene(renderer, scene.model.view(), {all}, &moved, false);
     Result<Image> drawn = renderer.draw(make_frame(scene.model.view(), scene.request));
     return drawn ? std::move(drawn).value() : Image();
   };
@@ -270,16 +271,40 @@ TEST_P(GpuRasterTwin, LeavesToTheCpuWhatItHasNoMemoryFor) {
   EXPECT_TRUE((*renderer)->strands_by_gl());  // the next one may fit
 }
 
+/// A second coat, long, curled and wet, whose density falls from one side of the model to the other.
+void add_second_coat(FurredModel& model) {
+  NamedCoat second{"mane", 3, false, model.settings.coats[0].coat};
+  second.coat.seed = 7, second.coat.curl = 0.1, second.coat.wetness = 0.6, second.coat.ramp = {{0, {0.1f, 0.2f, 0.6f}}};
+  model.settings.coats.push_back(second);
+  const FieldSet first = model.fields;
+  model.fields.select(3);
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    const float side = model.model.surface.mesh().positions[v].x + 0.5f;
+    model.fields.set(Field::direction, v, first.value(Field::direction, v));
+    model.fields.set(Field::length, v, 2.0f * first.value(Field::length, v));
+    model.fields.set(Field::density, v, {std::clamp(side, 0.0f, 1.0f), 0, 0, 0});
+  }
+  model.fields.select(0);
+}
+
+TEST_P(GpuRasterTwin, DrawsSeveralCoats) {
+  GoldenScene scene = small_scene(1);
+  const Image one = draw(by_cpu, scene.model, scene.request);
+  add_second_coat(scene.model);
+  EXPECT_GT(mean_difference(one, draw(by_cpu, scene.model, scene.request)), 3) << "it is seen";
+  expect_same(scene.model, scene.request, "coats");
+}
+
 /// Light of a scene by a GL with buffers of so many bytes at most.
 Result<FloatImage> light_in_buffers(const Gl& gl, const GoldenScene& golden, std::size_t max_bytes) {
   const ModelArrays arrays = make_arrays(golden.model.view());
   const FurModel model = make_model(golden.model.view(), arrays);
   const FurFrame frame = make_frame(golden.model.view(), golden.request);
   GrownFur fur;
-  fur.update(model, make_fields(golden.model.view(), {}, {}), {.coat = frame.coat}, 2);
+  fur.update(model, make_fields(golden.model.view(), {}, {}), GrowRecipe{.coat = frame.coat()}, 2);
   Raster raster(2);
   const RasterScene scene =
-      raster.scene_of(model, fur, frame, quality_of(frame.knobs, winding(frame.coat)), RasterOutput::light);
+      raster.scene_of(model, fur, frame, quality_of(frame.knobs, winding(frame.coat())), RasterOutput::light);
   const auto drawer = GpuRaster::create(gl, max_bytes);
   if (!drawer) return drawer.status();
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
@@ -291,7 +316,7 @@ Result<FloatImage> light_in_buffers(const Gl& gl, const GoldenScene& golden, std
 
 TEST_P(GpuRasterTwin, DrawsInBandsWhereBuffersAreSmall) {
   GoldenScene scene = small_scene(1, 96);
-  scene.model.settings.coat.count /= 4;
+  scene.model.settings.coats[0].coat.count /= 4;
   const Result<FloatImage> whole = light_in_buffers(gl(), scene, ~std::size_t{0});
   const Result<FloatImage> bands = light_in_buffers(gl(), scene, std::size_t{300} << 10);
   ASSERT_TRUE(whole.ok() && bands.ok());

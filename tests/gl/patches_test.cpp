@@ -27,7 +27,7 @@ Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std:
   frame.model = ++last_id;
   const FurModel fur{frame.model,      mesh.positions, mesh.normals, mesh.tangents,
                      pieces.triangles, pieces.corners, {},           !mesh.corners.empty()};
-  renderer.add_shells(fur, {model.fields.direction(), model.fields.length(), {}});
+  renderer.add_shells(fur, FurFields{model.fields.direction(), model.fields.length(), {}});
   return renderer.draw(frame).value();
 }
 

@@ -59,9 +59,9 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
   for (const double length : {0.02, 0.002}) {
     FurredModel model = furred({Builtin::sphere, 1000}, {.length = length});
     const Image plain = draw(*renderer, model, shells_frame());
-    model.settings.coat.pattern.kind = PatternKind::stripes;
-    model.settings.coat.pattern.scale = 0.2;
-    model.settings.coat.pattern.colour = {0, 0, 0};
+    model.settings.coats[0].coat.pattern.kind = PatternKind::stripes;
+    model.settings.coats[0].coat.pattern.scale = 0.2;
+    model.settings.coats[0].coat.pattern.colour = {0, 0, 0};
     const Image striped = draw(*renderer, model, shells_frame());
     int darker = 0, same = 0;
     for (std::size_t i = 0; i < plain.rgba.size(); i += 4) {
@@ -79,7 +79,7 @@ TEST_P(PatternOnGpu, StripesShowOnFurAndOnShortFurToo) {
 TEST_P(PatternOnGpu, VariationOfLengthChangesTheSilhouette) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.1});
   const Image even = draw(*renderer, model, shells_frame());
-  model.settings.coat.variation.length = 0.8;
+  model.settings.coats[0].coat.variation.length = 0.8;
   EXPECT_GT(mean_difference(even, draw(*renderer, model, shells_frame())), 1);
 }
 

@@ -204,12 +204,12 @@ TEST_P(Frames, ExtremesGiveFinitePictures) {
 TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.2});
   const Image before = draw(*renderer, model, shells_frame());
-  model.settings.coat.tufts = {.gather = 1, .size = 0.15, .scales = 1};
+  model.settings.coats[0].coat.tufts = {.gather = 1, .size = 0.15, .scales = 1};
   const Image tufted = draw(*renderer, model, shells_frame());
   EXPECT_GT(mean_difference(before, tufted), 2);
-  model.settings.coat.tufts.seed = 2;
+  model.settings.coats[0].coat.tufts.seed = 2;
   EXPECT_GT(mean_difference(tufted, draw(*renderer, model, shells_frame())), 1);
-  model.settings.coat.tufts.gather = 0;
+  model.settings.coats[0].coat.tufts.gather = 0;
   EXPECT_EQ(draw(*renderer, model, shells_frame()).rgba, before.rgba);
 }
 

@@ -66,8 +66,8 @@ TEST_P(Shadows, ShellMapsAgreeWithTheEstimateOnAPlane) {
 /// to what is seen through them, and the mean of what strands let through is more than the mean depth does.
 TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
-  model.settings.coat.ramp = {{0, glm::vec3(0.02f)}};
-  model.settings.coat.count = 4000;
+  model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.02f)}};
+  model.settings.coats[0].coat.count = 4000;
   FrameRequest request = shells_frame(AutoView::top, 160);
   const auto mean_share = [&](bool maps) {
     model.settings.lights = {{.direction = {1, -1, 0.3}}};
@@ -179,7 +179,7 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
 // Light of lights on what lies below y = -.1, under fur of some length above the middle.
 TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0.015});
-  model.settings.coat.count = 3000;
+  model.settings.coats[0].coat.count = 3000;
   const auto light_below = [&](CastShadow shadow, float length_above) {
     for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
       if (model.model.surface.mesh().positions[v].y > 0) model.fields.set(Field::length, v, {length_above, 0, 0, 0});
@@ -267,7 +267,7 @@ TEST_P(Shadows, ASpotLightsOnlyItsCone) {
 double light_between_strands(Renderer& renderer, Coat coat) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.5});
   coat.ramp = {{0, {1, 0, 0}}, {0.01, {0, 1, 0}}, {1, {0, 1, 0}}};
-  model.settings.coat = coat;
+  model.settings.coats[0].coat = coat;
   FrameRequest request = shells_frame(AutoView::top, 256);
   request.knobs.shells = {.count = 16, .shadow_maps = true, .shadow_resolution = 1024};
   FurFrame frame = make_frame(model.view(), request);

@@ -85,11 +85,11 @@ test("several commands are one step, the log has them, and settings come back", 
   assert.deepEqual([data.entries[0].ops, data.entries[0].author], [["length", "noise"], "scripted agent"]);
   assert.equal((await agent.call("describe_scene", {scene})).data.undo_steps, before.undo_steps + 1);
   await agent.call("undo", {scene});
-  const {data: settings} = await agent.call("read_settings", {scene, only: ["coat"]});
-  assert.deepEqual(Object.keys(settings), ["coat"]);
-  settings.coat.count = 12345;
-  await agent.call("set_coat", {scene, coat: settings.coat});
-  assert.equal((await agent.call("read_settings", {scene, only: ["coat"]})).data.coat.count, 12345);
+  const {data: settings} = await agent.call("read_settings", {scene, only: ["coats"]});
+  assert.deepEqual(Object.keys(settings), ["coats"]);
+  const [{name, coat}] = settings.coats;
+  await agent.call("set_coat", {scene, name, coat: {...coat, count: 12345}});
+  assert.equal((await agent.call("read_settings", {scene, only: ["coats"]})).data.coats[0].coat.count, 12345);
 });
 
 test("a model is loaded from a file", async () => {

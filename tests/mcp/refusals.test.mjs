@@ -31,7 +31,7 @@ const cases = [
   ["an unknown look", "apply_look", {scene, name: "fx"}, {pointer: "/name", nearest: "fox"}],
   ["a path out of the looks", "apply_look", {scene, name: "../recipes/dot"}, {pointer: "/name"}],
   ["an unknown variable", "run_recipe", {scene, name: "creature", variables: {furr: 1}}, {pointer: "/variables/furr", nearest: "fur"}],
-  ["a setting", "read_settings", {scene, only: ["coats"]}, {pointer: "/only/0", nearest: "coat"}],
+  ["a setting", "read_settings", {scene, only: ["coat"]}, {pointer: "/only/0", nearest: "coats"}],
   ["a file that is not there", "load_model", {scene, path: "/nowhere/a.obj"}, {pointer: "/path"}],
   ["a file that is no model", "load_model", {scene, path: program, format: "obj"}, {detail: /./}],
   ["a model of no known format", "load_model", {scene, path: program}, {pointer: /format/}],

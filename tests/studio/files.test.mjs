@@ -176,7 +176,7 @@ test("a new version of a model keeps the groom, and the scene as it was stays", 
   assert.equal(await card().getByText("Other axes…").count(), 0);
   const length = async (id) => (await server.post(`/v1/scenes/${id}/pick`, {nearest: [0.5, 0.5, 1]})).length;
   assert.ok(Math.abs(await length(second.id) - 0.11) < 1e-4, String(await length(second.id)));
-  assert.equal((await server.get(`/v1/scenes/${second.id}/settings`)).coat.wetness, 0.7);
+  assert.equal((await server.get(`/v1/scenes/${second.id}/settings`)).coats[0].coat.wetness, 0.7);
   const before = (await server.get("/v1/scenes")).scenes.find(({name}) => name === `box before ${second.revision}`);
   assert.equal(before.undo_steps, 1);
 });

@@ -26,9 +26,9 @@ inline const std::vector<Golden>& goldens() {
        {Builtin::torus, 3000},
        {.length = 0.02, .inclination = 0.9},
        [](FurredModel& model, FrameRequest&) {
-         model.settings.coat.root_share = 0.7;
-         model.settings.coat.clump = 0.25;
-         model.settings.coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
+         model.settings.coats[0].coat.root_share = 0.7;
+         model.settings.coats[0].coat.clump = 0.25;
+         model.settings.coats[0].coat.ramp = {{0, {0.10f, 0.045f, 0.02f}}, {1, {0.28f, 0.13f, 0.06f}}};
        },
        0.5,
        60},
@@ -36,9 +36,9 @@ inline const std::vector<Golden>& goldens() {
        {Builtin::knot, 6000},
        {.length = 0.05, .inclination = 0.3},
        [](FurredModel& model, FrameRequest& request) {
-         model.settings.coat.curl = 0.12;
-         model.settings.coat.lean_curve = LeanCurve::root;
-         model.settings.coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
+         model.settings.coats[0].coat.curl = 0.12;
+         model.settings.coats[0].coat.lean_curve = LeanCurve::root;
+         model.settings.coats[0].coat.ramp = {{0, {0.75f, 0.72f, 0.68f}}, {1, {0.92f, 0.91f, 0.90f}}};
          request.background = Background::transparent;
        },
        0.5,
@@ -47,7 +47,7 @@ inline const std::vector<Golden>& goldens() {
        {Builtin::creature, 4000},
        {.length = 0.025, .inclination = 0.7},
        [](FurredModel& model, FrameRequest& request) {
-         model.settings.coat.pattern.kind = PatternKind::rosettes;
+         model.settings.coats[0].coat.pattern.kind = PatternKind::rosettes;
          model.settings.look.shading = ShadingModel::energy_conserving;
          model.settings.look.colour_source = ColourSource::coat;
          model.settings.environment.horizon = {0.8f, 0.82f, 0.85f};

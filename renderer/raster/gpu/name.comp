@@ -1,6 +1,6 @@
 #version 450 core
 // Replaces the segment that covers most of a pixel by its strand: the strand's number from 1 on, the position along it,
-// and its role from 1 on. Pixels where skin or an eye shows more get none.
+// and its coat. Pixels where skin or an eye shows more get none.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"
@@ -30,7 +30,7 @@ vec3 named(vec4 sum, float behind) {
   uint lane = lane_of(knot);
   Part part = parts[groups[lane / strand_group].x];
   float number = float(part.number + groups[lane / strand_group].y + lane % strand_group + 1);
-  return vec3(number, mix(along_of(knot), along_of(knot + 1), sum.y), part.is_curve ? 2.0 : 1.0);
+  return vec3(number, mix(along_of(knot), along_of(knot + 1), sum.y), part.coat);
 }
 
 void main() {

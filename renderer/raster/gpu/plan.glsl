@@ -15,7 +15,8 @@ struct Part {
   float own_colour;
   float wider, packing;
   float crowding;
-  float unused[3];
+  float coat;  // as pictures name it
+  float unused[2];
 };
 
 layout(std430, binding = plan_storage) buffer Plan {

@@ -17,6 +17,7 @@ PlannedPart planned_part(const RasterScene& scene, const GrownPart& part, Pooled
   planned.is_curve = part.role == StrandRole::curve, planned.has_mean = !part.strands->to_mean.empty();
   planned.lit_of = strands_of_lit(scene, part), planned.own_colour = own_colour(scene, part);
   planned.wider = part.wider, planned.packing = part.packing, planned.crowding = part.crowding;
+  planned.coat = coat_number(part);
   return planned;
 }
 

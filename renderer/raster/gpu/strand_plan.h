@@ -26,7 +26,8 @@ struct PlannedPart {
   std::uint32_t lit_of = 1;
   float own_colour = 1, wider = 1, packing = 0;
   float crowding = 1;
-  std::array<float, 3> unused{};
+  float coat = 1;  // coat_number
+  std::array<float, 2> unused{};
 };
 static_assert(sizeof(PlannedPart) == 96);
 

@@ -157,13 +157,13 @@ class Grooming(PackageTest):
     def test_settings_go_back_as_they_came(self):
         settings = self.scene.settings()
         with self.scene.batch() as batch:
-            batch.set_coat(coat={**settings["coat"], "count": 123})
+            batch.set_coat(coat={**settings["coats"][0]["coat"], "count": 123})
             batch.set_look(look=settings["look"])
             batch.set_lights(lights=settings["lights"])
             batch.set_eyes(eyes=[{"position": [0, 0, 1], "radius": 0.05}])
-        self.assertEqual(self.scene.settings()["coat"]["count"], 123)
+        self.assertEqual(self.scene.settings()["coats"][0]["coat"]["count"], 123)
         self.assertEqual(self.scene.settings()["lights"], settings["lights"])
-        self.assertEqual(self.scene.settings(0)["coat"], settings["coat"])
+        self.assertEqual(self.scene.settings(0)["coats"][0]["coat"], settings["coats"][0]["coat"])
 
     def test_history(self):
         for value in (0.04, 0.05, 0.07):

@@ -109,7 +109,7 @@ class Typing(unittest.TestCase):
     def test_wrong_programs_are_found(self):
         right = "import pelage\nscene = pelage.Server().open('fox')\nscene.length(flood=True, value=0.1)\n" \
                 "scene.comb(stroke=pelage.stroke([[0, 0, 0]]), brush={'radius': 0.1, 'falloff': 'smooth'})\n" \
-                "frame = scene.frame(camera='front', quality={'scale': 0.5})\nprint(frame.bytes[:3], scene.settings()['coat'])\n"
+                "frame = scene.frame(camera='front', quality={'scale': 0.5})\nprint(frame.bytes[:3], scene.settings()['coats'])\n"
         wrong = ("scene.length(valu=0.1)", "scene.length(value='0.1')", "scene.comb(brush={'radus': 0.1})", "scene.part()",
                  "scene.frame(camera='font')", "scene.set_lights(lights=[{'kind': 'lantern'}])", "scene.info()['nam']",
                  "scene.comb(brush={'falloff': 'soft'})", "scene.load('fox.obj', up='w')")

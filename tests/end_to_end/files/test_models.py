@@ -132,7 +132,7 @@ class Uploads(ServedTest):
         self.assertEqual(after["fields_hash"], before["fields_hash"], "the same mesh has the same fur")
         self.assertEqual(after["edit_layers"], before["edit_layers"])
         settings = self.server.get(f"{scene.path}/settings").json
-        self.assertEqual((settings["coat"]["wetness"], settings["skin"][0]["centre"]), (0.7, nose["centre"]))
+        self.assertEqual((settings["coats"][0]["coat"]["wetness"], settings["skin"][0]["centre"]), (0.7, nose["centre"]))
         kept = [one for one in self.server.get("/v1/scenes").json["scenes"] if one["name"] == f"{before['name']} before {after['revision']}"]
         self.assertEqual([(one["undo_steps"], one["fields_hash"]) for one in kept], [(before["undo_steps"], before["fields_hash"])])
         self.assertIn(kept[0]["id"], said)

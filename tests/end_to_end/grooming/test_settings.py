@@ -6,7 +6,7 @@ from support.contract import named
 from support.server import ServedTest, flood
 
 NAMES = {"curves": ("set_curves", "groups"), "skin": ("set_skin", "regions"), "skin_texture": ("set_skin_texture", "picture")}
-SET = ("coat", "look", "lights", "environment", "ground", "wind", "eyes", "curves", "skin", "skin_texture", "blowers", "attractors", "symmetry")
+SET = ("coats", "look", "lights", "environment", "ground", "wind", "eyes", "curves", "skin", "skin_texture", "blowers", "attractors", "symmetry")
 
 
 def command(member, value):
@@ -34,10 +34,10 @@ class Settings(ServedTest):
 
     def test_one_member_is_changed_and_sent_back(self):
         scene = self.server.new_scene("creature", 500)
-        coat = self.settings(scene)["coat"]
-        self.assertEqual(scene.run(command("coat", {**coat, "bend": 0.75})).json["revision"], 1)
+        coat = self.settings(scene)["coats"][0]["coat"]
+        self.assertEqual(scene.run({"op": "set_coat", "coat": {**coat, "bend": 0.75}}).json["revision"], 1)
         settings = self.settings(scene)
-        self.assertEqual(settings["coat"], {**coat, "bend": 0.75})
+        self.assertEqual(settings["coats"][0]["coat"], {**coat, "bend": 0.75})
         eyes = [{**eye, "wetness": 0.25} for eye in settings["eyes"]]
         self.assertEqual(len(eyes), 2)
         self.assertEqual(scene.run(command("eyes", eyes)).json["revision"], 2)

@@ -46,7 +46,7 @@ class Document(unittest.TestCase):
             self.assertTrue(operation["responses"])
 
     def test_objects_are_closed_and_numbers_have_limits(self):
-        requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat",
+        requests = ("NewScene", "FirstGroom", "View", "Sample", "Stroke", "Brush", "Batch", "Comb", "Blow", "Attract", "SetCoat", "SetCoats", "CoatEntry", "CoatBeginning",
                     "SetLook", "SetLights", "SetEnvironment", "Environment", "SetGround", "Ground", "SetWind", "Wind", "SetEyes", "SetSkinTexture", "SetCurves", "CurveGroup", "Eye", "Iris", "Pupil",
                     "Map", "MaskPicture", "SetSkin", "SkinRegion", "SkinFacing", "SkinBumps",
                     "Lids", "Coat", "Undercoat", "Ticking", "Tufts", "Pattern", "Variation", "Look", "Fibre", "Light", "Steps",
@@ -168,6 +168,10 @@ class Requests(ServedTest):
                                         "tufts": {"gather": 0.5, "size": 0.2, "scales": 3, "seed": 5},
                                         "pattern": {"kind": "stripes", "axis": [0, 0, 1], "colour": "#000000", "seed": 4},
                                         "variation": {"lightness": 0.2, "size": 0.1}}},
+            {"op": "set_coats", "coats": [{"name": "fur"}, {"name": "mane", "id": 3, "begins": {"from": "fur", "region": "none", "length": 2},
+                                                             "coat": {"count": 100}}]},
+            {"op": "set_coat", "name": "mane", "coat": {"count": 50}},
+            {**flood([0, 1, 0]), "coats": ["mane"]},
             {"op": "set_environment", "environment": {"sky": [1, 1, 1], "ground": "#102030", "intensity": 2}},
             {"op": "set_environment", "environment": {"harmonics": [[1, 2, 3]] * 9, "turn_degrees": 30, "intensity": 2}},
             {"op": "set_skin_texture", "picture": "own"},

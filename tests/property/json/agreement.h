@@ -52,6 +52,12 @@ void rename(std::vector<T>& named) {
 inline void fit(SetBlowers& command) { rename(command.blowers); }
 inline void fit(SetAttractors& command) { rename(command.attractors); }
 
+inline void fit(SetCoats& command) {
+  for (std::size_t k = 0; k < command.coats.size(); ++k) {
+    command.coats[k].name = std::to_string(k), command.coats[k].id = k;
+    command.coats[k].muted = command.coats[k].muted && k > 0;
+  }
+}
 inline void fit(ChangeEditLayer& layer) {
   if (layer.action == EditLayerAction::set && !layer.weight && !layer.muted && layer.rename.empty()) layer.muted = true;
   if (layer.action == EditLayerAction::move && !layer.above) layer.above = "";
@@ -145,6 +151,13 @@ void agree_with_edit_layer(Tool& tool) {
   if (mask) tool.edit_layer.clear();
 }
 
+// Each coat once.
+template <class Tool>
+void agree_with_coats(Tool& tool) {
+  if (tool.coats.size() > limits::coats) tool.coats.resize(limits::coats);
+  for (std::size_t k = 0; k < tool.coats.size(); ++k) tool.coats[k] = std::to_string(k) + tool.coats[k];
+}
+
 /// What a struct needs of its own, and as a tool under a brush.
 template <class T>
 void agree(T& value) {
@@ -154,7 +167,7 @@ void agree(T& value) {
   }
   fit(value);
   if constexpr (requires { value.brush; }) agree_with_brush(value);
-  if constexpr (requires { value.edit_layer; }) agree_with_edit_layer(value);
+  if constexpr (requires { value.edit_layer; }) agree_with_edit_layer(value), agree_with_coats(value);
 }
 
 }  // namespace pelage::testing

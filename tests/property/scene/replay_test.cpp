@@ -13,7 +13,7 @@ std::string settings_text(const Scene& scene) {
   std::string text;
   const SnapshotPtr now = scene.snapshot();
   const SceneView view = now->view();
-  text = encode(std::vector<Command>{SetCoat{view.settings.coat}, SetLook{view.settings.look},
+  text = encode(std::vector<Command>{SetCoat{view.settings.coats[0].coat}, SetLook{view.settings.look},
                                      SetLights{view.settings.lights}, SetEyes{view.settings.eyes},
                                      SetCurves{view.settings.curves}, SetSkin{view.settings.skin}});
   return text;

@@ -30,6 +30,8 @@ class Script {
     const double kind = random_.uniform();
     if (layers_ == Layers::some && chance(0.06))
       send({edit_layer_change()});
+    else if (layers_ == Layers::some && chance(0.06))
+      send({coats_change()});
     else if (kind < 0.40)
       send({tool()});
     else if (kind < 0.50)
@@ -149,11 +151,38 @@ class Script {
       change.action = EditLayerAction::set, change.muted = chance(0.3);
     return change;
   }
+  std::vector<NamedCoat> coats() const { return scene_.settings()->settings.coats; }
+  /// Adds, mutes, renames, orders or removes coats; the first one stays and is seen.
+  Command coats_change() {
+    SetCoats change;
+    for (const NamedCoat& coat : coats()) change.coats.push_back({.name = coat.name, .id = coat.id});
+    const std::size_t count = change.coats.size();
+    for (std::size_t k = 1; k < count; ++k) change.coats[k].muted = chance(0.2);
+    const int kind = below(4);
+    if (count > 1 && kind == 0)
+      change.coats.pop_back();
+    else if (count > 2 && kind == 1)
+      std::swap(change.coats[1], change.coats[2]);
+    else if (count > 1 && kind == 2)
+      change.coats[1].name += "'";
+    else if (count < 4)
+      change.coats.push_back(
+          {.name = "coat " + std::to_string(scene_.revision()),
+           .begins = CoatBeginning{.region = static_cast<CoatRegion>(below(3)), .length = random_.uniform(0.5, 2)}});
+    return change;
+  }
+  /// Names of some coats that are seen, or none.
+  std::vector<std::string> some_coats() {
+    std::vector<std::string> names;
+    for (const NamedCoat& coat : coats())
+      if (!coat.muted && chance(0.4)) names.push_back(coat.name);
+    return names;
+  }
   Command tool() {
     Command tool = tool_of_the_groom();
     std::visit(
         [&](auto& t) {
-          if constexpr (requires { t.edit_layer; }) t.edit_layer = layer();
+          if constexpr (requires { t.edit_layer; }) t.edit_layer = layer(), t.coats = some_coats();
         },
         tool);
     return tool;

@@ -18,7 +18,7 @@ using nlohmann::json;
 struct Setter {
   const char *member, *op, *name;  // in the settings; the command, and the name that it has for it
 };
-constexpr Setter setters[] = {{"coat", "set_coat", "coat"},
+constexpr Setter setters[] = {{"coats", "set_coats", "coats"},
                               {"look", "set_look", "look"},
                               {"lights", "set_lights", "lights"},
                               {"environment", "set_environment", "environment"},

@@ -105,7 +105,7 @@ RC_GTEST_PROP(AnyScene, IsFiniteTheSameTwiceAndReported, ()) {
   RC_ASSERT(report.noise >= 0);
   RC_ASSERT(report.strands <= std::size_t(frame.knobs.trace.strands) * 2 + 20);
   FurFrame other = frame;
-  other.coat.count += 7, other.camera.position.z += 0.5f, other.knobs.trace.passes = 1;
+  other.coat().count += 7, other.camera.position.z += 0.5f, other.knobs.trace.passes = 1;
   traced_by(tracer, ball, other);
   RC_ASSERT(traced_by(tracer, ball, frame).rgba == picture.rgba);
 }

@@ -82,8 +82,8 @@ TEST(Keyframes, OfWholeNumbersAreWholeBetweenFrames) {
             4097);
   EXPECT_DOUBLE_EQ(frame_of(animate(keys_of("/frame/exposure", keys)), 2).request.exposure, 4.5);
   const auto coat =
-      frame_of(animate(keys_of("/coat/count", R"({"frame": 1, "value": 10}, {"frame": 4, "value": 20})")), 1.5);
-  EXPECT_EQ(std::get<SetCoat>(coat.settings[0]).coat.count, 12);
+      frame_of(animate(keys_of("/coats/0/coat/count", R"({"frame": 1, "value": 10}, {"frame": 4, "value": 20})")), 1.5);
+  EXPECT_EQ(std::get<SetCoats>(coat.settings[0]).coats[0].coat->count, 12);
 }
 
 TEST(Keyframes, SplinesStayBetweenTheirKeysWhereverTheyTurn) {
@@ -109,8 +109,8 @@ TEST(Keyframes, ChangeSettingsByTheirCommands) {
   ASSERT_EQ(light.settings.size(), 1u);
   EXPECT_DOUBLE_EQ(std::get<SetLights>(light.settings[0]).lights[0].intensity, 1.5);
   const auto coat =
-      frame_of(animate(keys_of("/coat/bend", R"({"frame": 0, "value": 0.1}, {"frame": 4, "value": 0.5})")), 2);
-  EXPECT_NEAR(std::get<SetCoat>(coat.settings[0]).coat.bend, 0.3, 1e-7);
+      frame_of(animate(keys_of("/coats/0/coat/bend", R"({"frame": 0, "value": 0.1}, {"frame": 4, "value": 0.5})")), 2);
+  EXPECT_NEAR(std::get<SetCoats>(coat.settings[0]).coats[0].coat->bend, 0.3, 1e-7);
   const auto colour = frame_of(
       animate(keys_of("/lights/0/colour", R"({"frame": 0, "value": "#000000"}, {"frame": 4, "value": "#ffffff"})")), 2);
   EXPECT_NEAR(std::get<SetLights>(colour.settings[0]).lights[0].colour.r, 0.5, 1e-6);  // linear light

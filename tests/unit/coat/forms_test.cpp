@@ -203,13 +203,13 @@ TEST(Forms, WaterGathersDarkensAndShines) {
   wet.wetness = 1;
   EXPECT_LT(spread_of_tips(wet), 0.5 * spread_of_tips(dry));
   for (int k = 0; k < 3; ++k) {
-    EXPECT_NEAR(ramp_colour(wet, 1)[k], std::pow(double(ramp_colour(dry, 1)[k]), wet_absorption(wet)), 1e-5);
+    EXPECT_NEAR(ramp_colour(wet, 1)[k], std::pow(double(ramp_colour(dry, 1)[k]), wet_absorption(wet.wetness)), 1e-5);
     EXPECT_LT(ramp_colour(wet, 1)[k], 0.75f * ramp_colour(dry, 1)[k]);
   }
-  EXPECT_EQ(wet_shine(dry), 1);
-  EXPECT_EQ(wet_sharpness(dry), 1);
-  EXPECT_EQ(wet_shine(wet), 2);
-  EXPECT_EQ(wet_sharpness(wet), 3);
+  EXPECT_EQ(wet_shine(dry.wetness), 1);
+  EXPECT_EQ(wet_sharpness(dry.wetness), 1);
+  EXPECT_EQ(wet_shine(wet.wetness), 2);
+  EXPECT_EQ(wet_sharpness(wet.wetness), 3);
 }
 
 TEST(Forms, OneFormLeavesTheOthersAsTheyWere) {

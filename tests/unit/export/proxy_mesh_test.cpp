@@ -194,7 +194,7 @@ TEST(ProxyMesh, FurStandsWhereABrushReachesItsTips) {
     fields.set(Field::direction, v, glm::vec4(.4f, -.3f, 0, 0));
   }
   const ProxyMesh proxy = *simplify(mesh, mesh.triangles.size());
-  const ProxyFur fur = fur_on(proxy, mesh, fields, {});
+  const ProxyFur fur = fur_on(proxy, mesh, fields, std::vector<NamedCoat>(1));
   const GlbFile file(glb_of(proxy, &fur));
   const auto positions = file.vectors("POSITION"), tips = file.vectors("_FUR_TIP"),
              middles = file.vectors("_FUR_MIDDLE");

@@ -93,7 +93,7 @@ class JournalTest : public ::testing::Test {
 
 TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   SceneSettings settings;
-  settings.coat.ramp[1].colour = {0.123456f, 1e-3f, 0.7f};
+  settings.coats[0].coat.ramp[1].colour = {0.123456f, 1e-3f, 0.7f};
   settings.lights.resize(1);
   {
     const auto journal = open();
@@ -129,7 +129,7 @@ TEST_F(JournalTest, KeepsScenesAndEntriesOverARestart) {
   EXPECT_EQ((*entries)[1].author, "");
   EXPECT_EQ((*entries)[0].fields_hash, entry(4).fields_hash);
   ASSERT_TRUE((*entries)[0].settings);
-  EXPECT_EQ((*entries)[0].settings->coat.ramp[1].colour, settings.coat.ramp[1].colour);
+  EXPECT_EQ((*entries)[0].settings->coats[0].coat.ramp[1].colour, settings.coats[0].coat.ramp[1].colour);
   EXPECT_EQ((*entries)[0].settings->lights.size(), 1u);
   EXPECT_EQ((*entries)[1].kind, EntryKind::undo);
   EXPECT_EQ((*entries)[1].argument, 1u);
@@ -336,7 +336,7 @@ TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
     const auto journal = open();
     ASSERT_TRUE(journal->add_scene(old).ok());
     SceneSettings settings;
-    settings.coat.count = 77;
+    settings.coats[0].coat.count = 77;
     Entry logged = entry(4);
     logged.settings = std::make_shared<const SceneSettings>(settings);
     ASSERT_TRUE(journal->append("a", logged).ok());
@@ -349,7 +349,7 @@ TEST_F(JournalTest, ScenesOfVersionEightAreCalmAndKeepTheirColours) {
   const auto journal = open();
   const auto entries = journal->entries("a", 0);
   ASSERT_TRUE(entries.ok()) << entries.status().message;
-  EXPECT_EQ(entries->at(0).settings->coat.count, 77);
+  EXPECT_EQ(entries->at(0).settings->coats[0].coat.count, 77);
   EXPECT_EQ(entries->at(0).settings->wind, Wind{});
   EXPECT_EQ(journal->scene("a")->first_groom, old.first_groom);
 }
@@ -437,7 +437,7 @@ TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
   finer.id = "a", finer.first_revision = 5, finer.first_groom = {{{Field::length, {9}, {1}}}};
   finer.model.subdivisions = {{{0, 4}, {6, 7}}, {}, {{2, 3}}};
   SceneSettings settings;
-  settings.coat.count = 77;
+  settings.coats[0].coat.count = 77;
   finer.first_settings = std::make_shared<const SceneSettings>(settings);
   {
     const auto journal = open();
@@ -454,7 +454,7 @@ TEST_F(JournalTest, SubdivisionsAndFirstSettingsStayOverARestart) {
     EXPECT_EQ(found->first_groom, finer.first_groom);
     EXPECT_EQ(found->first_revision, 5u);
     ASSERT_TRUE(found->first_settings);
-    EXPECT_EQ(found->first_settings->coat.count, 77);
+    EXPECT_EQ(found->first_settings->coats[0].coat.count, 77);
     EXPECT_TRUE(journal->entries("a", 0)->empty());
     ASSERT_TRUE(journal->replace_model(scene("a")).ok());
     EXPECT_TRUE(journal->scene("a")->model.subdivisions.empty()) << "a new model is not subdivided";

@@ -19,7 +19,7 @@ struct Field {
   RasterScene scene;
 
   Field() {
-    fur.update(patch.model(), patch.fields(), {plain_coat()}, 1);
+    fur.update(patch.model(), patch.fields(), GrowRecipe{plain_coat()}, 1);
     scene.parts = fur.parts();
     scene.camera.scale = 500, scene.camera.middle = {100, 100};
     look_from(1);
@@ -73,7 +73,7 @@ TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
   Field field;
   const KeptStrands before = field.kept(0.05);
   field.patch.length[0] *= 1.4f;
-  ASSERT_GT(field.fur.update(field.patch.model(), field.patch.fields(), {plain_coat()}, 1), 0u);
+  ASSERT_GT(field.fur.update(field.patch.model(), field.patch.fields(), GrowRecipe{plain_coat()}, 1), 0u);
   field.scene.parts = field.fur.parts();
   const KeptStrands after = field.kept(0.05);
   EXPECT_EQ(after.ids, before.ids);

@@ -20,7 +20,7 @@ struct Lawn {
   Coat coat = plain_coat(4000);
   GrownFur fur;
 
-  Lawn() { fur.update(patch.model(), patch.fields(), {coat}, 2); }
+  Lawn() { fur.update(patch.model(), patch.fields(), GrowRecipe{coat}, 2); }
 };
 
 FurLight from(glm::vec3 to_light) {
@@ -118,7 +118,7 @@ TEST(DensityGrid, FollowsFurThatChanges) {
   DensityGrid grid, fresh;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   std::fill(lawn.patch.length.begin(), lawn.patch.length.end(), 0.05f);
-  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 1);
+  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 1);
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   ASSERT_EQ(grid.place(), fresh.place());
@@ -147,7 +147,7 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
   };
   for (const auto& [first, count, length] : {Change{36, 9, 0.05f}, {70, 9, 0.05f}, {37, 9, 0.05f}, {0, 119, 0.04f}}) {
     for (std::size_t i = first; i < first + count; ++i) lawn.patch.length[i] = length;  // others stay as long
-    ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2), 0u);
+    ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 2), 0u);
     grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
     DensityGrid fresh;
     fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
@@ -163,7 +163,7 @@ TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
   Lawn lawn;
   lawn.patch.length.assign(lawn.patch.length.size(), 0.03f);
   lawn.patch.length.front() = 0.08f;  // so that the grid stays where it is
-  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2);
+  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 2);
   const std::vector<FurLight> lights{from({0, 0, 1})};
   DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
@@ -171,7 +171,7 @@ TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
   const std::uint64_t since = grid.version();
   const glm::vec3 corner{0.45f, 0.45f, 0.01f}, other{0.05f, 0.4f, 0.01f}, little(0.01f);
   lawn.patch.length.back() = 0.06f;
-  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), {lawn.coat}, 2);
+  lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 2);
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
   EXPECT_FALSE(grid.all_changed(since));
   EXPECT_TRUE(grid.changed_in(corner, corner + little, since));

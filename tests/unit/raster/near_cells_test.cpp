@@ -27,7 +27,7 @@ struct LawnBelow {
     scene.camera.forward = {0, 0, -1}, scene.camera.up = {0, 1, 0};
     look(view);
   }
-  void grow() { fur.update(patch.model(), patch.fields(), {plain_coat(4000)}, 2), scene.parts = fur.parts(); }
+  void grow() { fur.update(patch.model(), patch.fields(), GrowRecipe{plain_coat(4000)}, 2), scene.parts = fur.parts(); }
   void look(float view) {
     scene.camera.scale = 200;
     scene.camera.position = {0.25f, 0.25f, view * scene.camera.scale / static_cast<float>(scene.width)};

@@ -26,7 +26,7 @@ struct Stage {
   Stage() {
     frame.width = 96, frame.height = 80;
     look_from({0.2f, -0.5f, 0.6f}, {0.2f, 0.2f, 0});
-    frame.coat = recipe.coat;
+    frame.coat() = recipe.coat;
     FurLight key, fill;
     key.direction = glm::normalize(glm::vec3(0.3f, 0.5f, -1)), fill.direction = {-1, 0, 0};
     frame.lights = {key, fill};
@@ -78,7 +78,7 @@ int other_pixels(const FloatImage& whole, const FloatImage& image, const Crop& c
 struct NearLawn : Stage {
   NearLawn() {
     recipe = {plain_coat(3000)};
-    frame.coat = recipe.coat, frame.lights.resize(1);
+    frame.coat() = recipe.coat, frame.lights.resize(1);
     frame.lights[0].direction = glm::normalize(glm::vec3(1, 0.3f, -0.7f));
     grow();
     look_from({0.2f, 0.1f, 0.5f}, {0.2f, 0.2f, 0.02f});
@@ -162,7 +162,7 @@ TEST(Raster, FewStrandsCoverAndShineAsAll) {
 /// Strands that are seen are taller than those that they have their light from.
 TEST(Raster, SharedLightIsThatOfTheSameHeight) {
   Stage stage;
-  stage.recipe.coat.length_spread = 0.8, stage.recipe.coat.count = 20000, stage.frame.coat = stage.recipe.coat;
+  stage.recipe.coat.length_spread = 0.8, stage.recipe.coat.count = 20000, stage.frame.coat() = stage.recipe.coat;
   stage.grow();
   const double own = mean(stage.draw({1000, 1}), 1);
   for (const int lit_of : {2, 4, 8}) EXPECT_NEAR(mean(stage.draw({1000, lit_of}), 1), own, 0.015 * own) << lit_of;
@@ -221,7 +221,7 @@ TEST(Raster, IsSoundWithStrandsOfAnySize) {
 TEST(Raster, CurlsAreDrawn) {
   Stage stage;
   stage.recipe.coat.curl = 0.2, stage.recipe.coat.curl_turns = 5;
-  stage.frame.coat = stage.recipe.coat;
+  stage.frame.coat() = stage.recipe.coat;
   stage.grow();
   ASSERT_GT(stage.fur.parts()[0].strands->segments, 30);
   const FloatImage all = stage.draw({1000, 1}), few = stage.draw({1000, 2});

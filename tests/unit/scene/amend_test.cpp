@@ -93,10 +93,10 @@ TEST_F(AmendTest, SettingsAreReplayedToo) {
   amend(*scene, 1, {coat});
   const SnapshotPtr now = scene->snapshot();
   const SceneView view = now->view();
-  EXPECT_EQ(view.settings.coat.root_share, 0.4);
+  EXPECT_EQ(view.settings.coats[0].coat.root_share, 0.4);
   EXPECT_EQ(view.settings.look.ambient, 2);
   move(*scene, Undo{});
-  EXPECT_EQ(scene->snapshot()->settings->coat.root_share, 0.6);
+  EXPECT_EQ(scene->snapshot()->settings->coats[0].coat.root_share, 0.6);
 }
 
 TEST_F(AmendTest, WhatChangesNothingAnyMoreMakesNoEntry) {

@@ -48,7 +48,7 @@ TEST_F(BranchTest, BeginsAsTheSceneIs) {
   EXPECT_EQ(log_of(*side), log_of(*scene));
   const SnapshotPtr now = side->snapshot();
   const SceneView view = now->view();
-  EXPECT_EQ(view.settings.coat.root_share, 0.6);
+  EXPECT_EQ(view.settings.coats[0].coat.root_share, 0.6);
   ASSERT_EQ(view.settings.checkpoints.size(), 1u);
   EXPECT_EQ(view.settings.checkpoints[0].revision, 2u);
   EXPECT_EQ(model_of(*side), model_of(*scene)) << "the model is shared";

@@ -25,7 +25,7 @@ TEST_F(NewVersion, TheSameMeshHasTheSameBits) {
   const CarriedGroom carried = carried_groom(*now, *same->model());
   EXPECT_EQ(carried.fields.hash(), now->fields->hash());
   EXPECT_EQ(carried.settings.eyes, now->settings->eyes);
-  EXPECT_EQ(carried.settings.coat, now->settings->coat);
+  EXPECT_EQ(carried.settings.coats[0].coat, now->settings->coats[0].coat);
   EXPECT_EQ(carried.report.align, Alignment::none);
   EXPECT_EQ(carried.report.far, 0u);
 }

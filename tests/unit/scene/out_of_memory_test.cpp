@@ -28,7 +28,7 @@ class OutOfMemory : public StoreTest {
   static Seen seen(const Scene& scene) {
     const SceneSummary summary = scene.summary();
     double root_share = 0;
-    root_share = scene.snapshot()->settings->coat.root_share;
+    root_share = scene.snapshot()->settings->coats[0].coat.root_share;
     return {summary.revision,   summary.fields_hash, summary.undo_steps,
             summary.redo_steps, scene.log().size(),  root_share};
   }

@@ -63,10 +63,10 @@ TEST_F(SceneStoreTest, ARestartHasEverything) {
   EXPECT_EQ(after.redo_steps, before.redo_steps);
   EXPECT_EQ(encode(Log{again->log()}), log);
   EXPECT_EQ(again->effective_log().size(), effective);
-  EXPECT_EQ(again->snapshot()->settings->coat.root_share, 0.6);
+  EXPECT_EQ(again->snapshot()->settings->coats[0].coat.root_share, 0.6);
   EXPECT_EQ(move(*again, Undo{3}).revision, 8u);
   EXPECT_EQ(hash(*again), hash(*make()));
-  EXPECT_EQ(again->snapshot()->settings->coat.root_share, Coat{}.root_share);
+  EXPECT_EQ(again->snapshot()->settings->coats[0].coat.root_share, Coat{}.root_share);
 }
 
 std::size_t eyes_of(const Scene& scene) {

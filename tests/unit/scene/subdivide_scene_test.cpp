@@ -48,7 +48,7 @@ TEST_F(SubdivideSceneTest, FieldsSettingsAndRootsStayAndTheLogBeginsAnew) {
   EXPECT_NE(model_id(*scene), old->id);
   const SnapshotPtr now = scene->snapshot();
   const SceneView view = now->view();
-  EXPECT_EQ(view.settings.coat.count, 123);
+  EXPECT_EQ(view.settings.coats[0].coat.count, 123);
   EXPECT_EQ(view.settings.eyes.size(), 2u);
   EXPECT_TRUE(view.settings.checkpoints.empty());
   for (std::uint32_t v = 0; v < combed.fields->size(); ++v) ASSERT_EQ(view.fields.at(v), combed.fields->at(v));

@@ -86,7 +86,7 @@ TEST_F(Extremes, AnyLengthDensityAndCountGivesSanePictures) {
     fur.paint.bare = whole;
     EXPECT_EQ(trace(fur, usual(transport)).strands, 0u);
     FurFrame one = usual(transport);
-    one.coat.count = 1, one.coat.tile = 1;
+    one.coat().count = 1, one.coat().tile = 1;
     EXPECT_LT(trace(one).strands, 8u);
     FurPatch nowhere;
     nowhere.id = 2;
@@ -98,14 +98,14 @@ TEST_F(Extremes, AnyWidthFormAndWetnessGivesSanePictures) {
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
     for (const double width : {0.0, 0.05}) {
-      frame.coat.width_root = frame.coat.width_tip = width;
+      frame.coat().width_root = frame.coat().width_tip = width;
       EXPECT_GT(trace(frame).strands, 0u);
     }
     frame = usual(transport);
-    frame.coat.curl = frame.coat.wave = 0.5, frame.coat.curl_turns = frame.coat.wave_turns = 20;
-    frame.coat.bend = 2, frame.coat.mess = frame.coat.clump = frame.coat.fine_clump = frame.coat.lodge = 1;
-    frame.coat.length_spread = frame.coat.colour_spread = frame.coat.root_share = frame.coat.wetness = 1;
-    frame.coat.tufts.gather = 1, frame.coat.tufts.scales = 3;
+    frame.coat().curl = frame.coat().wave = 0.5, frame.coat().curl_turns = frame.coat().wave_turns = 20;
+    frame.coat().bend = 2, frame.coat().mess = frame.coat().clump = frame.coat().fine_clump = frame.coat().lodge = 1;
+    frame.coat().length_spread = frame.coat().colour_spread = frame.coat().root_share = frame.coat().wetness = 1;
+    frame.coat().tufts.gather = 1, frame.coat().tufts.scales = 3;
     for (const double self_shadow : {0.0, 4.0}) {
       frame.look.self_shadow = self_shadow;
       trace(frame);
@@ -115,7 +115,7 @@ TEST_F(Extremes, AnyWidthFormAndWetnessGivesSanePictures) {
 
 TEST_F(Extremes, DenseFurIsThinnedOutToWhatIsAllowed) {
   FurFrame frame = usual(Transport::transmittance);
-  frame.coat.count = 100'000, frame.coat.tile = 0.01;  // 800 million strands
+  frame.coat().count = 100'000, frame.coat().tile = 0.01;  // 800 million strands
   for (const int allowed : {1, 10'000}) {
     frame.knobs.trace.strands = allowed;
     const std::size_t strands = trace(frame).strands;
@@ -131,7 +131,7 @@ FurLight point_at(glm::vec3 place, float radiance) {
 }
 
 TEST_F(Extremes, LightsAnywhereGiveSanePictures) {
-  const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
+  const StrandSet strands = ball_.grow({usual(Transport::paths).coat()});
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
     for (const glm::vec3 place : {knot(strands, 5, 0).place, knot(strands, 5, 3).place, glm::vec3(0),
@@ -183,7 +183,7 @@ TEST_F(Extremes, DirectionalAndEnvironmentLightGivesSanePictures) {
 }
 
 TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
-  const StrandSet strands = ball_.grow({usual(Transport::paths).coat});
+  const StrandSet strands = ball_.grow({usual(Transport::paths).coat()});
   const glm::vec3 along = glm::normalize(tip(strands, 5).place - knot(strands, 5, 0).place);
   const auto looking = [](FurFrame frame, glm::vec3 eye, glm::vec3 forward) {
     frame.camera.position = eye, frame.camera.forward = glm::normalize(forward);
@@ -228,7 +228,7 @@ TEST_F(Extremes, EveryScatteringModelGivesSanePictures) {
     frame.knobs.trace.scattering = StrandScattering::look;
     frame.look.shading = model;
     trace(fur, frame);
-    fur.paint.wetness = wet, frame.coat.wetness = 1;
+    fur.paint.wetness = wet, frame.coat().wetness = 1;
     frame.look.specular_exponent = frame.look.fibre.secondary_exponent = frame.look.diffuse_exponent = 1e6;
     frame.look.ambient = frame.look.diffuse = frame.look.specular = 4;
     frame.look.fibre.primary_shift = 2, frame.look.fibre.secondary_shift = -2, frame.look.fibre.shift_spread = 2;

@@ -37,6 +37,81 @@ TEST(GrownFur, HasTheStrandsOfOneGrower) {
   EXPECT_EQ(own, all);
 }
 
+/// Two coats on a patch: long fur, and short fur that stands on its left half alone.
+struct TwoCoats {
+  TwoCoats() {
+    for (const glm::vec3 place : patch.positions) density.push_back(place.x < 0.3f ? 1.0f : 0.0f);
+    for (std::size_t v = 0; v < patch.positions.size(); ++v) short_length.push_back(0.01f);
+    recipes[1].coat.count /= 2, recipes[1].coat.seed = 9;
+  }
+  std::vector<FurFields> fields() const {
+    FurFields shorter = patch.fields();
+    shorter.length = short_length, shorter.paint.density = density, shorter.coat = 4;
+    return {patch.fields(), shorter};
+  }
+
+  FurPatch patch{0.6, 12};
+  std::vector<float> density, short_length;
+  std::vector<GrowRecipe> recipes{2, GrowRecipe{plain_coat()}};
+};
+
+TEST(GrownFur, HasTheStrandsOfEachCoatAsIfItWereAlone) {
+  const TwoCoats two;
+  GrownFur both;
+  both.update(two.patch.model(), two.fields(), two.recipes, 2);
+  for (std::size_t c = 0; c < 2; ++c) {
+    GrownFur alone;
+    alone.update(two.patch.model(), two.fields()[c], two.recipes[c], 2);
+    std::vector<std::array<float, 4>> of_both, of_alone;
+    for (const GrownPart& part : both.parts()) {
+      if (part.role != StrandRole::coat || part.coat != two.fields()[c].coat) continue;
+      const auto roots = roots_of(*part.strands);
+      of_both.insert(of_both.end(), roots.begin(), roots.end());
+    }
+    for (const GrownPart& part : alone.parts()) {
+      const auto roots = roots_of(*part.strands);
+      of_alone.insert(of_alone.end(), roots.begin(), roots.end());
+    }
+    std::sort(of_both.begin(), of_both.end()), std::sort(of_alone.begin(), of_alone.end());
+    EXPECT_EQ(of_both, of_alone);
+    EXPECT_GT(of_both.size(), 100u);
+  }
+}
+
+TEST(GrownFur, OfOneCoatGrowsAgainWhereThatChanged) {
+  TwoCoats two;
+  GrownFur fur;
+  fur.update(two.patch.model(), two.fields(), two.recipes, 2);
+  EXPECT_EQ(fur.update(two.patch.model(), two.fields(), two.recipes, 2), 0u);
+  two.short_length[0] = 0.02f;
+  const std::vector<GrownPart> before = fur.parts();
+  EXPECT_GT(fur.update(two.patch.model(), two.fields(), two.recipes, 2), 0u);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_TRUE(before[i].coat == 4 || fur.parts()[i].strands == before[i].strands);
+}
+
+TEST(GrownFur, SkinBetweenTwoCoatsIsUnderBoth) {
+  TwoCoats two;
+  two.recipes[0].coat.ramp = {{0, {1, 0, 0}}}, two.recipes[1].coat.ramp = {{0, {0, 0, 1}}};
+  GrownFur fur;
+  fur.update(two.patch.model(), two.fields(), two.recipes, 2);
+  const std::size_t last = two.patch.triangles.size() - 1;  // on the right, where the second does not grow
+  EXPECT_GT(fur.skin()[0][0].under.b, 0.2f);
+  EXPECT_GT(fur.skin()[0][0].under.r, 0.2f);
+  EXPECT_EQ(fur.skin()[last][2].under.b, 0);
+}
+
+TEST(GrownFur, OfWetterCoatsHasTheRestAsPainted) {
+  TwoCoats two;
+  FurFrame frame;
+  frame.coats = {{"dry", 0, false, two.recipes[0].coat}, {"wet", 4, false, two.recipes[1].coat}};
+  frame.coats[0].coat.wetness = 0.2, frame.coats[1].coat.wetness = 0.7;
+  GrownFur fur;
+  fur.update(two.patch.model(), two.fields(), recipes_of(frame, false, fur_area(two.patch.model())), 2);
+  for (const GrownPart& part : fur.parts())
+    for (const StrandRoot& root : part.strands->roots) ASSERT_NEAR(root.wetness, part.coat == 4 ? 0.5f : 0.0f, 1e-6f);
+}
+
 TEST(GrownFur, GrowsAgainOnlyWhatChanged) {
   FurPatch patch(0.6, 12);
   const GrowRecipe recipe{plain_coat()};
@@ -171,7 +246,7 @@ TEST(GrownFur, CurvesAreAPartOfTheirOwn) {
 TEST(GrownFur, KnowsWhereItsPartsAre) {
   const FurPatch patch(0.6, 12);
   GrownFur fur;
-  fur.update(patch.model(), patch.fields(), {plain_coat()}, 1);
+  fur.update(patch.model(), patch.fields(), GrowRecipe{plain_coat()}, 1);
   double area = 0;
   for (const GrownPart& part : fur.parts()) {
     if (part.role != StrandRole::coat) continue;

@@ -150,7 +150,7 @@ TEST(Trace, ShortFurKeepsItsStrandsFromAfar) {
   const auto share_from_afar = [](float length) {
     const FurPatch ball = fur_ball(length);
     FurFrame frame = frame_at(8, coat_of(glm::vec3(0.5f)), Transport::transmittance, 1);
-    frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.0001;
+    frame.coat().width_root = 0.0004, frame.coat().width_tip = 0.0001;
     const auto strands = [&] { return static_cast<double>(traced(ball, frame).report.strands); };
     const double far = strands();
     frame.camera.tan_half_fov *= 0.004f, frame.knobs.trace.strands = 8'000'000;
@@ -183,11 +183,11 @@ TEST(TraceExtremes, FiniteForAnyScene) {
     looks_finite(fur_ball(10), usual);
     for (const double width : {0.0, 0.05}) {
       FurFrame frame = usual;
-      frame.coat.width_root = frame.coat.width_tip = width;
+      frame.coat().width_root = frame.coat().width_tip = width;
       looks_finite(ball, frame);
     }
     FurFrame one = usual;
-    one.coat.count = 1;
+    one.coat().count = 1;
     looks_finite(ball, one);
     for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // lights inside the fur, inside the body, far away
       FurFrame frame = usual;
@@ -203,7 +203,7 @@ TEST(TraceExtremes, FiniteForAnyScene) {
       FurFrame frame = usual;
       frame.look.fibre.longitudinal_roughness = frame.look.fibre.azimuthal_roughness = roughness;
       frame.look.fibre.refractive_index = roughness == 0 ? 1.0 : 3.0;
-      frame.coat.ramp = {{0, glm::vec3(static_cast<float>(roughness))}};
+      frame.coat().ramp = {{0, glm::vec3(static_cast<float>(roughness))}};
       frame.lights = {light_from({0, 0, -1}, 1e8f), light_from({0, 0, 1}, 0)};
       looks_finite(ball, frame);
     }

@@ -61,7 +61,7 @@ inline Coat coat_of(glm::vec3 colour, int count = 1500) {
 
 inline FurFrame frame_at(int size, Coat coat, Transport transport, int passes) {
   FurFrame frame;
-  frame.coat = std::move(coat);
+  frame.coat() = std::move(coat);
   frame.camera = {
       .position = {0, 0, 2}, .right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .tan_half_fov = 0.2f};
   frame.width = frame.height = size;

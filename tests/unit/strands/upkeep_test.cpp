@@ -22,7 +22,7 @@ TEST(Upkeep, AnyMemorySufficesOrIsRefused) {
   small.id = 2;
   FurFrame frame = frame_at(16, coat_of(glm::vec3(0.5f), 1000), Transport::transmittance, 1);
   FurFrame less = frame;
-  less.coat.count = 30;
+  less.coat().count = 30;
   const std::vector<float> whole = traced(ball, frame).beauty.rgba;
   int refused = 0, done = 0;
   for (std::size_t memory = std::size_t{256} << 10; memory <= std::size_t{128} << 20; memory *= 2) {
@@ -56,15 +56,15 @@ TEST(Upkeep, FewerStrandsOfTheSameModelFitAfterTooMany) {
   std::size_t max = 0;
   {
     World world(plenty);
-    ASSERT_TRUE(world.update(ball.model(), ball.fields(), frame, {frame.coat}, {1, false}, always));
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), frame, GrowRecipe{frame.coat()}, {1, false}, always));
     max = world.bytes();
   }
   World world(max + max / 8);
   for (const int count : {1000, 3000, 1000, 500, 1000}) {  // what was before makes way
-    frame.coat.count = count;
-    const auto change = world.update(ball.model(), ball.fields(), frame, {frame.coat}, {2, false}, always);
+    frame.coat().count = count;
+    const auto change = world.update(ball.model(), ball.fields(), frame, GrowRecipe{frame.coat()}, {2, false}, always);
     EXPECT_EQ(bool(change), count <= 1000) << count;
-    frame.coat.bend += 0.1;
+    frame.coat().bend += 0.1;
   }
 }
 
@@ -75,9 +75,11 @@ TEST(Upkeep, WhiskersThatDidNotFitAreGrownWhenTheyDo) {
   frame.curves = {{.guides = std::vector<FurGuide>(400, guide), .width_root = 0.001, .fill = 0}};
   World world(12'000);
   for (int i = 0; i < 2; ++i)
-    EXPECT_FALSE(world.update(bald.model(), bald.fields(), frame, {coat_of(glm::vec3(1), 10)}, {1, false}, always));
+    EXPECT_FALSE(
+        world.update(bald.model(), bald.fields(), frame, GrowRecipe{coat_of(glm::vec3(1), 10)}, {1, false}, always));
   frame.curves[0].guides.resize(2);
-  const auto few = world.update(bald.model(), bald.fields(), frame, {coat_of(glm::vec3(1), 10)}, {1, false}, always);
+  const auto few =
+      world.update(bald.model(), bald.fields(), frame, GrowRecipe{coat_of(glm::vec3(1), 10)}, {1, false}, always);
   ASSERT_TRUE(few);
   EXPECT_EQ(few->strands, 2u);
 }
@@ -134,14 +136,14 @@ TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
   for (int i = 0; i < 40; ++i) {
     coat.bend = 0.01 * (i % 10);
     for (float& length : ball.length) length = 0.04f + 1e-4f * static_cast<float>(i % 10);
-    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {coat}, {2, false}, always));
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, GrowRecipe{coat}, {2, false}, always));
     if (i == 10) first = world.bytes();
   }
-  ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {coat}, {2, false}, always));
+  ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, GrowRecipe{coat}, {2, false}, always));
   EXPECT_NEAR(static_cast<double>(world.bytes()) / static_cast<double>(first), 1, 0.02);
   FurPatch bald = ball;
   bald.length.assign(bald.length.size(), 0);
-  ASSERT_TRUE(world.update(bald.model(), bald.fields(), {}, {coat}, {2, false}, always));
+  ASSERT_TRUE(world.update(bald.model(), bald.fields(), {}, GrowRecipe{coat}, {2, false}, always));
   EXPECT_LT(world.bytes(), first / 10);  // the skin
 }
 
@@ -151,7 +153,7 @@ FurFrame view_from(double distance) {
   const int size = static_cast<int>(std::ceil(0.7 / pixel));
   FurFrame frame =
       frame_at(size, coat_of(glm::vec3(0.5f), 4000), Transport::transmittance, std::max(1, 20'000 / (size * size)));
-  frame.coat.width_root = 0.0004, frame.coat.width_tip = 0.00015;
+  frame.coat().width_root = 0.0004, frame.coat().width_tip = 0.00015;
   frame.camera.position = {0, 0, distance};
   frame.camera.tan_half_fov = static_cast<float>(size * pixel / 2 / distance);
   return frame;
@@ -178,7 +180,7 @@ TEST(Upkeep, CoverageStaysFromAnyDistance) {
     if (more_fur_than_body) {
       for (glm::vec3& place : ball.positions) place *= 0.3f;
     }
-    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, {view_from(2).coat}, {2, false}, always));
+    ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, GrowRecipe{view_from(2).coat()}, {2, false}, always));
     std::size_t max = 0, min = 1u << 30;
     for (const double distance : {0.8, 8.0, 128.0}) {
       const FurFrame frame = view_from(distance);

@@ -15,7 +15,8 @@ constexpr std::size_t enough_memory = std::size_t{1} << 30;
 bool always() { return true; }
 
 World::Change grown(World& world, const FurPatch& patch, const Coat& coat, FurFrame frame = {}) {
-  const Result<World::Change> change = world.update(patch.model(), patch.fields(), frame, {coat}, {1, false}, always);
+  const Result<World::Change> change =
+      world.update(patch.model(), patch.fields(), frame, GrowRecipe{coat}, {1, false}, always);
   EXPECT_TRUE(change) << "no memory";
   return change ? *change : World::Change{};
 }
@@ -55,6 +56,24 @@ TEST(World, RaysHitAStrandWhereItIs) {
     EXPECT_NEAR(hit.colour.r, 0.4f, 2e-3f);
   }
   EXPECT_NE(world.intersect(past_first(set, 0.0011f)).strand, world.intersect(past_first(set, 0)).strand);
+}
+
+TEST(World, RaysHitTheStrandsOfAllCoats) {
+  FurPatch patch(0.12);
+  Coat other = thick_coat();
+  other.seed = 5, other.ramp = {{0, {0, 0, 1}}};
+  const std::vector<FurFields> fields(2, patch.fields());
+  const std::vector<GrowRecipe> recipes{GrowRecipe{thick_coat()}, GrowRecipe{other}};
+  World world(enough_memory);
+  const Result<World::Change> change = world.update(patch.model(), fields, FurFrame{}, recipes, {1, false}, always);
+  ASSERT_TRUE(change);
+  const StrandSet first = patch.grow(recipes[0]), second = patch.grow(recipes[1]);
+  EXPECT_EQ(change->strands, first.count() + second.count());
+  EXPECT_NEAR(world.intersect(past_first(first, 0)).colour.r, 0.4f, 2e-3f);
+  EXPECT_GT(world.intersect(past_first(second, 0)).colour.b, 0.9f);
+  EXPECT_EQ(world.update(patch.model(), fields, FurFrame{}, recipes, {1, false}, always)->grown, 0u);
+  ASSERT_TRUE(world.update(patch.model(), fields[0], FurFrame{}, recipes[0], {1, false}, always));
+  EXPECT_LT(world.intersect(past_first(second, 0)).colour.b, 0.9f) << "one alone";
 }
 
 TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
@@ -133,7 +152,7 @@ TEST(World, ReportsTooLittleMemoryAndRecovers) {
   const FurPatch patch(0.6, 10);
   World world(200'000);
   const Result<World::Change> much =
-      world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {2, false}, always);
+      world.update(patch.model(), patch.fields(), {}, GrowRecipe{plain_coat(4000)}, {2, false}, always);
   ASSERT_FALSE(much);
   EXPECT_EQ(much.status().code, Code::too_large);
   EXPECT_EQ(much.status().pointer, "/quality/trace/strands");
@@ -147,7 +166,7 @@ TEST(World, GrowingStopsWhenNobodyWaits) {
   int asked = 0;
   const auto twice = [&asked] { return ++asked <= 2; };
   const Result<World::Change> change =
-      world.update(patch.model(), patch.fields(), {}, {plain_coat(4000)}, {1, false}, twice);
+      world.update(patch.model(), patch.fields(), {}, GrowRecipe{plain_coat(4000)}, {1, false}, twice);
   ASSERT_FALSE(change);
   EXPECT_EQ(change.status().code, Code::unavailable);
   EXPECT_EQ(asked, 3);

@@ -24,6 +24,7 @@ export type Field = Schemas["Field"];
 export type ChangeEvent = Schemas["ChangeEvent"];
 export type SceneEvent = Schemas["SceneEvent"];
 export type Settings = Schemas["Settings"];
+export type Coat = Schemas["Coat"];
 export type Symmetry = Partial<Schemas["Symmetry"]> & {planes: Partial<Schemas["Plane"]>[]};
 export type Bounds = Schemas["Bounds"];
 export type Repair = Schemas["Repair"];

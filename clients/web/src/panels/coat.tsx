@@ -1,13 +1,12 @@
 // The coat: how the strands of the tile are made, a patch of it close by, and looks to begin with.
-import type {Settings} from "../api/types";
+import type {Coat} from "../api/types";
 import {coat, look} from "../scene/live_setting";
 import {Form} from "../tools/form";
 import {membersOf, schemas, type Member} from "../tools/schema";
+import {Coats} from "./coats";
 import {Looks} from "./looks";
 import {Patch} from "./patch";
 import {Ramp} from "./ramp";
-
-type Coat = Settings["coat"];
 
 /** Where a member is shown, by its name; what no rule takes comes last. */
 const groups: {label: string; of: RegExp; open?: boolean}[] = [
@@ -52,6 +51,7 @@ export function CoatPanel() {
   const members = membersOf(schemas.value["Coat"] ?? {});
   return (
     <>
+      <details class="group" open><summary>Coats</summary><Coats /></details>
       <Patch />
       <details class="group" open><summary>Looks to begin with</summary><Looks /></details>
       {groups.map((group) => {

@@ -1,11 +1,15 @@
 // Looks to begin with, by picture. They are loaded when the panel is opened for the first time.
 import {signal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
+import type {Command} from "../api/types";
 import {sayError} from "../scene/messages";
-import {run} from "../scene/session";
+import {groomed_coat, run} from "../scene/session";
 import type {Look} from "../scene/looks";
 
 const looks = signal<Look[]>([]);
+
+/** A look for the coat that tools work on. */
+const forChosen = (commands: Command[]) => commands.map((one) => (one.op === "set_coat" && groomed_coat.value ? {...one, name: groomed_coat.value} : one));
 
 export function Looks() {
   useEffect(() => {
@@ -14,7 +18,7 @@ export function Looks() {
   return (
     <div class="looks" role="group" aria-label="Looks to begin with">
       {looks.value.map(({name, picture, commands}) => (
-        <button key={name} type="button" onClick={() => void run(...commands)}>
+        <button key={name} type="button" onClick={() => void run(...forChosen(commands))}>
           <img src={picture} alt="" width="84" height="84" loading="lazy" /><span>{name}</span>
         </button>
       ))}

@@ -2,7 +2,7 @@
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {Aborted, Refusal} from "../api/client";
-import type {Settings} from "../api/types";
+import type {Coat, Settings} from "../api/types";
 import {dressPatch, drawPatch, forgetPatch} from "../scene/coat_preview";
 import {coat, look} from "../scene/live_setting";
 
@@ -21,7 +21,7 @@ export function Patch() {
     URL.revokeObjectURL(address.peek());
     address.value = URL.createObjectURL(bytes);
   };
-  const draw = async (dressed: Settings["coat"], shaded: Settings["look"], stopped: AbortSignal) => {
+  const draw = async (dressed: Coat, shaded: Settings["look"], stopped: AbortSignal) => {
     await sleep(wait);
     if (stopped.aborted) return;
     drawing.value = true;

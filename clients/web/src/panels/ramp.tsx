@@ -1,12 +1,12 @@
 // Colours from root to tip: stops on a bar. Drag one along it, click beside them for a new one, Delete takes one away.
 import {useSignal} from "@preact/signals";
 import {useId, useRef} from "preact/hooks";
-import type {Settings} from "../api/types";
+import type {Coat} from "../api/types";
 import {toHex, toLinear} from "../tools/colour";
 import {ColourField} from "../tools/colour_field";
 import {resolved, schemas} from "../tools/schema";
 
-type Stops = Settings["coat"]["ramp"] & object;
+type Stops = Coat["ramp"] & object;
 interface Props { stops: Stops; set: (stops: Stops, done: boolean) => void }
 
 const gap = 0.01;  // between stops: the contract wants them to rise

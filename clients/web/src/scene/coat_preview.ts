@@ -1,7 +1,7 @@
 // A patch of fur on a flat model: a scene of its own that shows a coat close by, whatever the model is. One on each server.
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
-import type {FrameRequest, Scene, Settings, Vector} from "../api/types";
+import type {Coat, FrameRequest, Scene, Settings, Vector} from "../api/types";
 import {preview_name} from "./scratch";
 
 const max_revision = 400;  // its log is of no use to anybody
@@ -23,7 +23,7 @@ const fine: NonNullable<FrameRequest["quality"]> = {raster: {strands: 1000, ligh
 export interface Patch { scene: string; revision: number }
 
 /** Gives the patch a coat. */
-export async function dressPatch(coat: Settings["coat"], look: Settings["look"]): Promise<Patch> {
+export async function dressPatch(coat: Coat, look: Settings["look"]): Promise<Patch> {
   found ??= findScene();
   const {id} = await found;
   const commands = [{op: "set_coat", coat}, {op: "set_look", look: {...look, colour_source: "coat"}}];

@@ -2,7 +2,7 @@
 // finished change is one command. Commands go one at a time; what comes meanwhile is sent once, as it is then.
 import {computed, signal, type ReadonlySignal} from "@preact/signals";
 import type {Command, Settings} from "../api/types";
-import {scene, settings} from "./session";
+import {coats, groomed_coat, scene, settings} from "./session";
 import {commit, endTrial, tryOut} from "./trial";
 
 const key_press = 12;   // ms within which a key press both moves a slider and lets it go
@@ -54,7 +54,11 @@ export function liveSetting<T>(read: (all: Settings) => T, command: (value: T) =
   return {value, set};
 }
 
-export const coat = liveSetting((all) => all.coat, (value) => ({op: "set_coat", coat: value}));
+/** The coat that tools work on, or the first. */
+export const chosenCoat = () => coats().find(({name}) => name === groomed_coat.value) ?? coats()[0];
+const named = () => (groomed_coat.value ? {name: groomed_coat.value} : {});
+
+export const coat = liveSetting((all) => (chosenCoat() ?? all.coats[0]!).coat, (value) => ({op: "set_coat", coat: value, ...named()}));
 export const look = liveSetting((all) => all.look, (value) => ({op: "set_look", look: value}));
 export const lights = liveSetting((all) => all.lights, (value) => ({op: "set_lights", lights: value}));
 export const environment = liveSetting((all) => all.environment, (value) => ({op: "set_environment", environment: value}));

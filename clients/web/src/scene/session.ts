@@ -25,6 +25,7 @@ export const model_id = computed(() => scene.value?.model_id ?? "");
 export const shown_model = computed(() => (scene.value ? `${scene.value.id} ${scene.value.model_id}` : ""));
 export const last_scene = kept("last-scene", "");
 export const edit_layer = signal("");  // that tools write to; "" for the groom below all
+export const groomed_coat = signal("");  // that tools work on; "" for all
 
 /** What this page changed, to tell it from what others did. */
 const own_revisions = new Set<number>();
@@ -32,6 +33,8 @@ const max_own_revisions = 1000;  // news of older ones have come
 export const isOwn = (of: number) => own_revisions.has(of);
 
 export function layers(): EditLayer[] { return scene.value?.edit_layers ?? []; }
+
+export const coats = (): Settings["coats"] => settings.value?.coats ?? [];
 
 /** Whether this scene is open still: to ask after each wait for the server. */
 export const isOpen = (id: string) => scene.value?.id === id;
@@ -83,6 +86,7 @@ export async function openScene(id: string) {
     log_read.value = false;
     settings.value = null;
     edit_layer.value = "";
+    groomed_coat.value = "";
     last_scene.value = id;
   });
   own_revisions.clear();

@@ -15,7 +15,7 @@ export interface Tool {
   floods: boolean;
 }
 
-const not_for_forms = ["op", "stroke", "brush", "flood", "edit_layer"];
+const not_for_forms = ["op", "stroke", "brush", "flood", "edit_layer", "coats"];
 /** Members that the hand gives on the model, not the form. */
 const by_hand: Partial<Record<Op, string[]>> = {
   blow: ["source", "direction", "blower"], attract: ["point", "attractor"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],

@@ -2,7 +2,7 @@
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {Command, Op, Symmetry} from "../api/types";
-import {edit_layer, scene, settings} from "../scene/session";
+import {edit_layer, groomed_coat, scene, settings} from "../scene/session";
 import {brush_members, ownStrength, schemaOf, toolOf} from "./catalogue";
 import {forbidden, type Member} from "./schema";
 
@@ -88,6 +88,7 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
   const whole: Values = {op, ...command, ...by_hand};
   for (const name of forbidden(schemaOf(op), whole)) delete whole[name];
   if (edit_layer.value) whole["edit_layer"] = edit_layer.value;
+  if (groomed_coat.value) whole["coats"] = [groomed_coat.value];
   if (!whole["brush"] && "symmetry" in said_symmetry.value) whole["brush"] = said_symmetry.value;
   return whole as Command;
 }

@@ -2,6 +2,7 @@
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {FrameRequest, Tier} from "../api/types";
+import {groomed_coat} from "../scene/session";
 import {moment} from "./clock";
 import {compared} from "./compared";
 
@@ -27,7 +28,7 @@ export const rest_quality = computed<Partial<FrameRequest>>(() => {
 });
 
 const overlay_request = computed<Partial<FrameRequest>>(() => {
-  if (overlay.value !== "difference") return {overlay: overlay.value};
+  if (overlay.value !== "difference") return {overlay: overlay.value, ...(overlay.value !== "none" && groomed_coat.value ? {overlay_coat: groomed_coat.value} : {})};
   return overlay_from.value === null ? {overlay: "none"} : {overlay: "difference", overlay_from: overlay_from.value};
 });
 
