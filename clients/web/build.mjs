@@ -41,7 +41,7 @@ async function bundle() {
     jsx: "automatic", jsxImportSource: "preact",
     // One module at a time of three.js, so that what nobody uses falls away: a third of the size.
     alias: {three: join(here, "node_modules/three/src/Three.js")},
-    loader: {".jpg": "file", ".svg": "file", ".json": "json"},
+    loader: {".jpg": "file", ".webp": "file", ".svg": "file", ".json": "json"},
     legalComments: "none", logLevel: "warning",
   });
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/commands/coat.h"
 #include "protocol/commands/field.h"
 #include "protocol/commands/scene.h"
 
@@ -139,6 +140,7 @@ struct SceneSummary {
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // that can be undone
   std::size_t redo_steps = 0;
+  std::vector<CoatEntry> coats = {};          // without their strands
   std::vector<EditLayer> edit_layers = {};    // from the lowest
   std::string damage = {};                    // of its journal; "" for none
   std::optional<CarriedReport> carried = {};  // in the answer to a new version of the model
@@ -159,8 +161,9 @@ enum class StrandKind { coat, curve };
 struct PickedStrand {
   int id = 1;  // as Aov::strand has it
   StrandKind kind = StrandKind::coat;
-  double along = 0;    // where on it, [0, 1]: 0 at its root
-  glm::dvec3 root{0};  // where it stands, model coordinates
+  std::string coat = {};  // its name; "" for a curve
+  double along = 0;       // where on it, [0, 1]: 0 at its root
+  glm::dvec3 root{0};     // where it stands, model coordinates
   bool operator==(const PickedStrand&) const = default;
 };
 

@@ -147,6 +147,8 @@ struct CoatBeginning {
   std::string from = {};  // name of that coat; "" for the first
   CoatRegion region = CoatRegion::all;
   double length = 1;  // factor on its lengths, [0.01, 100]
+
+  bool operator==(const CoatBeginning&) const = default;
 };
 
 /// A coat as set_coats names it: by its id; without one by its name. One that is not there yet is new.
@@ -156,6 +158,8 @@ struct CoatEntry {
   bool muted = false;
   std::optional<Coat> coat = {};             // absent: as it was; of a new one as that which it begins from
   std::optional<CoatBeginning> begins = {};  // of a new one
+
+  bool operator==(const CoatEntry&) const = default;
 };
 
 }  // namespace pelage

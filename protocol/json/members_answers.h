@@ -220,6 +220,7 @@ void members(V& v, Visited<V, SceneSummary>& c) {
   v.hash("fields_hash", c.fields_hash);
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
+  v.objects("coats", c.coats, {1, limits::coats}, "Coats, as set_coats takes them back.");
   v.objects("edit_layers", c.edit_layers, {0, limits::edit_layers}, "Edit layers, from the lowest.");
   v.text("damage", c.damage,
          "What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses "
@@ -351,7 +352,8 @@ template <class V>
 void members(V& v, Visited<V, PickedStrand>& c) {
   v.answer("PickedStrand", "The strand that covers most of a pixel.");
   v.integer("id", c.id, {1, 16777216}, "Its number, as the AOV strand has it.");
-  v.name("kind", c.kind, json_names::strand_kinds, "Whether it is of the coat or a curve, such as a whisker.");
+  v.name("kind", c.kind, json_names::strand_kinds, "Whether it is of a coat or a curve, such as a whisker.");
+  v.text(sparse("coat"), c.coat, "Name of its coat; absent for a curve.");
   v.number("along", c.along, share, "Where on it the pixel lies: 0 at its root, 1 at its tip.");
   v.position("root", c.root, "Where it stands.");
 }

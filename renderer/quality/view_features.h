@@ -22,8 +22,8 @@ struct ViewFeatures {
   double area = 0;        // pixels that pieces whose fur is seen cover inside the picture, one over the other
   double fur_pixels = 0;  // length of the fur where it is seen
   double lights = 0;
-  double strands = 0;       // of the coat, that stand on the skin of `area`
-  double width_pixels = 0;  // of a strand at its root where it is seen
+  double strands = 0;       // of all coats, that stand on the skin of `area`
+  double width_pixels = 0;  // of a strand of the first coat at its root where it is seen
   double winding = 1;       // of its strands (strand_tile.h)
 };
 

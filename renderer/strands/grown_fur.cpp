@@ -168,6 +168,7 @@ std::size_t GrownFur::set_curves(std::span<const FurCurves> curves) {
 }
 
 void GrownFur::join_skin() {
+  if (coats_.size() == 1) return;
   std::vector<std::array<SkinLook, 3>> of_each(coats_.size());
   skin_.resize(coats_.front().skin.size());
   for (std::size_t piece = 0; piece < skin_.size(); ++piece) {

@@ -58,7 +58,7 @@ class GrownFur {
   /// Returns how the parts are to be bent, if that was left to the caller.
   FurBend bend() const;
   /// Returns the look of the skin at the corners of each piece of the model.
-  const std::vector<std::array<SkinLook, 3>>& skin() const { return skin_; }
+  const std::vector<std::array<SkinLook, 3>>& skin() const { return coats_.size() == 1 ? coats_.front().skin : skin_; }
   std::size_t count() const;
   std::size_t bytes() const;
 
@@ -103,9 +103,9 @@ class GrownFur {
   std::vector<StrandChunk> chunks_;  // of all coats together
   std::vector<GrownCoat> coats_;
   std::vector<FurCurves> curves_;
-  std::vector<GrownPart> parts_;  // of each coat and chunk, then that of the curves
-  std::vector<Still> still_;      // of each coat and chunk
-  std::vector<std::array<SkinLook, 3>> skin_;
+  std::vector<GrownPart> parts_;               // of each coat and chunk, then that of the curves
+  std::vector<Still> still_;                   // of each coat and chunk
+  std::vector<std::array<SkinLook, 3>> skin_;  // between several coats
 };
 
 }  // namespace pelage

@@ -15,7 +15,7 @@ Status refused(std::size_t entry, const char* member, const char* message, const
   return failure(Code::invalid, message, "/coats/" + std::to_string(entry) + member, limit);
 }
 
-std::string names_of(const std::vector<NamedCoat>& coats) {
+std::string listed(const std::vector<NamedCoat>& coats) {
   std::string names;
   for (const NamedCoat& coat : coats) names += (names.empty() ? "" : ", ") + coat.name;
   return names;
@@ -59,6 +59,12 @@ const NamedCoat* find_coat(const std::vector<NamedCoat>& coats, const std::strin
   return found == coats.end() ? nullptr : &*found;
 }
 
+std::vector<CoatEntry> names_of(const std::vector<NamedCoat>& coats) {
+  std::vector<CoatEntry> names;
+  for (const NamedCoat& coat : coats) names.push_back({.name = coat.name, .id = coat.id, .muted = coat.muted});
+  return names;
+}
+
 const NamedCoat& first_seen(const std::vector<NamedCoat>& coats) {
   const auto seen = std::ranges::find(coats, false, &NamedCoat::muted);
   assert(seen != coats.end());
@@ -71,7 +77,7 @@ Status check(const SetCoats& command, const std::vector<NamedCoat>& coats) {
     if (coat_of(entry, coats)) {
       if (entry.begins) return refused(k, "/begins", "the coat is there already", "of a new coat alone");
     } else if (entry.begins && !find_coat(coats, entry.begins->from)) {
-      return refused(k, "/begins/from", "the scene has no coat of this name", names_of(coats));
+      return refused(k, "/begins/from", "the scene has no coat of this name", listed(coats));
     }
   }
   std::vector<CoatId> ids = ids_of(command, coats);
@@ -85,7 +91,7 @@ Status check(const SetCoats& command, const std::vector<NamedCoat>& coats) {
 
 Status check(const SetCoat& command, const std::vector<NamedCoat>& coats) {
   if (find_coat(coats, command.name)) return {};
-  return failure(Code::invalid, "the scene has no coat of this name", "/name", names_of(coats));
+  return failure(Code::invalid, "the scene has no coat of this name", "/name", listed(coats));
 }
 
 std::vector<NamedCoat> with_change(const std::vector<NamedCoat>& coats, const SetCoats& command) {
@@ -200,7 +206,7 @@ Status check_groomed_coats(const std::vector<std::string>& names, const std::str
   const std::string& own = coat_of_layer(edit_layer, layers);
   for (std::size_t k = 0; k < names.size(); ++k) {
     const NamedCoat* coat = names[k].empty() ? nullptr : find_coat(coats, names[k]);
-    if (!coat) return refused(k, "", "the scene has no coat of this name", names_of(coats));
+    if (!coat) return refused(k, "", "the scene has no coat of this name", listed(coats));
     if (coat->muted) return refused(k, "", "the coat is muted, so that grooming it would not be seen", "not muted");
     if (!own.empty() && own != coat->name)
       return refused(k, "", "the edit layer keeps the changes of another coat", own);

@@ -13,6 +13,9 @@ namespace pelage {
 /// Null where no coat has the name. "" names the first.
 const NamedCoat* find_coat(const std::vector<NamedCoat>& coats, const std::string& name);
 
+/// What a summary says of them: all but their strands.
+std::vector<CoatEntry> names_of(const std::vector<NamedCoat>& coats);
+
 /// The first that is not muted.
 const NamedCoat& first_seen(const std::vector<NamedCoat>& coats);
 

@@ -44,7 +44,10 @@ Result<std::optional<PickedStrand>> seen_strand(FrameService& frames, const std:
   PickedStrand picked;
   picked.id = static_cast<int>(strand[0]);
   picked.along = std::clamp(double{strand[1]}, 0.0, 1.0);
-  picked.kind = strand[2] > 1 ? StrandKind::curve : StrandKind::coat;
+  const auto number = static_cast<std::size_t>(strand[2]);  // of its coat, from 1 on
+  picked.kind = number > limits::coats ? StrandKind::curve : StrandKind::coat;
+  for (const NamedCoat& coat : picture->frame->coats)
+    if (coat.id + 1 == number) picked.coat = coat.name;
   picked.root = picture->placement.centre + picture->placement.size * glm::dvec3(root[0], root[1], root[2]);
   return std::optional(picked);
 }

@@ -18,6 +18,7 @@ TYPES = {
     ".svg": "image/svg+xml",
     ".png": "image/png",
     ".jpg": "image/jpeg",
+    ".webp": "image/webp",
     ".obj": "application/octet-stream",
     ".hdr": "application/octet-stream",
     ".pelage": "application/octet-stream",

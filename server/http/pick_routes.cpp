@@ -13,11 +13,11 @@ using httplib::Request;
 using httplib::Response;
 
 Result<PickAnswer> pick(Service& service, const std::shared_ptr<Scene>& scene, const PickRequest& wanted) {
-  auto answer = scene->pick(wanted);
-  if (!answer || !reaches_fur(wanted)) return answer;
+  if (!reaches_fur(wanted)) return scene->pick(wanted);
   auto strand = seen_strand(service.frames, scene, wanted.view, wanted.pixel);
   if (!strand) return strand.status();
-  answer->strand = *strand;
+  auto answer = scene->pick(wanted, *strand ? (*strand)->coat : "");
+  if (answer) answer->strand = *strand;
   return answer;
 }
 

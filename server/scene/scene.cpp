@@ -331,6 +331,7 @@ SceneSummary Scene::summary() const {
           present_->fields->hash(),
           history_.undo_steps(),
           history_.redo_steps(),
+          names_of(present_->settings->coats),
           present_->settings->layers,
           damage_};
 }
@@ -358,9 +359,11 @@ Result<MapFile> Scene::draw_map(const MapRequest& request) const {
   return file;
 }
 
-Result<PickAnswer> Scene::pick(const PickRequest& wanted) const {
+Result<PickAnswer> Scene::pick(const PickRequest& wanted, const std::string& coat) const {
   const SnapshotPtr now = snapshot();
-  return pelage::pick(now->model->surface, now->fields->of_coat(first_seen(now->settings->coats).id), wanted);
+  const std::vector<NamedCoat>& coats = now->settings->coats;
+  const NamedCoat* asked = coat.empty() ? nullptr : find_coat(coats, coat);  // unless it went meanwhile
+  return pelage::pick(now->model->surface, now->fields->of_coat((asked ? *asked : first_seen(coats)).id), wanted);
 }
 
 Status Scene::rename(const std::string& name) {

@@ -122,7 +122,8 @@ class Scene {
   /// What a retarget takes from this scene: at the present revision or an earlier one of this model, else refused
   /// (invalid, "/revision").
   Result<GroomSource> groom(std::optional<Revision> revision) const;
-  Result<PickAnswer> pick(const PickRequest& wanted) const;
+  /// Values of fields are those of the named coat; "" for the first that is seen.
+  Result<PickAnswer> pick(const PickRequest& wanted, const std::string& coat = "") const;
   /// Draws a field as a map through the model's texture coordinates. Refused as make_map_file.
   Result<MapFile> draw_map(const MapRequest& request) const;
   /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.

@@ -12,10 +12,11 @@ const models = {
 };
 const files = ["fields", "shells", "cards?cards=1000"];
 const scenes = {};
-let bald;
+let bald, maned;
 start(async () => {
   for (const [name, model] of Object.entries(models)) scenes[name] = await scene_of(...model);
   bald = await scene_of("torus", 500, bare);
+  maned = await scene_of("creature", 1500, {op: "set_coats", coats: [{name: "fur"}, {name: "mane", begins: {length: 2}}]});
 });
 
 for (const name of Object.keys(models)) {
@@ -30,6 +31,13 @@ for (const name of Object.keys(models)) {
     assert.deepEqual((await validated(await light_mesh(scenes[name]))).found, []);
   });
 }
+
+test("a coat of two has files of its own", async () => {
+  for (const coat of ["fur", "mane"]) {
+    for (const query of ["fields?", "shells?", "cards?cards=1000&"])
+      assert.deepEqual((await validated((await exported(maned, `${query}coat=${coat}`)).bytes)).found, [], query);
+  }
+});
 
 test("triangles are as many as the server says", async () => {
   for (const query of ["fields", "shells", "shells?shells=3"]) {

@@ -4,11 +4,12 @@ import {test} from "node:test";
 import {bare, dry_run, exported, scene_of, start, whiskers} from "./support/scenes.mjs";
 import {layer_of, numbers_of, scene_of as usd_scene_of} from "./support/tinyusd.mjs";
 
-let creature, torus, bald;
+let creature, torus, bald, maned;
 start(async () => {
   creature = await scene_of("creature", 1500, whiskers);
   torus = await scene_of("torus", 500);
   bald = await scene_of("torus", 500, bare);
+  maned = await scene_of("creature", 1500, whiskers, {op: "set_coats", coats: [{name: "fur"}, {name: "the \"mane\"", id: 5, begins: {length: 2}}]});
 });
 
 const arrays = ["int[] curveVertexCounts", "point3f[] points", "float[] widths", "float3[] extent", "color3f[] primvars:displayColor",
@@ -62,6 +63,16 @@ for (const [what, query] of Object.entries(asked)) {
     check_numbers(file.bytes, check(file, creature));
   });
 }
+
+test("strands of two coats are groups with their numbers", async () => {
+  const file = await exported(maned, "usda");
+  const layer = check(file, maned);
+  check_numbers(file.bytes, layer);
+  const groups = numbers_of(layer, "int[] primvars:groom_group_id");
+  assert.deepEqual([...new Set(groups)], [0, 5, 8]);
+  const {about} = await exported(maned, "usda?coat=fur&curves=false");
+  assert.equal([...groups].filter((group) => group === 0).length, about.strands);
+});
 
 test("guides are about one strand of eight, and say so", async () => {
   const [all, guides] = [await exported(creature, "usda"), await exported(creature, "usda?every=8")];

@@ -117,3 +117,46 @@ test("handles move, size and turn an eye in the picture, and its pair follows", 
   assert.ok(Math.abs(eyes[0].gaze[0] + eyes[1].gaze[0]) < 1e-6 && Math.abs(eyes[0].gaze[1] - eyes[1].gaze[1]) < 1e-6);
   await studio.finish();
 });
+
+test("coats are added, groomed, muted, renamed, ordered and removed", async () => {
+  await open("coats", "coat");
+  const coats = async (check) => {
+    for (let tries = 0; tries < 400; ++tries) {
+      const now = (await settings()).coats;
+      if (check(now)) return now;
+      await page.waitForTimeout(50);
+    }
+    assert.fail(JSON.stringify((await settings()).coats.map(({name, id, muted}) => ({name, id, muted}))));
+  };
+  const button = (name) => page.getByRole("button", {name, exact: true});
+  await page.getByLabel("Where a new coat grows").selectOption({label: "Everywhere"});
+  await button("Add a coat").click();
+  await coats((all) => all.length === 2);
+  await page.getByLabel("Tools work on coat 2").waitFor();
+  await page.getByRole("radio", {name: "Tools work on coat 2", checked: true}).waitFor();  // a new coat is taken in hand
+  const slider = page.getByLabel("Bend", {exact: true});
+  await slider.fill("0.75");
+  const bent = await coats((all) => all[1].coat.bend > 0.7);
+  assert.ok(bent[0].coat.bend < 0.5, "the sliders are those of the chosen coat");
+  const before = await steps();
+  await page.locator(".surface").focus();
+  await studio.drag([[0.5, 0.5], [0.55, 0.52]]);
+  await stepsAre(before + 1);
+  const {entries} = await server.get(`/v1/scenes/${id}/log`);
+  assert.deepEqual(entries.at(-1).commands.coats, ["coat 2"]);
+  await studio.panel("Coat");
+  await button("Rename coat 2").click();
+  await page.getByLabel("New name of coat 2").fill("mane");
+  await page.getByLabel("New name of coat 2").press("Enter");
+  await coats((all) => all[1]?.name === "mane");
+  await page.getByRole("radio", {name: "Tools work on mane", checked: true}).waitFor();
+  await button("Move mane up").click();
+  await coats((all) => all[0].name === "mane" && all[0].id === 1);
+  await button("Mute mane").click();
+  await coats((all) => all[0].muted);
+  await page.getByRole("radio", {name: "All coats", checked: true}).waitFor();  // a muted one is taken out of the hand
+  assert.ok(await button("Mute fur").isDisabled(), "one is seen");
+  await button("Remove mane").click();
+  await coats((all) => all.length === 1);
+  await studio.finish();
+});

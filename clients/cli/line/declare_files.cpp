@@ -14,6 +14,7 @@ void declare_export(CLI::App& app, Options& options) {
   Parameters& parameters = options.export_parameters;
   hand_on(command, parameters, "--format", "format",
           "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
+  hand_on(command, parameters, "--coat", "coat", "Name of the only coat that is in it [all that are seen]");
   hand_on(command, parameters, "--shells", "shells", "Number of shells, 1 to 32 [16]");
   hand_on(command, parameters, "--cards", "cards", "Cards of the finest level, about, 100 to 200000 [6000]");
   hand_on(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
@@ -48,6 +49,7 @@ void declare_guides(CLI::App& app, Options& options) {
   guides->add_option("file", options.file, "The curves, .usda, .hair or .json; - for standard input")->required();
   Parameters& parameters = options.guide_parameters;
   hand_on(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
+  hand_on(guides, parameters, "--coat", "coat", "Name of the coat that follows them [all]");
   hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
   hand_on(guides, parameters, "--sigma", "sigma", "Width over which one curve acts, sizes [from their distance]");
   hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
@@ -62,6 +64,7 @@ void add_map(CLI::App* command, Options& options) {
   add_scene(command, options);
   command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
   Parameters& parameters = options.map_parameters;
+  hand_on(command, parameters, "--coat", "coat", "Name of the coat whose field it is [get: the first, put: all]");
   hand_on(command, parameters, "--encoding", "encoding", "Of direction uv_tangent, fast_fur or vector; else value");
   hand_on(command, parameters, "--scale", "scale",
           "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");

@@ -76,6 +76,7 @@ void add_looks(CLI::App* command, Options& options) {
           "shadow, sample_count, strand, root [beauty]");
   hand_on(command, frame, "--overlay", "overlay",
           "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
+  hand_on(command, frame, "--overlay-coat", "overlay_coat", "Name of the coat whose field an overlay shows");
   hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
   hand_on(command, frame, "--masked", "masked", "true draws only what the mask leaves to tools [false]");
   hand_on(command, frame, "--time", "time",

@@ -92,6 +92,7 @@ void print(const SceneSummary& summary) {
                part.part, part.triangles, text_of(part.centre), part.part);
   }
   print_sheets(report.sheets);
+  for (const CoatEntry& coat : summary.coats) fmt::print("coat        {}{}\n", coat.name, coat.muted ? " (muted)" : "");
   for (const EditLayer& layer : summary.edit_layers)
     fmt::print("layer       {} (weight {:g}{})\n", layer.name, layer.weight, layer.muted ? ", muted" : "");
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,

@@ -3,3 +3,7 @@ declare module "*.jpg" {
   const address: string;
   export default address;
 }
+declare module "*.webp" {
+  const address: string;
+  export default address;
+}

@@ -19,7 +19,8 @@ SceneSummary some_summary() {
                        .report = {},
                        .fields_hash = {.low = 5, .high = 7},
                        .undo_steps = 3,
-                       .redo_steps = 1};
+                       .redo_steps = 1,
+                       .coats = {{.name = "fur", .id = 0, .muted = false}, {.name = "mane", .id = 3, .muted = true}}};
   summary.report = {.source_vertices = 9,
                     .source_faces = 8,
                     .vertices = 7,

@@ -86,12 +86,10 @@ export function Coats() {
         )}
         {all.map((coat, at) => <Row key={coat.id} coat={coat} at={at} editing={editing} />)}
       </ol>
-      <div class="layer-line">
-        <select aria-label="Where a new coat grows" value={region.value} onChange={(event) => { region.value = event.currentTarget.value as Region; }}>
-          {regions.map((one) => <option key={one.region} value={one.region}>{one.words}</option>)}
-        </select>
-        <button type="button" disabled={all.length >= most} onClick={() => inTurn(() => add(region.value))}><Icon sign="plus" />Add a coat</button>
-      </div>
+      <select class="wide" aria-label="Where a new coat grows" value={region.value} onChange={(event) => { region.value = event.currentTarget.value as Region; }}>
+        {regions.map((one) => <option key={one.region} value={one.region}>{one.words}</option>)}
+      </select>
+      <button type="button" class="wide" disabled={all.length >= most} onClick={() => inTurn(() => add(region.value))}><Icon sign="plus" />Add a coat</button>
     </>
   );
 }

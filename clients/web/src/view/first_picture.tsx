@@ -1,5 +1,5 @@
 // What stands in the picture's place until a scene's first one has come: the last one that this browser saw, or on a first visit a fox.
-import fox from "../../pictures/first.jpg";
+import fox from "../../pictures/first.webp";
 import {scene} from "../scene/session";
 import {last_picture, thumbnails} from "../scene/thumbnails";
 import {shown} from "./frames";
