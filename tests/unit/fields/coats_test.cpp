@@ -50,6 +50,9 @@ TEST(Coats, EachHasItsOwnFieldsButForThoseThatAllShare) {
   EXPECT_EQ(mane.number(Field::length, 1), 0.02f);
   EXPECT_EQ(mane.number(Field::mask, 1), 1) << "shared";
   EXPECT_NE(mane.hash(), alone);
+  FieldSet one = fields.of_coat(1), two = fields.of_coat(2);
+  one.set(Field::length, 1, {0.7f, 0, 0, 0}), two.set(Field::length, 1, {0.7f, 0, 0, 0});
+  EXPECT_NE(one.hash(), two.hash()) << "the same in another coat";
 }
 
 TEST(Coats, ADeltaLeadsThereAndBackWhicheverCoatIsSelected) {
