@@ -103,6 +103,13 @@ FieldSet FieldSet::of_coat(CoatId coat) const {
   return other;
 }
 
+bool FieldSet::holds(CoatId coat) const {
+  if (coat == 0) return true;
+  if (coat >= coats_.size()) return false;
+  const auto touched = [&](const Array& values) { return values && values != upright_ && values != bald_; };
+  return std::ranges::any_of(coats_[coat], [&](const auto& sheet) { return std::ranges::any_of(sheet, touched); });
+}
+
 const std::vector<float>& FieldSet::array(Sheet sheet, Field field, CoatId coat) const {
   static const std::vector<float> none;
   if (coat >= coats_.size() || sheet >= coats_[coat].size()) return none;

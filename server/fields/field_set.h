@@ -56,8 +56,10 @@ class FieldSet {
   CoatId coat() const { return coat_; }
   void select(CoatId coat);
   FieldSet of_coat(CoatId coat) const;
-  /// The coats that any field has a value for: all from 0 to one less than this.
+  /// The coats that any field has a value for: all from 0 to one less than this, and of them those that are held.
   std::size_t coats() const { return coats_.size(); }
+  /// Returns whether any field of the coat has been touched; of coat 0 always.
+  bool holds(CoatId coat) const;
   /// Which coat's array a field of the selected coat is in.
   CoatId owner(Field field) const { return is_shared(field) ? CoatId{0} : coat_; }
 

@@ -90,16 +90,20 @@ FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& s
 Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& images, const Step& step,
                          const Surface& surface, const FieldSet& fields, const SceneSettings& settings,
                          const Cancel& cancel) {
+  Evaluation done;
+  if (step.baseline && !step.baseline->holds(coat.id)) {
+    done.warnings.push_back("the coat " + coat.name + " is not in what was to be taken, and stays as it is");
+    return done;
+  }
   std::optional<FieldSet> baseline;
-  if (step.baseline) baseline = step.baseline->of_coat(coat.id < step.baseline->coats() ? coat.id : CoatId{0});
+  if (step.baseline) baseline = step.baseline->of_coat(coat.id);
   const ToolExtras extras{
       coat.coat, baseline ? &*baseline : nullptr, step.source.get(), step.pictures.own.get(), step.pictures.alpha.get(),
       cancel};
   const FieldSet own = fields.of_coat(coat.id);
   if (!erases_edit_layer(images.front())) return evaluate_all_images(images, surface, own, settings, extras);
-  Evaluation erased;
-  erased.delta = erase_all_images(images, surface, own, settings, extras);
-  return erased;
+  done.delta = erase_all_images(images, surface, own, settings, extras);
+  return done;
 }
 
 /// Evaluates a tool on each coat that it works on. What all coats share changes as the first of them says.
@@ -114,7 +118,7 @@ Evaluation evaluate_coats(const Step& step, const Surface& surface, const FieldS
     Evaluation one = evaluate_coat(coat, images, step, surface, fields, settings, cancel);
     if (coat.id != chosen.front())
       std::erase_if(one.delta.parts, [](const FieldDelta::Part& part) { return is_shared(part.field); });
-    all.delta = compose(all.delta, one.delta);
+    all.delta = all.delta.empty() ? std::move(one.delta) : compose(all.delta, one.delta);
     all.clamped += one.clamped;
     for (std::string& warning : one.warnings)
       if (std::ranges::count(all.warnings, warning) == 0) all.warnings.push_back(std::move(warning));

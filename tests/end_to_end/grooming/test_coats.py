@@ -56,6 +56,11 @@ class Coats(ServedTest):
         after = scene.frame(**FRAME, view="a").image
         self.assertGreater(numpy.abs(after.astype(int) - before).max(), 30)
         numpy.testing.assert_array_equal(after, scene.frame(**FRAME, view="b").image)
+        scene.run({"op": "set_coats", "coats": [{"name": "fur", "muted": True}, {"name": "mane"}]})
+        muted = scene.frame(**FRAME, view="a").image
+        numpy.testing.assert_array_equal(muted, scene.frame(**FRAME, view="c").image)
+        scene.run({"op": "set_coats", "coats": [{"name": "mane"}, {"name": "fur"}]})
+        numpy.testing.assert_array_equal(scene.frame(**FRAME, view="a").image, scene.frame(**FRAME, view="d").image)
 
     def test_a_pick_names_the_coat_of_the_strand(self):
         scene = self.scene_with_mane()

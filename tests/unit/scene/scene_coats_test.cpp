@@ -94,6 +94,23 @@ TEST_F(SceneCoatsTest, ThatAreMutedAreNotGroomed) {
   EXPECT_EQ(refused.status().pointer, "/coats/0");
 }
 
+TEST_F(SceneCoatsTest, ACoatStaysAsItIsWhereItWasNotThereYet) {
+  const auto scene = make();
+  execute(*scene, {with_mane(CoatRegion::none)});
+  execute(*scene, {comb_at(*scene, 5)});
+  const FieldSet mane = scene->snapshot()->fields->of_coat(1);
+  const auto erased = scene->execute({Erase{.flood = true, .brush = {.strength = 1}}});
+  ASSERT_TRUE(erased.ok());
+  ASSERT_EQ(erased->results[0].warnings.size(), 1u);
+  EXPECT_NE(erased->results[0].warnings[0].find("mane"), std::string::npos);
+  EXPECT_EQ(turned(*scene, *make(), 0), 0) << "the first coat is as it was";
+  const FieldSet after = scene->snapshot()->fields->of_coat(1);
+  for (std::uint32_t v = 0; v < mane.size(); ++v) {
+    ASSERT_EQ(after.value(Field::direction, v), mane.value(Field::direction, v));
+    ASSERT_EQ(after.number(Field::density, v), 0);
+  }
+}
+
 TEST_F(SceneCoatsTest, AnEditLayerOfACoatStoresItsChangesAlone) {
   const auto scene = make(), untouched = make();
   execute(*scene, {with_mane()}), execute(*untouched, {with_mane()});

@@ -45,11 +45,12 @@ export function previewInWords({revision, results}: Answer): string {
 
 const corner = (values: readonly number[]) => `[${values.map((value) => short(value)).join(", ")}]`;
 
-export function sceneInWords({id, name, revision, model, vertices, triangles, size, bounds, undo_steps, redo_steps, edit_layers}: Answers["Scene"]): string {
+export function sceneInWords({id, name, revision, model, vertices, triangles, size, bounds, undo_steps, redo_steps, coats, edit_layers}: Answers["Scene"]): string {
+  const named = coats.length > 1 ? ` Coats: ${coats.map((coat) => coat.name + (coat.muted ? " (muted)" : "")).join(", ")}.` : "";
   const layers = edit_layers.length > 0 ? ` Edit layers: ${edit_layers.map((layer) => layer.name).join(", ")}.` : "";
   const box = `box ${corner(bounds.min)} to ${corner(bounds.max)} (x to the model's left, y up, z forward)`;
   return `Scene "${name}" (id ${id}): model ${model}, ${vertices} vertices, ${triangles} triangles, size ${short(size)}, ${box}. `
-    + `Revision ${revision}, ${undo_steps} steps to undo, ${redo_steps} to redo.${layers}`;
+    + `Revision ${revision}, ${undo_steps} steps to undo, ${redo_steps} to redo.${named}${layers}`;
 }
 
 export function entryInWords({revision, kind, touched, in_effect, author, commands}: Answers["LogEntry"]): string {
