@@ -220,7 +220,8 @@ void members(V& v, Visited<V, SceneSummary>& c) {
   v.hash("fields_hash", c.fields_hash);
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
-  v.objects("coats", c.coats, {0, limits::coats}, "Coats, as set_coats takes them back; none where the model is damaged.");
+  v.objects("coats", c.coats, {0, limits::coats},
+            "Coats, as set_coats takes them back; none where the model is damaged.");
   v.objects("edit_layers", c.edit_layers, {0, limits::edit_layers}, "Edit layers, from the lowest.");
   v.text("damage", c.damage,
          "What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses "
