@@ -74,7 +74,7 @@ def main(folder):
             for tier in TIERS:
                 frame = {"width": 720, "height": 720, "camera": {"auto": "three_quarter"}, "quality": tier, "format": "png"}
                 if tier == "reference":
-                    frame["quality"] = {"method": "strands", "trace": {"passes": 48}}
+                    frame["quality"] = {"method": "strands", "trace": {"passes": 16}}
                 answer = server.post(f"{scene.path}/frames", frame, timeout=600)
                 assert answer.status == 200, answer
                 (folder / f"{name}-{tier}.png").write_bytes(answer.body)
