@@ -33,7 +33,7 @@ void members(V& v, Visited<V, CoatEntry>& c) {
             "Number of the coat from 0 to 7, which stays. A new one takes the lowest that is free unless given.");
   v.boolean("muted", c.muted, "Whether it is left out: not drawn, not exported and not changed by tools.");
   v.object("coat", c.coat,
-           "How its strands are made; unless given as before, or as in the coat that a new one begins as.");
+           "How its strands are made. Unless given they stay; a new coat takes those of the coat that it begins from.");
   v.object("begins", c.begins, "How the fields of a new coat begin; refused for one that is there.");
 }
 
@@ -42,8 +42,7 @@ void members(V& v, Visited<V, SetCoats>& c) {
   v.type("SetCoats",
          "Names the coats of the scene, in their order: makes, renames, mutes and orders them, and removes those that "
          "are left out, with their fields. Each has its own strands and fields; `bare` and `mask` are shared by all. "
-         "Where its density "
-         "is above 0 is its region. One at least is not muted.");
+         "Where its density is above 0 is its region. One at least is not muted.");
   v.objects(required("coats"), c.coats, {1, limits::coats}, "All coats of the scene.");
 }
 

@@ -73,9 +73,8 @@ inline constexpr NamedWords named_words<Aov>{
     "sample_count: segments of strands that were blended in the pixel; of traced strands the samples that were "
     "taken.\n"
     "strand: the one that covers most of the pixel: its number from 1 on, the same in all frames of a revision; where "
-    "on it, from 0 at its root to 1 at its tip; and the number of its coat plus 1, or 9 for curves such as "
-    "whiskers. 0 where "
-    "skin, eyes or nothing shows more. root: where that strand stands, in the model's own coordinates. Both of "
+    "on it, from 0 at its root to 1 at its tip; and the number of its coat plus 1, or 9 for curves such as whiskers. 0 "
+    "where skin, eyes or nothing shows more. root: where that strand stands, in the model's own coordinates. Both of "
     "rasterized strands only.\n"};
 
 }  // namespace pelage::json_parts

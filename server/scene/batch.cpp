@@ -92,7 +92,8 @@ Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& imag
                          const Cancel& cancel) {
   Evaluation done;
   if (step.baseline && !step.baseline->holds(coat.id)) {
-    done.warnings.push_back("the coat " + coat.name + " is not in what was to be taken, and stays as it is");
+    done.warnings.push_back("the coat " + coat.name +
+                            " stays as it is: the groom that is taken has no coat of its number");
     return done;
   }
   std::optional<FieldSet> baseline;
