@@ -191,6 +191,7 @@ void load_picture_files() {
 }
 
 int serve(const Options& options, const HttpOptions& http) {
+  if (!options.port_file.empty()) std::remove(options.port_file.c_str());  // a server's that is gone
   const StopSignals signals;
   StopDeadline deadline;
   YieldGate gate;

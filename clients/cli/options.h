@@ -81,6 +81,7 @@ struct Options {
   bool names = false;
   // environment
   double intensity = 1, turn_degrees = 0;
+  std::string colour_space;  // of an environment
   // map
   std::string field;
   Parameters map_parameters;    // as in the address of the map

@@ -87,8 +87,18 @@ enum class Aov {
   shadow,    // unshadowed share of `direct`, [0, 1]; 1 where there is no direct light
   sample_count,  // segments of strands that were blended, mean over the pixel; of traced strands the samples
   strand,  // that covers most of the pixel: its number from 1 on, where on it, and its coat; 0 where skin shows more
-  root     // of that strand, model's coordinates
+  root,    // of that strand, model's coordinates
+  cryptomatte,  // how much of a pixel skin, eyes, curves and each coat cover
+  // What cryptomatte is drawn as: the shares of three objects each (first_object of renderer/input). Nobody asks for
+  // them by name.
+  objects_1,
+  objects_2,
+  objects_3,
+  objects_4
 };
+
+/// Pictures that an AOV is drawn as.
+constexpr int pictures_of(Aov aov) { return aov == Aov::cryptomatte ? 4 : 1; }
 
 /// How strands are traced. A pass adds a sample to each pixel that still needs some.
 struct Tracing {
@@ -186,6 +196,7 @@ struct FrameRequest {
   int lossy_quality = 0;               // of JPEG and WebP, [0, 100]; 0: as the knobs ask (lossy_quality)
   ExrType exr_type = ExrType::half;    // depth and position are always single
   std::vector<Aov> aovs{Aov::beauty};  // of an EXR: at least one, each once
+  std::string colour_space = {};       // of an EXR, as OpenColorIO knows it; "" for linear Rec. 709
   Overlay overlay = Overlay::none;     // not in an EXR
   bool masked = false;                 // only triangles with a corner whose mask is above .5, and what grows on them
   std::string overlay_coat = {};       // whose field an overlay shows; "" for that of the first coat that is seen

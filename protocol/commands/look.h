@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pelage {
@@ -101,6 +102,12 @@ struct Environment {
   double intensity = 1;     // [0, 100]
 
   bool operator==(const Environment&) const = default;
+};
+
+/// How a picture of all directions lights a scene.
+struct EnvironmentUpload {
+  Environment environment;
+  std::string colour_space = {};  // of the picture, as OpenColorIO knows it; "" for linear Rec. 709
 };
 
 /// A level ground that catches the shadow of the model. It shows nothing else: the background stays what it is.

@@ -39,7 +39,7 @@ Result<RenderJob> decode_job(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// Decodes the same request from the parameters of an address: width, height, camera (an automatic view) or position,
 /// target, up (three numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure,
-/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), overlay, overlay_from, revision. Pointers
+/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), colour_space, overlay, overlay_from, revision. Pointers
 /// name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.
@@ -47,8 +47,8 @@ Result<Tracing> decode_tracing_query(const Query& query);
 /// How to read a model's bytes: format (required), up, front, length, inclination, fur_patches.
 Result<ImportOptions> decode_import_query(const Query& query);
 
-/// What comes with the bytes of an environment's picture: intensity and turn_degrees.
-Result<Environment> decode_environment_query(const Query& query);
+/// What comes with the bytes of an environment's picture: intensity, turn_degrees and colour_space.
+Result<EnvironmentUpload> decode_environment_query(const Query& query);
 /// Decodes the revisions of a comparison: `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 

@@ -191,10 +191,8 @@ Result<MapRequest> decode_map_query(const Query& query) { return decode_query<Ma
 Result<MapUpload> decode_map_upload_query(const Query& query) { return decode_query<MapUpload>(query); }
 Result<GuideUpload> decode_guide_query(const Query& query) { return decode_query<GuideUpload>(query); }
 
-Result<Environment> decode_environment_query(const Query& query) {
-  const auto upload = decode_query<json_parts::EnvironmentUpload>(query);
-  if (!upload) return upload.status();
-  return upload->environment;
+Result<EnvironmentUpload> decode_environment_query(const Query& query) {
+  return decode_query<EnvironmentUpload>(query);
 }
 
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query) {

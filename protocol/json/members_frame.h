@@ -149,15 +149,20 @@ void members(V& v, Visited<V, FrameRequest>& c) {
       "How much jpeg and webp keep of the picture, from 1 on; of these formats only. 0: as the frame's quality asks, "
       "80 of a draft, 88 of an interactive frame, 94 beyond.");
   v.name("exr_type", c.exr_type, json_names::exr_types,
-         "Type of the channels of an EXR. Depth, position, strand and root are always float.");
+         "Type of the channels of an EXR. Depth, position, strand, root and cryptomatte are always float.");
   if (v.shows(is_linear(c.format)))
     v.names(
         bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
         "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
-        "pixels times AOVs are at most 67108864. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
+        "pixels times AOVs are at most 67108864, where cryptomatte counts as four. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
         "of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count; "
-        "strand.id, "
-        ".along and .coat.");
+        "strand.id, .along and .coat; CryptoObject00 to 02 of cryptomatte, whose manifest names skin, eyes, curves and "
+        "coat/NAME of each coat.");
+  if (v.shows(is_linear(c.format)))
+    v.text(sparse("colour_space"), c.colour_space,
+           "Colour space of beauty, albedo and direct, for exr and npy_linear: a name, an alias or a role of the "
+           "OpenColorIO configuration that $OCIO names for the server. Linear with the primaries of Rec. 709 when "
+           "absent.");
   v.name("overlay", c.overlay, json_names::overlays,
          "Shows a field on the fur. Not in linear light. density, wetness and "
          "mask go from dark violet for 0 to yellow for 1. difference: how much the fields have changed since "

@@ -33,11 +33,6 @@ struct Batch {
   std::vector<Command> commands;
 };
 
-/// What a query says about the environment that comes with it.
-struct EnvironmentUpload {
-  Environment environment;
-};
-
 template <class V>
 void fur_members(V& v, Visited<V, FirstGroom>& c) {
   v.number("length", c.length, {0, 10, "sizes"}, "Length of the first fur.");
@@ -260,6 +255,9 @@ template <class V>
 void members(V& v, Visited<V, EnvironmentUpload>& c) {
   v.type("EnvironmentUpload", "How a picture lights the scene.");
   intensity_member(v, c.environment), turn_member(v, c.environment);
+  v.text(sparse("colour_space"), c.colour_space,
+         "Linear colour space of the picture: a name, an alias or a role of the OpenColorIO configuration that $OCIO "
+         "names for the server. Linear with the primaries of Rec. 709 when absent.");
 }
 
 /// What requests for maps and uploads of maps have in common.

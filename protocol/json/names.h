@@ -176,7 +176,7 @@ inline constexpr std::array<Name<FrameFormat>, 7> frame_formats{{{"png", FrameFo
                                                                  {"npy", FrameFormat::npy},
                                                                  {"npy_linear", FrameFormat::npy_linear}}};
 inline constexpr std::array<Name<ExrType>, 2> exr_types{{{"half", ExrType::half}, {"float", ExrType::single}}};
-inline constexpr std::array<Name<Aov>, 12> aovs{{{"beauty", Aov::beauty},
+inline constexpr std::array<Name<Aov>, 13> aovs{{{"beauty", Aov::beauty},
                                                  {"alpha", Aov::alpha},
                                                  {"depth", Aov::depth},
                                                  {"position", Aov::position},
@@ -187,7 +187,8 @@ inline constexpr std::array<Name<Aov>, 12> aovs{{{"beauty", Aov::beauty},
                                                  {"shadow", Aov::shadow},
                                                  {"sample_count", Aov::sample_count},
                                                  {"strand", Aov::strand},
-                                                 {"root", Aov::root}}};
+                                                 {"root", Aov::root},
+                                                 {"cryptomatte", Aov::cryptomatte}}};
 inline constexpr std::array<Name<Overlay>, 10> overlays{{{"none", Overlay::none},
                                                          {"direction", Overlay::direction},
                                                          {"strokes", Overlay::strokes},

@@ -1,6 +1,8 @@
 #include "protocol/json/rules.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <set>
 
 namespace pelage::json_parts {
@@ -72,8 +74,11 @@ void check_layers(const Value& value, const FrameRequest& request) {
   const bool linear = is_linear(request.format);
   if (given(value, "aovs") && !linear)
     value.refuse_below("aovs", "Only linear light has AOVs.", "format exr or npy_linear");
+  if (given(value, "colour_space") && !linear)
+    value.refuse_below("colour_space", "Only linear light has a colour space of its own.", "format exr or npy_linear");
   const bool colour_only = request.aovs == std::vector{Aov::beauty};
-  if (linear && !colour_only && width * height * static_cast<double>(request.aovs.size()) > limits::aov_pixels) {
+  const int pictures = std::transform_reduce(request.aovs.begin(), request.aovs.end(), 0, std::plus<>(), pictures_of);
+  if (linear && !colour_only && width * height * pictures > limits::aov_pixels) {
     value.refuse_below("aovs", "The AOVs are too large together.",
                        "drawn pixels x AOVs at most " + std::to_string(limits::aov_pixels));
   }

@@ -19,6 +19,10 @@ RasterOutput output_of(Aov aov) {
     case Aov::sample_count: return RasterOutput::count;
     case Aov::strand:
     case Aov::root: return RasterOutput::strand;
+    case Aov::objects_1:
+    case Aov::objects_2:
+    case Aov::objects_3:
+    case Aov::objects_4: return RasterOutput::objects;
     default: return RasterOutput::light;
   }
 }

@@ -183,7 +183,7 @@ RasterScene RasterRenderer::scene_of(RasterFur& standing, const FurFrame& frame,
   RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
                                                 quality_of(frame.knobs, winding(frame.coat())), wanted.shown);
   if (!wanted.by_gpu) standing.raster->fill_cells(scene);
-  scene.field = wanted.field, scene.drawn = wanted.tiles;
+  scene.field = wanted.field, scene.drawn = wanted.tiles, scene.first_object = wanted.first_object;
   return scene;
 }
 
@@ -225,8 +225,9 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
 
 Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times,
                                               const Pause& pause) {
-  wanted.by_gpu = draws_on_gpu(frame, wanted.growth, times);
+  wanted.by_gpu = wanted.shown != RasterOutput::objects && draws_on_gpu(frame, wanted.growth, times);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
+  if (wanted.first_object >= first_coat_object + frame.coats.size()) return picture;  // there are none
   if (Status drawn = draw_area(frame, whole_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
   const DrawClock clock(times);
   if (!wanted.by_gpu) darken(frame, grown(frame, wanted), wanted, picture);
@@ -245,7 +246,9 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
       const RasterOutput shown = output_of(aov);
       const auto before = drawn_before.find(shown);
       Result<FloatImage> image =
-          before != drawn_before.end() ? before->second : draw_whole(drawn, {shown, {}, nullptr, growth}, times, pause);
+          before != drawn_before.end()
+              ? before->second
+              : draw_whole(drawn, {shown, {}, nullptr, growth, false, first_object(aov)}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
       pictures.push_back(aov_picture(frame, aov, *image, standing_for(drawn, growth).fur.parts(), threads_));

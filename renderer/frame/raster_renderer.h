@@ -86,6 +86,7 @@ class RasterRenderer {
     const TileMask* tiles = nullptr;        // null for all
     Growth growth = Growth::as_kept;
     bool by_gpu = false;
+    std::size_t first_object = 0;  // of those that are shown
   };
   RasterFur& standing_for(const FurFrame& frame, Growth growth);
   /// Grows what has changed, as `wanted` asks. Drops what is cached of other models if all of it takes too much memory,

@@ -39,6 +39,9 @@ inline constexpr const char* map_scale_text = "pelage:scale";
 
 /// Under which an EXR has its frames per second; the text is a ratio, "24/1".
 inline constexpr const char* frame_rate_text = "FramesPerSecond";
+/// Under which an EXR has the colour space of its colours, unless that is linear Rec. 709, and how the keys begin that
+/// say what its cryptomatte is of.
+inline constexpr const char *colour_space_text = "pelage/colourSpace", *matte_text = "cryptomatte/";
 
 enum class ExrSample { half, single };
 

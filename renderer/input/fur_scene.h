@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/limits.h"
 #include "protocol/commands/coat.h"
 #include "protocol/commands/creature.h"
 #include "protocol/commands/frame.h"
@@ -166,6 +167,14 @@ struct FurGround {
 
   bool operator==(const FurGround&) const = default;
 };
+
+/// What pictures tell apart, by numbers: skin, eyes, curves, and the coats of a frame in their order.
+inline constexpr std::size_t skin_object = 0, eyes_object = 1, curves_object = 2, first_coat_object = 3,
+                             max_objects = first_coat_object + limits::coats;
+/// Of the parts of cryptomatte: which objects they show as red, green and blue, by the first; 0 for other AOVs.
+constexpr std::size_t first_object(Aov aov) {
+  return aov > Aov::objects_1 ? 3 * (static_cast<std::size_t>(aov) - static_cast<std::size_t>(Aov::objects_1)) : 0;
+}
 
 /// Everything a frame needs beside the model: copied, so that the scene may go on changing while it is drawn.
 struct FurFrame {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 
@@ -55,6 +56,15 @@ class PictureFiles {
   /// where the parts are none of these, differ, are broken, or lie outside.
   virtual Result<std::string> merge_pictures(std::span<const PicturePart> parts, int width, int height, bool keep_alpha,
                                              std::span<const ImageText> texts) const = 0;
+
+  // Colour spaces are names, aliases and roles of the OpenColorIO configuration that $OCIO names when the first is asked
+  // for; it needs the role aces_interchange. Refused (invalid, /colour_space) where there is none, or no such space.
+
+  /// Converts light, interleaved RGBA multiplied by alpha, from linear Rec. 709 to a colour space; what has an alpha of
+  /// 0 stays.
+  virtual Status to_colour_space(const std::string& space, std::span<float> rgba) const = 0;
+  /// What takes light of a linear colour space to linear Rec. 709; refused for spaces that are not linear too.
+  virtual Result<glm::mat3> linear_from_space(const std::string& space) const = 0;
 
   /// Makes the library of EXR do without threads from here on, for a process that may start none.
   virtual void read_exr_without_threads() const = 0;

@@ -9,6 +9,7 @@
 #include "renderer/optics/eye-inl.h"
 #include "renderer/raster/kernels.h"
 #include "renderer/raster/pixel_rays-inl.h"
+#include "renderer/raster/strand_light-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
@@ -59,14 +60,15 @@ HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
 
 /// What the scene shows of an eye. Lids and cornea count as what reflects, not as shadow: all of the lights' share is
 /// left.
-HWY_INLINE Vec3 shown_of(RasterOutput shown, EyeShading& shading, const EyeHit& hit, Real inverse) {
+HWY_INLINE Vec3 shown_of(const RasterScene& scene, EyeShading& shading, const EyeHit& hit, Real inverse) {
   const auto direct = [&]() HWY_ATTR {
     EyeShading unlit = shading;
     unlit.eye_lights = 0;
     return max(shading.eye_light(hit) - unlit.eye_light(hit), 0.0f);
   };
   const Real none = 0.0f;
-  switch (shown) {
+  switch (scene.shown) {
+    case RasterOutput::objects: return shown_object(scene, eyes_object);
     case RasterOutput::albedo: return shading.eye_surface(hit).albedo;
     case RasterOutput::normal: return shading.eye_surface(hit).normal;
     case RasterOutput::field:
@@ -96,7 +98,7 @@ HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way
   Real weight = select(hit.there, through * hit.covered, 0.0f);
   const Real left_over = through - weight;
   if (scene.shown == RasterOutput::depth) weight = select((through >= 0.5f) & (left_over < 0.5f), 1.0f, 0.0f);
-  const Vec3 light = shown_of(scene.shown, shading, hit, load(ends + at));
+  const Vec3 light = shown_of(scene, shading, hit, load(ends + at));
   store(mul_add(light.x, weight, load(sums.red + at)), sums.red + at);
   store(mul_add(light.y, weight, load(sums.green + at)), sums.green + at);
   store(mul_add(light.z, weight, load(sums.blue + at)), sums.blue + at);

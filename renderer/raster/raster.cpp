@@ -338,7 +338,7 @@ RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::ar
 RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
                              const RasterQuality& quality, RasterOutput shown) {
   RasterScene scene = bare_scene_of(model, fur.skin(), frame, shown);
-  scene.quality = quality, scene.parts = fur.parts(), scene.bend = fur.bend();
+  scene.quality = quality, scene.parts = fur.parts(), scene.bend = fur.bend(), scene.coats = frame.coats;
   scene.cells = grid_place(scene.parts), scene.lights = frame.lights;
   if (frame.ground && frame.ground->height < frame.camera.position.y) scene.ground = frame.ground;
   scene.keys = keys_of(scene);

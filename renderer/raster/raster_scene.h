@@ -43,7 +43,8 @@ enum class RasterOutput {
   distance,  // red: along the view
   depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
   count,     // red: segments of strands that were blended; not premultiplied
-  strand     // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its coat_number
+  strand,    // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its coat_number
+  objects    // red, green, blue: the shares of three objects, from RasterScene::first_object on
 };
 /// Returns whether it goes as the colour of strands does.
 constexpr bool is_coloured(RasterOutput shown) {
@@ -58,6 +59,13 @@ constexpr bool sends(RasterOutput shown) {
 /// As pictures name the coat of a part: its number plus 1; limits::coats + 1 for curves.
 inline float coat_number(const GrownPart& part) {
   return static_cast<float>(part.role == StrandRole::curve ? limits::coats + 1 : part.coat + std::size_t{1});
+}
+
+/// The object (fur_scene.h) that the strands of a part are.
+inline std::size_t object_of(std::span<const NamedCoat> coats, const GrownPart& part) {
+  if (part.role == StrandRole::curve) return curves_object;
+  const auto is_it = [&](const NamedCoat& one) { return one.id == part.coat; };
+  return first_coat_object + static_cast<std::size_t>(std::ranges::find_if(coats, is_it) - coats.begin());
 }
 
 /// How wide a light is from a place: a far one the same from all.
@@ -99,6 +107,8 @@ struct RasterScene {
   DistanceKeys keys;                              // of what the parts lie between
   std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
   std::span<const glm::vec3> field;               // of each vertex, where it is shown
+  std::size_t first_object = 0;                   // of those that are shown
+  std::span<const NamedCoat> coats;               // of the parts, as FurFrame::coats
   std::optional<GridPlace> cells;                 // of what stands in the way of light; none where nothing does
   std::span<const FurLight> lights;               // that things stand in the way of
   // What stands there, for the CPU: of the fur and the body, and of single strands of parts that are near.

@@ -105,6 +105,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
     case RasterOutput::normal: return skin.at.normal;
     case RasterOutput::piece: return {to_real(skin.corners.piece), none, none};
     case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
+    case RasterOutput::objects: return shown_object(scene, skin_object);
     case RasterOutput::tangent:
     case RasterOutput::count:
     case RasterOutput::strand: return Vec3(none);

@@ -134,6 +134,19 @@ HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, c
   return select(there, field_at(scene, hn::Max(piece, whole(0)), b, c), Vec3(0.0f));
 }
 
+/// An object as it is shown.
+HWY_INLINE Vec3 shown_object(const RasterScene& scene, std::size_t object) {
+  const auto is = [&](std::size_t channel)
+                      HWY_ATTR { return Real(object == scene.first_object + channel ? 1.0f : 0.0f); };
+  return {is(0), is(1), is(2)};
+}
+
+/// What the strands of a part show that have no light of their own: by their roots, or all the same.
+HWY_INLINE Vec3 unlit(const RasterScene& scene, const GrownPart& part, const std::uint32_t* ids) {
+  if (scene.shown == RasterOutput::field) return field_at_roots(scene, *part.strands, ids);
+  return shown_object(scene, object_of(scene.coats, part));
+}
+
 /// What the scene shows of a fibre.
 HWY_INLINE Vec3 shown_of(SceneLight& from, const Fibre& fibre, Real thin, Vec3 ambient) {
   switch (from.scene.shown) {
@@ -160,11 +173,11 @@ HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::
     std::uint32_t lanes[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
     const StrandLanes strand = strand_lanes(scene, part, lanes, lit);
-    const bool is_field = scene.shown == RasterOutput::field;
-    const Vec3 field = is_field ? field_at_roots(scene, *part.strands, lanes) : Vec3(0.0f);
+    const bool is_unlit = scene.shown == RasterOutput::field || scene.shown == RasterOutput::objects;
+    const Vec3 same = is_unlit ? unlit(scene, part, lanes) : Vec3(0.0f);
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
     for (std::size_t p = 0; p < stride; ++p) {
-      Vec3 sent = is_field ? field
+      Vec3 sent = is_unlit ? same
                            : shown_of(from, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
                                       strand.thin, strand.ambient);
       if (light.by_colour)

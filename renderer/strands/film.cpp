@@ -42,8 +42,13 @@ std::array<bool, Film::part_count> Film::parts_of(std::span<const Aov> aovs, boo
       case Aov::direct: need({body, direct}); break;
       case Aov::shadow: need({body, light}); break;
       case Aov::sample_count: need({body}); break;
+      case Aov::objects_1:
+      case Aov::objects_2:
+      case Aov::objects_3:
+      case Aov::objects_4: need({body, objects}); break;
       case Aov::strand:
-      case Aov::root: assert(false);  // samples of a pixel hit many strands
+      case Aov::root:                        // samples of a pixel hit many strands
+      case Aov::cryptomatte: assert(false);  // drawn as its parts
     }
   }
   if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
@@ -102,6 +107,9 @@ void Film::add(int x, int y, const FilmSample& s) {
   keep_colour(albedo, s.albedo * s.body);
   keep_colour(direct, s.direct);
   keep(light, {s.light.x, s.light.y});
+  if (means_[objects].empty()) return;
+  float* shares = &means_[objects][pixel * max_objects];
+  for (std::size_t k = 0; k < max_objects; ++k) shares[k] += ((k == s.object ? s.body : 0) - shares[k]) * share;
 }
 
 int Film::samples(int x, int y) const { return static_cast<int>(samples_[index(x, y)]); }
@@ -195,8 +203,18 @@ glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
       return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};
     }
     case Aov::sample_count: return {glm::vec3(static_cast<float>(samples_[pixel])), covered};
+    case Aov::objects_1:
+    case Aov::objects_2:
+    case Aov::objects_3:
+    case Aov::objects_4: {
+      glm::vec4 shares(0, 0, 0, covered);
+      const std::size_t first = first_object(aov), end = std::min(first + 3, max_objects);
+      for (std::size_t k = first; k < end; ++k) shares[static_cast<int>(k - first)] = at(objects, pixel)[k];
+      return shares;
+    }
     case Aov::strand:
-    case Aov::root: break;
+    case Aov::root:
+    case Aov::cryptomatte: break;
   }
   assert(false);
   return {};

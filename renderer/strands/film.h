@@ -11,6 +11,7 @@
 
 #include "protocol/commands/frame.h"
 #include "renderer/image/float_image.h"
+#include "renderer/input/fur_scene.h"
 
 namespace pelage {
 
@@ -23,10 +24,12 @@ struct FilmSample {
   glm::vec3 position{0}, normal{0}, tangent{0}, albedo{0};
   glm::vec3 direct{0};  // of lights alone, without the ambient part
   glm::vec2 light{0};   // luminance of that, and what it would be without shadows
+  std::size_t object = skin_object;  // what was hit (fur_scene.h)
 };
 
 /// Means of samples by pixel. AOVs that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
-/// beauty, 48 for what the filter looks at and the AOVs of it, 12 each for position and direct, 8 for shadow. Pixels
+/// beauty, 48 for what the filter looks at and the AOVs of it, 12 each for position and direct, 8 for shadow, 44 for
+/// cryptomatte. Pixels
 /// are added to from one thread at a time; a tile belongs to one thread during a pass.
 class Film {
  public:
@@ -62,8 +65,8 @@ class Film {
 
  private:
   /// Running means in float do not drift: what a sample adds shrinks as its weight does.
-  enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, part_count };
-  static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3, 3, 3, 3, 3, 2};  // numbers a pixel
+  enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, objects, part_count };
+  static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3, 3, 3, 3, 3, 2, max_objects};  // numbers a pixel
 
   static std::array<bool, part_count> parts_of(std::span<const Aov> aovs, bool filter);
   const float* at(Part part, std::size_t pixel) const { return &means_[part][pixel * widths[part]]; }

@@ -112,6 +112,7 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen) {
   sample.normal = strand || !seen.base.there ? seen.hit.normal : seen.base.normal;
   sample.tangent = strand ? seen.hit.tangent : glm::vec3(0);
   sample.albedo = strand || !seen.base.there ? seen.hit.colour : seen.base.albedo;
+  sample.object = strand ? seen.hit.object : seen.eye ? eyes_object : skin_object;
   return sample;
 }
 

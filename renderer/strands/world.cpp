@@ -140,6 +140,7 @@ struct World::Impl {
   bool grow(const Grower& grower, std::size_t part, std::atomic<std::size_t>& grown);
   bool join(const FurFrame& frame);
   glm::vec3 root_colour(std::size_t chunk) const;
+  std::size_t object_of(std::size_t part) const;  // by its number
 
   MemoryBudget budget;
   EmbreeDevice device;
@@ -153,6 +154,10 @@ struct World::Impl {
   EmbreeGeometry skin;
   EmbreeScene all;
 };
+
+std::size_t World::Impl::object_of(std::size_t part) const {
+  return part + 1 == parts.size() ? curves_object : first_coat_object + part / chunks.size();
+}
 
 /// The surface's triangles, each once, and the chunk that one of its pieces is in.
 bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) {
@@ -283,7 +288,9 @@ Hit World::intersect(const Ray& ray) const {
   rtcIntersect1(world.all.get(), &query.context, &found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   if (found.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
-    return world.parts[found.hit.instID[0]]->hit(ray, found.ray.tfar, found.hit.primID, found.hit.u);
+    Hit hit = world.parts[found.hit.instID[0]]->hit(ray, found.ray.tfar, found.hit.primID, found.hit.u);
+    hit.object = world.object_of(found.hit.instID[0]);
+    return hit;
   }
   Hit hit{.kind = HitKind::skin, .distance = found.ray.tfar};
   const glm::vec3 across(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z);

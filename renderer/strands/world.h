@@ -64,6 +64,7 @@ struct Hit {
   glm::vec3 colour{0};        // linear
   float number = 0, wetness = 0;
   StrandId strand = {};
+  std::size_t object = 0;  // what a strand belongs to (fur_scene.h)
 };
 
 /// Transmittance of a strand of colour c: t^(1 - .82 sqrt(c)) by channel (science.md 4), where t is that of a black

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "renderer/image/image.h"
 #include "renderer/image/npy.h"
 #include "renderer/picture_files/picture_files.h"
+#include "server/frames/cryptomatte.h"
+#include "server/frames/linear_picture.h"
 
 namespace pelage {
 
@@ -59,6 +63,11 @@ Channels channels_of(Aov aov) {
     case Aov::sample_count: return {"sample_count.", {"Y"}};
     case Aov::strand: return {"strand.", {"id", "along", "coat"}};
     case Aov::root: return {"root.", {"X", "Y", "Z"}};
+    case Aov::cryptomatte:
+    case Aov::objects_1:
+    case Aov::objects_2:
+    case Aov::objects_3:
+    case Aov::objects_4: break;  // Cryptomatte::planes
   }
   assert(false);
   return {};
@@ -117,30 +126,49 @@ ExrCamera exr_camera(const FurCamera& camera, const ModelPlacement& placement, d
   return {rows(to_camera, 1), rows(to_ndc, 0)};
 }
 
-std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const FurCamera& camera,
-                        const ModelPlacement& placement, std::span<const ImageText> texts) {
-  assert(images.size() == request.aovs.size() && !images.empty());
-  const auto asked = [&](Aov l) {
-    return std::find(request.aovs.begin(), request.aovs.end(), l) != request.aovs.end();
-  };
-  std::vector<ExrPlane> planes;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const Aov aov = request.aovs[i];
-    if (aov == Aov::position || aov == Aov::root) place_in_model(images[i], placement);
-    if (aov == Aov::depth) measure_in_model(images[i], placement);
-    const bool in_beauty = aov == Aov::alpha && asked(Aov::beauty);
-    if (!in_beauty) add_planes(images[i], aov, request.exr_type, planes);
-  }
-  const FloatImage& first = images.front();
-  if (request.format != FrameFormat::exr) return encode_array(first.width, first.height, planes);
+bool is_coloured(Aov aov) { return aov == Aov::beauty || aov == Aov::albedo || aov == Aov::direct; }
+
+ExrWindow window_of(const FloatImage& drawn, const FrameRequest& request, const FurCamera& camera,
+                    const ModelPlacement& placement) {
   const Crop crop = request.crop.value_or(Crop());
   const double aspect = static_cast<double>(request.width) / request.height;
-  return picture_files().encode_exr({first.width, first.height, crop.left, crop.top, request.width, request.height,
-                                     exr_camera(camera, placement, aspect)},
-                                    planes, texts);
+  return {drawn.width,   drawn.height,   crop.left, crop.top,
+          request.width, request.height, exr_camera(camera, placement, aspect)};
+}
+
+std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const FurFrame& frame,
+                        const ModelPlacement& placement, std::vector<ImageText> texts) {
+  const std::vector<Aov> aovs = linear_aovs(request);
+  assert(images.size() == aovs.size() && !images.empty());
+  const auto asked = [&](Aov l) { return std::ranges::find(aovs, l) != aovs.end(); };
+  std::vector<ExrPlane> planes;
+  std::optional<Cryptomatte> matte;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Aov aov = aovs[i];
+    if (aov == Aov::position || aov == Aov::root) place_in_model(images[i], placement);
+    if (aov == Aov::depth) measure_in_model(images[i], placement);
+    if (is_coloured(aov) && !request.colour_space.empty()) {
+      [[maybe_unused]] const Status converted = picture_files().to_colour_space(request.colour_space, images[i].rgba);
+      assert(converted.ok());
+    }
+    if (aov == Aov::objects_1) matte.emplace(frame, std::span(images).subspan(i, 4));
+    const bool in_beauty = aov == Aov::alpha && asked(Aov::beauty);
+    if (!in_beauty && aov < Aov::cryptomatte) add_planes(images[i], aov, request.exr_type, planes);
+  }
+  if (matte) std::ranges::move(matte->planes(), std::back_inserter(planes));
+  if (matte) std::ranges::move(matte->texts(), std::back_inserter(texts));
+  if (!request.colour_space.empty()) texts.push_back({colour_space_text, request.colour_space});
+  const FloatImage& first = images.front();
+  if (request.format != FrameFormat::exr) return encode_array(first.width, first.height, planes);
+  return picture_files().encode_exr(window_of(first, request, frame.camera, placement), planes, texts);
 }
 
 }  // namespace
+
+Status can_encode(const FrameRequest& request) {
+  if (request.colour_space.empty()) return {};
+  return picture_files().to_colour_space(request.colour_space, {});
+}
 
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times, const Pause& pause) {
@@ -151,7 +179,7 @@ Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, 
     case FrameFormat::webp: return drawn(renderer.draw(frame, &times, pause));
     case FrameFormat::png16: return drawn(renderer.draw_deep(frame, &times, pause));
     case FrameFormat::npy_linear:
-    case FrameFormat::exr: return drawn(renderer.draw_aovs(frame, request.aovs, &times, pause));
+    case FrameFormat::exr: return drawn(renderer.draw_aovs(frame, linear_aovs(request), &times, pause));
   }
   assert(false);
   return failure(Code::internal, "no such format");
@@ -175,11 +203,11 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
   return parts;
 }
 
-std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurCamera& camera,
+std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurFrame& frame,
                          const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts) {
   const bool keep_alpha = request.background == Background::transparent;
   if (auto* aovs = std::get_if<std::vector<FloatImage>>(&picture))
-    return encode_aovs(std::move(*aovs), request, camera, placement, texts);
+    return encode_aovs(std::move(*aovs), request, frame, placement, {texts.begin(), texts.end()});
   if (const auto* deep = std::get_if<Image16>(&picture)) return png.encode(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
   const int kept = request.lossy_quality > 0 ? request.lossy_quality : lossy_quality(knobs);

@@ -69,6 +69,7 @@ Result<FrameView> FrameService::view(const Scene& scene, const FrameRequest& req
 Result<FramePlan> FrameService::plan(const FrameView& view, const FrameRequest& request) const {
   FramePlan plan = impl_->planner.plan(request, view.snapshot->view());
   if (Status can = impl_->can_draw(plan.knobs); !can.ok()) return can;
+  if (Status can = can_encode(request); !can.ok()) return can;
   if (Status long_drawing = check_seconds(request, plan.cost); !long_drawing.ok()) return long_drawing;
   return plan;
 }
@@ -93,7 +94,7 @@ FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, 
   std::vector<ImageText> said = texts ? texts(answer) : std::vector<ImageText>();
   if (!texts && request.format == FrameFormat::exr)
     said.push_back({"pelage/revision", std::to_string(answer.revision)});
-  answer.bytes = encode_frame(std::move(drawn.picture), request, answer.knobs, drawn.frame->camera, drawn.placement,
+  answer.bytes = encode_frame(std::move(drawn.picture), request, answer.knobs, *drawn.frame, drawn.placement,
                               impl_->png, said);
   answer.timings.encode = passed.milliseconds();
   return answer;

@@ -196,6 +196,8 @@ std::vector<NamedCoat> seen_coats(const SceneSettings& settings) {
   std::vector<NamedCoat> seen;
   for (const NamedCoat& coat : settings.coats)
     if (!coat.muted) seen.push_back(coat);
+  constexpr std::uint32_t apart = 0x9e3779b9;  // so that coats of one seed do not stand on the same roots
+  for (NamedCoat& coat : seen) coat.coat.seed += static_cast<std::uint32_t>(coat.id) * apart;
   return seen;
 }
 

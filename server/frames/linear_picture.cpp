@@ -8,7 +8,15 @@
 namespace pelage {
 
 std::vector<Aov> linear_aovs(const FrameRequest& request) {
-  return is_linear(request.format) ? request.aovs : std::vector{Aov::beauty};
+  if (!is_linear(request.format)) return {Aov::beauty};
+  std::vector<Aov> drawn;
+  for (const Aov aov : request.aovs) {
+    if (aov != Aov::cryptomatte)
+      drawn.push_back(aov);
+    else
+      drawn.insert(drawn.end(), {Aov::objects_1, Aov::objects_2, Aov::objects_3, Aov::objects_4});
+  }
+  return drawn;
 }
 
 FrameRequest linear_request(const FrameRequest& request) {

@@ -27,7 +27,7 @@ struct LinearPicture {
   SnapshotPtr past = {};
 };
 
-/// The AOVs that a request's file is made of: those of an EXR, else beauty.
+/// The AOVs that a request's file is made of: those of an EXR, with the parts of cryptomatte in its place; else beauty.
 std::vector<Aov> linear_aovs(const FrameRequest& request);
 
 /// The request for them.

@@ -18,7 +18,9 @@ Result<ExportRequest> export_request_of(const Request& request) {
   Query query = query_of(request);
   std::erase_if(query, [](const auto& parameter) { return parameter.first == "dry_run"; });
   query.emplace_back("format", request.matches[2].str());
-  return decode_export_query(query);
+  Result<ExportRequest> wanted = decode_export_query(query);
+  if (!wanted) return not_found_at(wanted.status(), "/format");
+  return wanted;
 }
 
 /// Waits some seconds for the export before: its client has the file a moment before its place is free.

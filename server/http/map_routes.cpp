@@ -32,7 +32,7 @@ void reply_map(Service& service, const Scene& scene, const MapRequest& wanted, R
 
 void get_map(Service& service, const Scene& scene, const Request& request, Response& response) {
   const auto wanted = decode_map_query(map_query_of(request));
-  if (!wanted) return reply_problem(response, wanted.status());
+  if (!wanted) return reply_problem(response, not_found_at(wanted.status(), "/field"));
   const Revision revision = scene.revision();
   if (none_match_names(request, revision)) {
     response.status = 304;

@@ -64,6 +64,11 @@ void reply_problem(httplib::Response& response, const Status& status) {
   reply_problem(response, status, http_status_of(status.code));
 }
 
+Status not_found_at(Status refusal, std::string_view pointer) {
+  if (refusal.pointer == pointer) refusal.code = Code::not_found;
+  return refusal;
+}
+
 void close_after(httplib::Response& response) {
   const auto body = std::make_shared<const std::string>(std::move(response.body));
   const std::string type = response.get_header_value("Content-Type");

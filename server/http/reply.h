@@ -27,6 +27,9 @@ void reply_uncompressed(httplib::Response& response, const char* content_type, s
 void reply_problem(httplib::Response& response, const Status& status, int http_status);
 void reply_problem(httplib::Response& response, const Status& status);
 
+/// The refusal of what a path names by `pointer`, if it is of that: nothing is there.
+Status not_found_at(Status refusal, std::string_view pointer);
+
 /// Makes the connection end after this answer, which has a body. cpp-httplib goes on after a header
 /// "Connection: close"; it stops when a content provider says false. Needed wherever a request's body was not read,
 /// or what is left of it would run as the next request.

@@ -78,7 +78,7 @@ void load_skin_texture(Service& service, Scene& scene, const Request& request, R
 
 void load_map(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file) {
   const auto how = decode_map_upload_query(map_query_of(request));
-  if (!how) return reply_problem(response, how.status());
+  if (!how) return reply_problem(response, not_found_at(how.status(), "/field"));
   auto options = change_options_of(request);
   if (!options) return reply_problem(response, options.status());
   options->cancel = file.cancel;

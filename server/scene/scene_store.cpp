@@ -1,3 +1,4 @@
+#include "renderer/picture_files/picture_files.h"
 #include "server/scene/scene_store.h"
 
 #include <algorithm>
@@ -396,12 +397,16 @@ Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Comman
   return scene.execute(commands, options);
 }
 
-Result<CommandAnswer> SceneStore::load_environment(Scene& scene, Environment how, std::span<const std::byte> bytes,
-                                                   const ExecuteOptions& execute) {
-  const Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, ended_by(execute.cancel));
+Result<CommandAnswer> SceneStore::load_environment(Scene& scene, EnvironmentUpload how,
+                                                   std::span<const std::byte> bytes, const ExecuteOptions& execute) {
+  Result<glm::mat3> to_linear = glm::mat3(1);
+  if (!how.colour_space.empty()) to_linear = picture_files().linear_from_space(how.colour_space);
+  if (!to_linear) return to_linear.status();
+  Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, ended_by(execute.cancel));
   if (!harmonics) return harmonics.status();
-  how.harmonics = *harmonics;
-  return scene.execute({SetEnvironment{how}}, execute);
+  for (glm::dvec3& one : *harmonics) one = glm::dmat3(*to_linear) * one;  // linear, as they are of the light
+  how.environment.harmonics = *harmonics;
+  return scene.execute({SetEnvironment{how.environment}}, execute);
 }
 
 Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,

@@ -106,8 +106,9 @@ ExitCode load_model(Session& session) {
 
 ExitCode load_environment(Session& session) {
   const Options& options = session.options();
-  const Query query = {{"intensity", fmt::format("{}", options.intensity)},
-                       {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
+  Query query = {{"intensity", fmt::format("{}", options.intensity)},
+                 {"turn_degrees", fmt::format("{}", options.turn_degrees)}};
+  if (!options.colour_space.empty()) query.emplace_back("colour_space", options.colour_space);
   if (const auto checked = decode_environment_query(query); !checked) return report(checked.status());
   return print_change(session, put_file(session, "environment", query, limits::picture_bytes), session.options().file);
 }

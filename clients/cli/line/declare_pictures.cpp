@@ -73,7 +73,9 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
   hand_on(command, frame, "--aovs", "aovs",
           "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
-          "shadow, sample_count, strand, root [beauty]");
+          "shadow, sample_count, strand, root, cryptomatte [beauty]");
+  hand_on(command, frame, "--colour-space", "colour_space",
+          "Of an EXR: a space of the server's OpenColorIO configuration, such as ACEScg [linear Rec. 709]");
   hand_on(command, frame, "--overlay", "overlay",
           "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
   hand_on(command, frame, "--overlay-coat", "overlay_coat", "Name of the coat whose field an overlay shows");

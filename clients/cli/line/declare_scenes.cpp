@@ -72,6 +72,8 @@ void declare_environment(CLI::App& app, Options& options) {
   add_scene(environment, options);
   environment->add_option("file", options.file, "The picture, up to 4096 pixels wide; - for standard input")
       ->required();
+  environment->add_option("--colour-space", options.colour_space,
+                          "Of the picture: a linear space of the server's OpenColorIO configuration [linear Rec. 709]");
   environment->add_option("--intensity", options.intensity, "Factor on its light, 0 to 100")->capture_default_str();
   environment
       ->add_option("--turn-degrees", options.turn_degrees, "About +y, counter-clockwise seen from above, -360 to 360")

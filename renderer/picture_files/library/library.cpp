@@ -35,6 +35,12 @@ class OpenImageIoFiles final : public PictureFiles {
                                      std::span<const ImageText> texts) const override {
     return pelage::merge_pictures(parts, width, height, keep_alpha, texts);
   }
+  Status to_colour_space(const std::string& space, std::span<float> rgba) const override {
+    return pelage::to_colour_space(space, rgba);
+  }
+  Result<glm::mat3> linear_from_space(const std::string& space) const override {
+    return pelage::linear_from_space(space);
+  }
   void read_exr_without_threads() const override { OIIO::attribute("exr_threads", -1); }
 };
 

@@ -17,4 +17,7 @@ std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes
 Result<std::string> merge_pictures(std::span<const PicturePart> parts, int width, int height, bool keep_alpha,
                                    std::span<const ImageText> texts);
 
+Status to_colour_space(const std::string& space, std::span<float> rgba);
+Result<glm::mat3> linear_from_space(const std::string& space);
+
 }  // namespace pelage

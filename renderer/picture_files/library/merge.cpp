@@ -108,6 +108,16 @@ std::optional<ExrCamera> camera_of(const OIIO::ImageSpec& spec) {
   return is_there ? std::optional(camera) : std::nullopt;
 }
 
+/// How an EXR says that its channels are read: the same in all parts.
+std::vector<ImageText> texts_of_channels(const OIIO::ImageSpec& spec) {
+  std::vector<ImageText> texts;
+  for (const OIIO::ParamValue& one : spec.extra_attribs) {
+    const std::string key = one.name().string();
+    if (key.starts_with(matte_text) || key == colour_space_text) texts.push_back({key, one.get_string()});
+  }
+  return texts;
+}
+
 Result<std::string> merge_exr(std::span<const PicturePart> parts, int width, int height,
                               std::span<const ImageText> texts) {
   std::vector<float> whole;
@@ -122,7 +132,9 @@ Result<std::string> merge_exr(std::span<const PicturePart> parts, int width, int
     if (!numbers) return numbers.status();
     paste(*numbers, first, part, width, whole);
   }
-  return encode_exr({.width = width, .height = height, .camera = camera_of(first)}, planes_of(first, whole), texts);
+  std::vector<ImageText> all = texts_of_channels(first);
+  all.insert(all.end(), texts.begin(), texts.end());
+  return encode_exr({.width = width, .height = height, .camera = camera_of(first)}, planes_of(first, whole), all);
 }
 
 }  // namespace

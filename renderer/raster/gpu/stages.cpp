@@ -93,6 +93,7 @@ std::string name_of(RasterOutput shown) {
     case RasterOutput::depth: return "SHOWN_DEPTH";
     case RasterOutput::count: return "SHOWN_COUNT";
     case RasterOutput::strand: return "SHOWN_STRAND";
+    case RasterOutput::objects: assert(false);  // the CPU draws them
   }
   return {};
 }

@@ -204,9 +204,11 @@ class Export(ServedTest):
 
     def test_what_cannot_be_exported_is_refused(self):
         scene = self.scene_of()
-        for path, pointer in (("fbx", "/format"), ("usda?shells=4", "/shells"), ("shells?every=2", "/every"), ("usda?every=0", "/every"), ("usda?every=1.5", "/every"), ("usda?nth=2", "/nth")):
+        for path, pointer in (("usda?shells=4", "/shells"), ("shells?every=2", "/every"), ("usda?every=0", "/every"), ("usda?every=1.5", "/every"), ("usda?nth=2", "/nth")):
             answer = self.server.get(f"{scene.path}/export/{path}")
             self.assertEqual((answer.status, answer.json.get("pointer")), (422, pointer), answer)
+        self.assert_problem(self.server.get(f"{scene.path}/export/fbx"), 404, "/format")
+        self.assert_problem(self.server.get(f"{scene.path}/maps/fluff"), 404, "/field")
 
     def test_the_client_writes_whole_files_and_says_what_they_hold(self):
         scene = self.scene_of()

@@ -80,17 +80,24 @@ std::string exr_of(const ExrNoise& noise, const ExrWindow& window, std::span<con
   return picture_files().encode_exr(window, planes, says);
 }
 
-TEST(Merge, MergesExrAndKeepsTheTypesOfItsChannels) {
+/// What says how the channels are to be read.
+const std::vector<ImageText> of_channels = {{"cryptomatte/1a2b3c4/name", "CryptoObject"},
+                                            {colour_space_text, "ACEScg"}};
+
+TEST(Merge, MergesExrAndKeepsTheTypesOfItsChannelsAndHowTheyAreRead) {
   const ExrNoise noise = exr_noise();
   std::vector<PicturePart> parts;
   for (const Place& at : places) {
     const ExrNoise part{cropped(noise.colour, at.left, at.top, at.width, at.height),
                         cropped(noise.depth, at.left, at.top, at.width, at.height)};
-    parts.push_back({exr_of(part, {at.width, at.height, at.left, at.top, width, height}), at.left, at.top});
+    const std::vector<ImageText> says = {of_channels[0], of_channels[1], {"pelage/seconds", "1"}};
+    parts.push_back({exr_of(part, {at.width, at.height, at.left, at.top, width, height}, says), at.left, at.top});
   }
   const auto merged = picture_files().merge_pictures(parts, width, height, false, texts);
   ASSERT_TRUE(merged.ok()) << merged.status().message;
-  EXPECT_TRUE(*merged == exr_of(noise, {width, height}, texts));
+  std::vector<ImageText> all(texts.begin(), texts.end());
+  all.insert(all.end(), of_channels.begin(), of_channels.end());
+  EXPECT_TRUE(*merged == exr_of(noise, {width, height}, all));
 }
 
 TEST(Merge, RefusesPartsThatDoNotFit) {

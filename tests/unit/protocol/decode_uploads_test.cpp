@@ -23,8 +23,9 @@ TEST(Decode, EnvironmentsAreAGradientOrHarmonics) {
 }
 
 TEST(Decode, EnvironmentQueriesHaveDefaultsAndLimits) {
-  EXPECT_EQ(decode_environment_query({})->intensity, 1);
-  EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->turn_degrees, -90);
+  EXPECT_EQ(decode_environment_query({})->environment.intensity, 1);
+  EXPECT_EQ(decode_environment_query({{"turn_degrees", "-90"}, {"intensity", "2"}})->environment.turn_degrees, -90);
+  EXPECT_EQ(decode_environment_query({{"colour_space", "ACEScg"}})->colour_space, "ACEScg");
   EXPECT_EQ(decode_environment_query({{"intensity", "-1"}}).status().pointer, "/intensity");
   EXPECT_EQ(decode_environment_query({{"intensiti", "1"}}).status().nearest, "intensity");
 }
