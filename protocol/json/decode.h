@@ -39,8 +39,8 @@ Result<RenderJob> decode_job(std::string_view text);
 using Query = std::vector<std::pair<std::string, std::string>>;
 /// Decodes the same request from the parameters of an address: width, height, camera (an automatic view) or position,
 /// target, up (three numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure,
-/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), colour_space, overlay, overlay_from, revision. Pointers
-/// name the member of the request that the parameter stands for.
+/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), colour_space, overlay, overlay_from,
+/// revision. Pointers name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
 /// How strands are traced: the members of Tracing by their names.
 Result<Tracing> decode_tracing_query(const Query& query);

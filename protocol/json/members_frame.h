@@ -154,7 +154,8 @@ void members(V& v, Visited<V, FrameRequest>& c) {
     v.names(
         bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
         "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
-        "pixels times AOVs are at most 67108864, where cryptomatte counts as four. Channels: R, G, B, A of beauty; A of alpha; Z of depth; AOV.X, .Y, .Z "
+        "pixels times AOVs are at most 67108864, where cryptomatte counts as four. Channels: R, G, B, A of beauty; A "
+        "of alpha; Z of depth; AOV.X, .Y, .Z "
         "of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count; "
         "strand.id, .along and .coat; CryptoObject00 to 02 of cryptomatte, whose manifest names skin, eyes, curves and "
         "coat/NAME of each coat.");

@@ -196,7 +196,9 @@ class MemberSchemas {
   }
   void hash(MemberName name, FieldsHash, const char* words = "") { add(name, reference("FieldsHash"), {}, words); }
   void json(MemberName name, const std::string&, const char* words = "") {
-    add(name, {{"type", answer_ ? Json({"object", "array"}) : Json("object")}}, {}, words);
+    Json schema = {{"type", "object"}};
+    if (answer_) schema = {{"type", {"object", "array"}}, {"items", {{"type", "object"}}}};
+    add(name, std::move(schema), {}, words);
   }
   void any(MemberName name, const std::string&, const char* words = "") {
     add(name, {{"type", {"number", "string", "boolean", "array"}}}, {}, words);

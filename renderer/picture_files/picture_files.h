@@ -57,8 +57,9 @@ class PictureFiles {
   virtual Result<std::string> merge_pictures(std::span<const PicturePart> parts, int width, int height, bool keep_alpha,
                                              std::span<const ImageText> texts) const = 0;
 
-  // Colour spaces are names, aliases and roles of the OpenColorIO configuration that $OCIO names when the first is asked
-  // for; it needs the role aces_interchange. Refused (invalid, /colour_space) where there is none, or no such space.
+  // Colour spaces are names, aliases and roles of the OpenColorIO configuration that $OCIO names when the first is
+  // asked for; it needs the role aces_interchange. Refused (invalid, /colour_space) where there is none, or no such
+  // space.
 
   /// Converts light, interleaved RGBA multiplied by alpha, from linear Rec. 709 to a colour space; what has an alpha of
   /// 0 stays.

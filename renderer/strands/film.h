@@ -22,8 +22,8 @@ struct FilmSample {
   float body = 0;         // the same without the ground
   float over_depth = 0;   // 1 / distance along the view, 1 / sizes; 0 for none
   glm::vec3 position{0}, normal{0}, tangent{0}, albedo{0};
-  glm::vec3 direct{0};  // of lights alone, without the ambient part
-  glm::vec2 light{0};   // luminance of that, and what it would be without shadows
+  glm::vec3 direct{0};               // of lights alone, without the ambient part
+  glm::vec2 light{0};                // luminance of that, and what it would be without shadows
   std::size_t object = skin_object;  // what was hit (fur_scene.h)
 };
 
@@ -66,7 +66,8 @@ class Film {
  private:
   /// Running means in float do not drift: what a sample adds shrinks as its weight does.
   enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, objects, part_count };
-  static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3, 3, 3, 3, 3, 2, max_objects};  // numbers a pixel
+  static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3,          3,
+                                                              3, 3, 3, 2, max_objects};  // numbers a pixel
 
   static std::array<bool, part_count> parts_of(std::span<const Aov> aovs, bool filter);
   const float* at(Part part, std::size_t pixel) const { return &means_[part][pixel * widths[part]]; }

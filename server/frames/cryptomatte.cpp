@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t layers = 3, ranks = 2 * layers;
-constexpr float least_share = 1e-4f;  // of a pixel that is written
+constexpr float min_share = 1e-4f;  // of a pixel that is written
 constexpr const char* layer_name = "CryptoObject";
 
 std::uint32_t mixed(std::uint32_t block) { return std::rotl(block * 0xcc9e2d51u, 15) * 0x1b873593u; }
@@ -48,7 +48,7 @@ std::array<Share, max_objects> sorted_shares(std::span<const FloatImage> shares,
   std::array<Share, max_objects> all{};
   for (std::size_t k = 0; k < max_objects; ++k) {
     const float share = std::clamp(shares[k / 3].rgba[4 * pixel + k % 3], 0.0f, 1.0f);
-    all[k] = {share >= least_share ? share : 0.0f, k};
+    all[k] = {share >= min_share ? share : 0.0f, k};
   }
   std::ranges::stable_sort(all, std::ranges::greater(), &Share::first);
   return all;
@@ -93,7 +93,8 @@ std::vector<ImageText> Cryptomatte::texts() const {
   const std::string key = matte_text + hex_of(murmur3(layer_name)).substr(0, 7) + "/";
   std::string manifest;
   for (const auto& [name, id] : objects_)
-    manifest += (manifest.empty() ? "{" : ",") + json_text(name) + ":\"" + hex_of(std::bit_cast<std::uint32_t>(id)) + "\"";
+    manifest +=
+        (manifest.empty() ? "{" : ",") + json_text(name) + ":\"" + hex_of(std::bit_cast<std::uint32_t>(id)) + "\"";
   return {{key + "name", layer_name},
           {key + "hash", "MurmurHash3_32"},
           {key + "conversion", "uint32_to_float32"},

@@ -132,8 +132,13 @@ ExrWindow window_of(const FloatImage& drawn, const FrameRequest& request, const 
                     const ModelPlacement& placement) {
   const Crop crop = request.crop.value_or(Crop());
   const double aspect = static_cast<double>(request.width) / request.height;
-  return {drawn.width,   drawn.height,   crop.left, crop.top,
-          request.width, request.height, exr_camera(camera, placement, aspect)};
+  return {drawn.width,
+          drawn.height,
+          crop.left,
+          crop.top,
+          request.width,
+          request.height,
+          exr_camera(camera, placement, aspect)};
 }
 
 std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& request, const FurFrame& frame,

@@ -33,9 +33,9 @@ DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& re
 
 /// Encodes the picture as a file of the requested format; the same picture gives the same bytes. The channels of an EXR
 /// are R, G, B and A of beauty, A of alpha, Z of depth, AOV.X, .Y, .Z of position, normal and tangent, AOV.R, .G, .B of
-/// albedo and direct, AOV.Y of shadow and sample_count, and those of Cryptomatte. The request passes can_encode. `png` remembers 8-bit pictures. PNG
-/// and EXR carry the texts, an EXR the frame's camera too. `knobs` are those that the picture was drawn with: they determine the quality of a
-/// lossy format, unless the request names one.
+/// albedo and direct, AOV.Y of shadow and sample_count, and those of Cryptomatte. The request passes can_encode. `png`
+/// remembers 8-bit pictures. PNG and EXR carry the texts, an EXR the frame's camera too. `knobs` are those that the
+/// picture was drawn with: they determine the quality of a lossy format, unless the request names one.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurFrame& frame,
                          const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
 

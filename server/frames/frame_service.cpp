@@ -94,8 +94,8 @@ FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, 
   std::vector<ImageText> said = texts ? texts(answer) : std::vector<ImageText>();
   if (!texts && request.format == FrameFormat::exr)
     said.push_back({"pelage/revision", std::to_string(answer.revision)});
-  answer.bytes = encode_frame(std::move(drawn.picture), request, answer.knobs, *drawn.frame, drawn.placement,
-                              impl_->png, said);
+  answer.bytes =
+      encode_frame(std::move(drawn.picture), request, answer.knobs, *drawn.frame, drawn.placement, impl_->png, said);
   answer.timings.encode = passed.milliseconds();
   return answer;
 }

@@ -1,4 +1,3 @@
-#include "renderer/picture_files/picture_files.h"
 #include "server/scene/scene_store.h"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
+#include "renderer/picture_files/picture_files.h"
 #include "server/builtin/builtin_cache.h"
 #include "server/history/journal.h"
 #include "server/import/import.h"

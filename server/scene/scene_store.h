@@ -86,8 +86,8 @@ class SceneStore {
   /// Scene::amend with them and with those that the scene's log takes.
   Result<CommandAnswer> amend(Scene& scene, const AmendRequest& request, ExecuteOptions options = {}) const;
 
-  /// Reads a picture of all directions through the worker and sets the scene's environment to that of `how` with its light: a
-  /// set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
+  /// Reads a picture of all directions through the worker and sets the scene's environment to that of `how` with its
+  /// light: a set_environment with harmonics, which needs no picture when it is run again. Counts as an import.
   Result<CommandAnswer> load_environment(Scene& scene, EnvironmentUpload how, std::span<const std::byte> bytes,
                                          const ExecuteOptions& execute = {});
 

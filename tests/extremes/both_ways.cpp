@@ -13,11 +13,12 @@ namespace pelage::testing {
 
 namespace {
 
-constexpr std::array all_aovs{Aov::beauty, Aov::alpha,  Aov::depth,  Aov::position,     Aov::normal, Aov::tangent,
-                              Aov::albedo, Aov::direct, Aov::shadow, Aov::sample_count, Aov::strand, Aov::root};
-constexpr std::array<const char*, all_aovs.size()> aov_names{"beauty", "alpha",        "depth",  "position",
-                                                             "normal", "tangent",      "albedo", "direct",
-                                                             "shadow", "sample_count", "strand", "root"};
+constexpr std::array all_aovs{Aov::beauty,    Aov::alpha,     Aov::depth,  Aov::position, Aov::normal,
+                              Aov::tangent,   Aov::albedo,    Aov::direct, Aov::shadow,   Aov::sample_count,
+                              Aov::objects_1, Aov::objects_2, Aov::strand, Aov::root};
+constexpr std::array<const char*, all_aovs.size()> aov_names{
+    "beauty", "alpha",  "depth",        "position",  "normal",    "tangent", "albedo",
+    "direct", "shadow", "sample_count", "objects_1", "objects_2", "strand",  "root"};
 constexpr std::span<const Aov> traced_aovs = std::span(all_aovs).first(all_aovs.size() - 2);  // which name no strands
 constexpr float above_one = 1.001f;                                                           // sums of half floats
 
@@ -28,7 +29,7 @@ bool fine(Aov aov, std::size_t channel, float value) {
   if (is_light(aov) && value < 0) return false;
   if (aov == Aov::depth) return channel != 0 || value >= 0;
   if (aov == Aov::strand) return value >= 0;
-  if (channel == 3) return value >= 0 && value <= above_one;
+  if (channel == 3 || aov == Aov::objects_1 || aov == Aov::objects_2) return value >= 0 && value <= above_one;
   return true;
 }
 

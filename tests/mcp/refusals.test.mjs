@@ -80,7 +80,11 @@ test("options: only some tools, and names that there are not", async () => {
   const few = await Agent.start("--server", `${server.address}/`, "--tools", "look,comb");
   assert.deepEqual([...few.tools.keys()], ["look", "comb"]);
   await few.stop();
-  for (const [words, said] of [[["--server", "nowhere"], /no address/], [["--serve", "x"], /--serve/]]) {
+  const two = await Agent.start("--server", server.address, "--toolsets", "history, scenes");
+  assert.ok(two.tools.has("undo") && two.tools.has("export_scene") && !two.tools.has("look") && !two.tools.has("comb"));
+  await two.stop();
+  const of_server = ["--server", server.address];
+  for (const [words, said] of [[["--server", "nowhere"], /no address/], [[...of_server, "--toolsets", "histry"], /There are .*history/], [[...of_server, "--tools", "cmb"], /There are .*comb/], [["--serve", "x"], /--serve/]]) {
     const {status, stderr} = spawnSync(process.execPath, [program, ...words], {input: "", encoding: "utf8"});
     assert.equal(status, 1);
     assert.match(stderr, said);

@@ -20,6 +20,11 @@ export class Schemas {
     return schema;
   }
 
+  /** The words of an enumeration. */
+  words(name: string): string[] {
+    return this.named(name)["enum"] as string[];
+  }
+
   /** Schemas of all commands, by their `op`. */
   commands(): Map<string, Schema> {
     const {mapping} = this.named("Command")["discriminator"] as {mapping: Record<string, string>};

@@ -1,17 +1,19 @@
 // pelage-mcp: the contract is read once, then requests of the agent's client come on standard input.
 import {StdioServerTransport} from "@modelcontextprotocol/sdk/server/stdio.js";
 import {version} from "../package.json";
+import {Cameras} from "./cameras";
 import {Schemas, type Contract} from "./contract";
 import {readOptions, usage, type Options} from "./options";
 import {mcpServer} from "./server";
 import {Refusal} from "./refusal";
 import {Service} from "./service";
-import {allTools} from "./tools/index";
+import {toolsOf} from "./tools/index";
 
-async function serve({server, token, tools}: Options) {
+async function serve({server, token, toolsets, tools}: Options) {
   const service = new Service(server, token);
   const contract = await service.get<Contract>("/openapi.json", {signal: AbortSignal.timeout(30_000), author: "pelage-mcp", progress: async () => {}});
-  const known = await allTools({service, schemas: new Schemas(contract)}, tools);
+  const schemas = new Schemas(contract);
+  const known = await toolsOf({service, schemas, cameras: new Cameras(schemas.words("AutoView"))}, toolsets, tools);
   await mcpServer(version, known).connect(new StdioServerTransport());
 }
 

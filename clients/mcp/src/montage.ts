@@ -2,7 +2,7 @@
 import {decode, encode} from "fast-png";
 
 export interface Corner { left: number; top: number }
-export interface Montage { png: Uint8Array; corners: Corner[] }
+export interface Montage { png: Uint8Array; size: {width: number; height: number}; corners: Corner[] }
 
 interface Canvas { width: number; height: number; data: Uint8Array }
 
@@ -20,7 +20,7 @@ export function montage(pngs: Uint8Array[], width: number, height: number): Mont
     drawNumber(canvas, k + 1, corner, Math.max(1, Math.round(Math.min(width, height) / 96)));
     return corner;
   });
-  return {png: encode({...canvas, channels, depth: 8}), corners};
+  return {png: encode({...canvas, channels, depth: 8}), size: {width: canvas.width, height: canvas.height}, corners};
 }
 
 const blank = (width: number, height: number): Canvas => ({width, height, data: new Uint8Array(width * height * channels).fill(gap_colour)});

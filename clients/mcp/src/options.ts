@@ -1,19 +1,22 @@
 // What the program was started with.
 import {parseArgs} from "node:util";
 
-export const usage = `usage: pelage-mcp [--server URL] [--token SECRET] [--tools NAMES]
+export const usage = `usage: pelage-mcp [--server URL] [--token SECRET] [--toolsets NAMES | --tools NAMES]
 
 A Model Context Protocol server on standard input and output, for agents that groom fur on a Pelage server.
 
   --server URL     address of pelaged; else PELAGE_SERVER, else http://127.0.0.1:8080
   --token SECRET   of that server; else PELAGE_TOKEN, which other users of the machine cannot read
-  --tools NAMES    only these tools, with commas, for clients that take few: comb,look,views,undo
+  --toolsets NAMES sets of tools, with commas: scenes,pictures,changes,history unless given; commands has a tool for each
+                   command, all has everything
+  --tools NAMES    these tools alone, of all sets, for clients that take few: comb,look,views,undo
   --help           this text`;
 
 export interface Options {
   server: string;
   token: string | undefined;
-  /** All tools where it is undefined. */
+  toolsets: string[] | undefined;
+  /** Those of the toolsets where it is undefined. */
   tools: string[] | undefined;
   help: boolean;
 }
@@ -21,13 +24,15 @@ export interface Options {
 /** Throws an Error that says what is wrong. */
 export function readOptions(words: string[], environment: NodeJS.ProcessEnv): Options {
   const text = {type: "string"} as const;
-  const {values} = parseArgs({args: words, options: {server: text, token: text, tools: text, help: {type: "boolean"}}});
+  const {values} = parseArgs({args: words, options: {server: text, token: text, toolsets: text, tools: text, help: {type: "boolean"}}});
   const server = values.server ?? environment["PELAGE_SERVER"] ?? "http://127.0.0.1:8080";
   if (!/^https?:\/\/./.test(server)) throw new Error(`The server "${server}" is no address; write it as http://127.0.0.1:8080.`);
   return {
     server: server.replace(/\/+$/, ""),
     token: values.token ?? environment["PELAGE_TOKEN"],
-    tools: values.tools?.split(",").map((name) => name.trim()).filter(Boolean),
+    toolsets: namesIn(values.toolsets), tools: namesIn(values.tools),
     help: values.help ?? false,
   };
 }
+
+const namesIn = (list: string | undefined) => list?.split(",").map((name) => name.trim()).filter(Boolean);

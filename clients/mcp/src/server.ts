@@ -8,11 +8,11 @@ import {Refusal, unknownName} from "./refusal";
 import type {Caller} from "./service";
 import type {Input, Tool} from "./tools/tool";
 
-const instructions = `Pelage grooms fur. A scene holds a 3D model and its fur. Tools such as comb, blow, length and paint change the fur; every change is an undo step.
-A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface;
-\`preview_change\` or dry_run to see what a change would do; the change; \`look\`; \`undo\` if it is not what you wanted.
+const instructions = `Pelage grooms fur. A scene holds a 3D model and its fur. Commands such as comb, blow, length and paint change the fur; every change is an undo step.
+A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface; \`describe_commands\` for what commands take;
+\`preview_change\` or dry_run to see what a change would do; \`run_commands\`; \`look\`; \`undo\` if it is not what you wanted.
 Lengths are shares of the model's size (the diagonal of its box) unless \`units\` says otherwise. Positions are in the model's own coordinates: y up, the model faces +z.
-Tools take a stroke, or "flood": true for everywhere.`;
+Commands take a stroke, or "flood": true for everywhere.`;
 
 /** Low-level, as schemas come from the server's contract: McpServer takes only those that are written in code. */
 export function mcpServer(version: string, tools: Map<string, Tool>): Server {

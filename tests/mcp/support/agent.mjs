@@ -51,7 +51,7 @@ export let server, agent;
 export function start(prepare = async () => {}) {
   before(async () => {
     server = await Server.start(["--gl", "none"]);
-    agent = await Agent.start("--server", server.address);
+    agent = await Agent.start("--server", server.address, "--toolsets", "all");
     await prepare();
   });
   after(async () => {

@@ -4,7 +4,7 @@ import {rulesOf, type Schema} from "../contract";
 import {namesOf, textOf} from "../library";
 import {Refusal, unknownName} from "../refusal";
 import type {Caller, Service} from "../service";
-import {arrayIn, changes, dry_run_member, result, scene_member, findScene, pathOf, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+import {arrayIn, changes, dry_run_member, reads, result, scene_member, findScene, pathOf, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
 import {changeInWords, previewInWords} from "./words";
 
 type Answer = Answers["CommandAnswer"];
@@ -53,17 +53,35 @@ function dryRunIn({dry_run = false}: Input): boolean {
   throw new Refusal({detail: '"dry_run" is neither true nor false.', pointer: "/dry_run", limit: "true | false"});
 }
 
-/** Commands as their tools take them; their own schemas would double what an agent has to read. */
-export function commandsMember(ops: string[]): Schema {
-  const command = {type: "object", properties: {op: {enum: ops}}, required: ["op"], description: "`op` and the members of the tool of that name, without `scene` and `dry_run`."};
+/** Commands without their members: those would fill an agent's context. */
+export function commandsMember(): Schema {
+  const command = {type: "object", properties: {op: {type: "string"}}, required: ["op"], description: "`op` and the members that `describe_commands` says."};
   return {type: "array", items: command, minItems: 1, maxItems: 1000};
 }
+
+export function describeCommands({schemas}: Context): Tool {
+  const commands = schemas.commands(), known = [...commands.keys()];
+  return {
+    name: "describe_commands", annotations: reads,
+    description: "The commands that `run_commands` takes, a line each; with `ops` their members, ranges and defaults as JSON Schema. Read those before you use them.",
+    inputSchema: schemas.input({ops: {type: "array", items: {enum: known}, description: "Commands to describe in full."}}, []),
+    run: async (input) => {
+      if (input["ops"] === undefined) return result(known.map((op) => `${op}: ${firstSentence(commands.get(op)!)}`).join("\n"), {ops: known});
+      const ops = arrayIn(input, "ops").map(String), wrong = ops.findIndex((op) => !commands.has(op));
+      if (wrong >= 0) throw unknownName(`There is no command "${ops[wrong]}".`, `/ops/${wrong}`, ops[wrong]!, known);
+      const {properties, $defs} = schemas.input(Object.fromEntries(ops.map((op) => [op, commands.get(op)!])), []);
+      return result(JSON.stringify({...properties, $defs}), {...properties, $defs});
+    },
+  };
+}
+
+const firstSentence = ({description = ""}: Schema) => /^.*?\.(?= |$)/s.exec(description)?.[0] ?? description;
 
 export function runCommands({service, schemas}: Context): Tool {
   return {
     name: "run_commands", annotations: changes,
-    description: "Runs several commands as one undo step, all or none.",
-    inputSchema: schemas.input({scene: scene_member, commands: commandsMember([...schemas.commands().keys()]), dry_run: dry_run_member}, ["scene", "commands"]),
+    description: "Runs a command, or several as one undo step, all or none.",
+    inputSchema: schemas.input({scene: scene_member, commands: commandsMember(), dry_run: dry_run_member}, ["scene", "commands"]),
     run: (input, caller) => change(service, input, {commands: arrayIn(input, "commands")}, caller),
   };
 }

@@ -1,7 +1,8 @@
 // Undo, redo, revert and the log.
 import type {Caller} from "../service";
-import {changes, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
-import {entryInWords, opsOf} from "./words";
+import {commandsMember} from "./changes";
+import {arrayIn, changes, findScene, integerIn, pathOf, queryOf, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+import {changeInWords, entryInWords, fieldInWords, opsOf} from "./words";
 
 export function historyTools(context: Context): Tool[] {
   const {schemas} = context;
@@ -11,7 +12,7 @@ export function historyTools(context: Context): Tool[] {
     move(context, "redo", "Does again what `undo` took back.", schemas.input({scene: scene_member, ...steps}, ["scene"])),
     move(context, "revert", "Goes back to an earlier revision of the scene, as a step that can be undone. `log` shows revisions.",
       schemas.input({scene: scene_member, ...schemas.named("RevisionBody").properties}, ["scene", "revision"])),
-    log(context),
+    log(context), amendStep(context), compareRevisions(context),
   ];
 }
 
@@ -40,6 +41,35 @@ function log({service, schemas}: Context): Tool {
       const words = entries.map((entry) => entryInWords(entry) + (input["commands"] === true ? ` ${JSON.stringify(entry.commands)}` : ""));
       const data = entries.map(({commands: sent, ...entry}) => ({...entry, ops: opsOf(sent), ...(input["commands"] === true ? {commands: sent} : {})}));
       return result(words.length > 0 ? words.join("\n") : "The log is empty: nothing has been changed yet.", {entries: data, in_all: all.entries.length});
+    },
+  };
+}
+
+function amendStep({service, schemas}: Context): Tool {
+  const {revision} = schemas.named("AmendRequest").properties ?? {};
+  return {
+    name: "amend_step", annotations: changes,
+    description: "Gives an earlier step other commands, and does the steps after it again: with [] it is left out. `log` with commands shows what it was.",
+    inputSchema: schemas.input({scene: scene_member, revision: revision!, commands: {...commandsMember(), minItems: 0}}, ["scene", "revision", "commands"]),
+    run: async (input, caller) => {
+      const scene = await findScene(service, textIn(input, "scene"), caller);
+      const body = {revision: input["revision"], commands: arrayIn(input, "commands")};
+      const answer = await service.post<Answers["CommandAnswer"]>(`${pathOf(scene)}/amend`, body, caller);
+      return result(changeInWords(answer, scene.revision), answer);
+    },
+  };
+}
+
+function compareRevisions({service, schemas}: Context): Tool {
+  return {
+    name: "compare_revisions", annotations: reads,
+    description: "What two revisions of a scene differ in, by fields. `views` with the overlay difference shows where.",
+    inputSchema: schemas.input({scene: scene_member, ...schemas.named("Revisions").properties}, ["scene", "from", "to"]),
+    run: async (input, caller) => {
+      const path = await scenePath(service, textIn(input, "scene"), caller);
+      const found = await service.get<Answers["Comparison"]>(`${path}/compare?${queryOf(without(input, "scene"))}`, caller);
+      const words = found.fields.map(fieldInWords).join("; ");
+      return result(`Revisions ${found.from} and ${found.to} differ at ${found.touched} vertices${words ? `: ${words}` : ""}.`, found);
     },
   };
 }

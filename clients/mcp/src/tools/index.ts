@@ -1,19 +1,36 @@
-// All tools, by name.
-import {applyLook, commandTools, runCommands, runRecipe} from "./changes";
+// All tools, by name and in sets.
+import {applyLook, commandTools, describeCommands, runCommands, runRecipe} from "./changes";
+import {exportScene} from "./files";
 import {historyTools} from "./history";
-import {pictureTools} from "./pictures";
+import {nameCamera, pictureTools} from "./pictures";
 import {previewChange} from "./preview";
-import {sceneTools} from "./scenes";
+import {branchScene, sceneTools} from "./scenes";
 import type {Context, Tool} from "./tool";
 
-/** Throws an Error where `only` names a tool that there is not. */
-export async function allTools(context: Context, only: string[] | undefined): Promise<Map<string, Tool>> {
-  const tools = [
-    ...sceneTools(context), ...pictureTools(context), previewChange(context), ...historyTools(context),
-    runCommands(context), await applyLook(context), await runRecipe(context), ...commandTools(context),
-  ];
-  const known = new Map(tools.map((tool) => [tool.name, tool]));
-  const unknown = only?.find((name) => !known.has(name));
-  if (unknown !== undefined) throw new Error(`There is no tool "${unknown}". There are ${[...known.keys()].join(", ")}.`);
-  return only ? new Map([...known].filter(([name]) => only.includes(name))) : known;
+/** Those that agents get unless more is asked for: together below 30 kB of their context. */
+const usual = ["scenes", "pictures", "changes", "history"];
+
+/** Throws an Error where names are not known. `only` chooses from all sets. */
+export async function toolsOf(context: Context, sets: string[] = usual, only?: string[]): Promise<Map<string, Tool>> {
+  const all = await toolsets(context);
+  const wanted = only || sets.includes("all") ? Object.keys(all) : sets;
+  const no_set = wanted.find((name) => !(name in all));
+  if (no_set !== undefined) throw new Error(`There is no toolset "${no_set}". There are ${[...Object.keys(all), "all"].join(", ")}.`);
+  const tools = new Map(wanted.flatMap((name) => all[name]!).map((tool) => [tool.name, withCameras(context, tool)]));
+  const no_tool = only?.find((name) => !tools.has(name));
+  if (no_tool !== undefined) throw new Error(`There is no tool "${no_tool}". There are ${[...tools.keys()].join(", ")}.`);
+  return only ? new Map([...tools].filter(([name]) => only.includes(name))) : tools;
 }
+
+async function toolsets(context: Context): Promise<Record<string, Tool[]>> {
+  return {
+    scenes: [...sceneTools(context), branchScene(context), exportScene(context)],
+    pictures: [...pictureTools(context), nameCamera(context), previewChange(context)],
+    changes: [describeCommands(context), runCommands(context), await applyLook(context), await runRecipe(context)],
+    history: historyTools(context),
+    commands: commandTools(context),
+  };
+}
+
+const withCameras = ({cameras}: Context, tool: Tool): Tool =>
+  ({...tool, run: async (input, caller) => tool.run(cameras.within(input) as typeof input, caller)});

@@ -4,20 +4,24 @@ import type {Schema} from "../contract";
 import {montage} from "../montage";
 import {Refusal} from "../refusal";
 import type {Caller, Service} from "../service";
-import {arrayIn, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
+import {arrayIn, camera_member, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
 
 /** What all frames of a montage share, and what each of its views has of its own. */
 const shared_members = ["budget_ms", "max_error", "max_seconds", "background", "exposure", "tone_map"];
-const view_members = ["camera", "overlay", "overlay_from", "revision"];
+const view_members = ["overlay", "overlay_from", "revision"];
+/** Bytes of a picture: many clients take no larger ones. */
+const max_bytes = 1_000_000;
 const quality_rule = "Give one of quality, budget_ms and max_error at most.";
 
 export const pictureTools = (context: Context): Tool[] => [look(context), views(context), pick(context)];
 
-function withImage(bytes: Uint8Array, mimeType: string, text: string, data: object): CallToolResult {
-  const {content, structuredContent} = result(text, data);
+function withImage({bytes, type: mimeType}: Pick<Frame, "bytes" | "type">, {width, height}: Size, text: string, data: object): CallToolResult {
+  const said = `Picture: ${width} x ${height}, ${mimeType}, ${Math.ceil(bytes.length / 1000)} kB.`;
+  const {content, structuredContent} = result(`${text}\n${said}`, {...data, picture: {width, height, type: mimeType, bytes: bytes.length}});
   return {content: [{type: "image", data: Buffer.from(bytes).toString("base64"), mimeType}, ...content], structuredContent};
 }
 
+interface Size { width: number; height: number }
 interface Frame { bytes: Uint8Array; type: string; revision: number; quality: unknown; estimate: {error?: number} | null }
 
 async function draw(service: Service, path: string, request: object, caller: Caller): Promise<Frame> {
@@ -29,21 +33,36 @@ async function draw(service: Service, path: string, request: object, caller: Cal
   };
 }
 
-function look({service, schemas}: Context): Tool {
-  const {width, height, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "lossy_quality", ...shared_members, ...view_members]);
-  const format = {enum: ["png", "jpeg"], default: "png"};
+/** As it is asked for where it is small enough, else as JPEG. */
+async function drawSmall(service: Service, path: string, request: object, caller: Caller): Promise<Frame> {
+  const ways = [{}, {format: "jpeg", lossy_quality: 88}, {format: "jpeg", lossy_quality: 60}];
+  let frame: Frame | undefined;
+  for (const way of ways) {
+    frame = await draw(service, path, {...request, ...way}, caller);
+    if (frame.bytes.length <= max_bytes) return frame;
+  }
+  throw new Refusal({status: 413, detail: `The picture has ${frame!.bytes.length} bytes.`, pointer: "/width", limit: `at most ${max_bytes} bytes: fewer pixels`});
+}
+
+function look(context: Context): Tool {
+  const {service, schemas} = context;
+  const {width, height, quality, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "lossy_quality", ...shared_members, ...view_members]);
+  const format = {enum: ["png", "jpeg"], default: "png", description: `What is larger than ${max_bytes / 1e6} MB comes as JPEG.`};
+  const knobs = {type: "object", description: 'Single knobs, such as {"method": "strands", "trace": {"passes": 8}}.'};
+  const qualities = {...quality, oneOf: [schemas.named("Tier"), knobs]};
   return {
     name: "look", annotations: reads,
     description: `Draws the scene and answers with the picture. ${quality_rule} overlay_from goes with the overlay difference alone.`,
-    inputSchema: schemas.input({scene: scene_member, width: width!, height: height!, format, ...members}, ["scene"]),
+    inputSchema: schemas.input({scene: scene_member, camera: camera_member(context), width: width!, height: height!, quality: qualities, format, ...members}, ["scene"]),
     run: async (input, caller) => {
       const {format: asked = "png"} = input;
       if (asked !== "png" && asked !== "jpeg") throw new Refusal({detail: `The format ${JSON.stringify(asked)} is no picture that agents take.`, pointer: "/format", limit: "png | jpeg"});
       const request = without(input, "scene");
-      const {bytes, type, ...frame} = await draw(service, await scenePath(service, textIn(input, "scene"), caller), request, caller);
+      const {bytes, type, ...frame} = await drawSmall(service, await scenePath(service, textIn(input, "scene"), caller), request, caller);
+      const size = {width: Number(request["width"] ?? width!["default"]), height: Number(request["height"] ?? height!["default"])};
       const error = frame.estimate?.error === undefined ? "" : `, estimated error ${frame.estimate.error.toPrecision(2)} of 1`;
       const text = `Revision ${frame.revision}${error}. To work on what a pixel shows, give \`pick\` its x and y with the same camera, width and height as \`view\`.`;
-      return withImage(bytes, type, text, {...frame, request});
+      return withImage({bytes, type}, size, text, {...frame, request});
     },
   };
 }
@@ -53,9 +72,10 @@ const max_views = 16;
 const max_side = 1024;
 const default_side = 256;
 
-function views({service, schemas}: Context): Tool {
+function views(context: Context): Tool {
+  const {service, schemas} = context;
   const side: Schema = {type: "integer", minimum: 16, maximum: max_side, default: default_side, description: "Pixels of each view."};
-  const view = {type: "object", properties: schemas.members("FrameRequest", view_members), additionalProperties: false};
+  const view = {type: "object", properties: {camera: camera_member(context), ...schemas.members("FrameRequest", view_members)}, additionalProperties: false};
   const list = {type: "array", items: view, minItems: 1, maxItems: max_views, default: all_sides,
     description: "Each from a camera, of a revision, with an overlay. Two revisions from one camera show before and after."};
   return {
@@ -78,16 +98,18 @@ export async function drawViews(service: Service, path: string, input: Input, ca
     frames.push(await drawView(service, path, {shared, view, k}, caller));
     await caller.progress(k + 1, wanted.length);
   }
-  const {png, corners} = montage(frames.map(({bytes}) => bytes), width, height);
+  const {png, size, corners} = montage(frames.map(({bytes}) => bytes), width, height);
+  const fits = Math.sqrt(max_bytes / png.length) * 0.95;  // of a side, as bytes go with pixels
+  if (fits < 0.95) return drawViews(service, path, {...input, width: Math.floor(width * fits), height: Math.floor(height * fits)}, caller, names);
   const list = wanted.map((view, k) => ({number: k + 1, ...view as object, revision: frames[k]!.revision, width, height, ...corners[k]!}));
   const lines = wanted.map((view, k) => `${k + 1}: ${names[k] ?? viewInWords(view as Input)}, revision ${frames[k]!.revision}`);
   const hint = `Each view is ${width} x ${height} pixels. For \`pick\` and strokes take its camera, width and height as \`view\`, and count pixels from its own upper left corner.`;
-  return withImage(png, "image/png", [...lines, hint].join("\n"), {views: list});
+  return withImage({bytes: png, type: "image/png"}, size, [...lines, hint].join("\n"), {views: list});
 }
 
 async function drawView(service: Service, path: string, {shared, view, k}: {shared: object; view: unknown; k: number}, caller: Caller): Promise<Frame> {
   if (typeof view !== "object" || view === null || Array.isArray(view))
-    throw new Refusal({detail: "A view is an object.", pointer: `/views/${k}`, limit: '{"camera": {"auto": "front"}}'});
+    throw new Refusal({detail: "A view is an object.", pointer: `/views/${k}`, limit: '{"camera": "front"}'});
   try {
     return await draw(service, path, {...shared, ...view, format: "png"}, caller);
   } catch (error) {
@@ -101,11 +123,27 @@ function viewInWords({camera = {auto: "three_quarter"}, overlay}: Input): string
   return `${auto ?? `camera ${JSON.stringify(camera)}`}${overlay === undefined ? "" : `, overlay ${String(overlay)}`}`;
 }
 
-function pick({service, schemas}: Context): Tool {
+export function nameCamera(context: Context): Tool {
+  const name = {type: "string", minLength: 1, description: "What it is called from here on, in this session."};
+  return {
+    name: "name_camera", annotations: reads,
+    description: "Gives a camera a name, which `look`, `views`, `pick`, `preview_change` and the views of strokes then take in its place.",
+    inputSchema: context.schemas.input({name, camera: camera_member(context)}, ["name", "camera"]),
+    run: async (input) => {
+      context.cameras.keep(textIn(input, "name"), input["camera"]);
+      return result(`There are the cameras ${context.cameras.names().join(", ")}.`, {cameras: context.cameras.names()});
+    },
+  };
+}
+
+function pick(context: Context): Tool {
+  const {service, schemas} = context;
+  const view = {type: "object", properties: {camera: camera_member(context), ...schemas.members("View", ["width", "height"])}, additionalProperties: false};
+  const {pixel} = (schemas.named("PickRequest")["oneOf"] as {properties: Record<string, Schema>}[])[0]!.properties;
   return {
     name: "pick", annotations: reads,
     description: "What lies under a pixel of a view: position, normal and fur there, and the place in each form that samples of strokes take.",
-    inputSchema: schemas.input({scene: scene_member, ...(schemas.named("PickRequest")["oneOf"] as {properties: object}[])[0]?.properties}, ["scene", "pixel"]),
+    inputSchema: schemas.input({scene: scene_member, view, pixel: pixel!}, ["scene", "pixel"]),
     run: async (input, caller) => {
       const request = without(input, "scene");
       const picked = await service.post<Answers["Pick"]>(`${await scenePath(service, textIn(input, "scene"), caller)}/pick`, request, caller);

@@ -3,17 +3,18 @@ import type {CallToolResult} from "@modelcontextprotocol/sdk/types.js";
 import type {Caller, Service} from "../service";
 import {commandsMember, preview} from "./changes";
 import {drawViews} from "./pictures";
-import {arrayIn, changes, scene_member, scenePath, textIn, type Answers, type Context, type Tool} from "./tool";
+import {arrayIn, camera_member, changes, scene_member, scenePath, textIn, type Answers, type Context, type Tool} from "./tool";
 
-export function previewChange({service, schemas}: Context): Tool {
-  const camera = {...schemas.members("FrameRequest", ["camera"])["camera"], default: undefined,
-    description: "With it also pictures from this camera: 1 before, 2 after, 3 what changed (grey unchanged, then dark violet to yellow)."};
+export function previewChange(context: Context): Tool {
+  const {service, schemas} = context;
+  const camera = {...camera_member(context), default: undefined};
+  const pictured = "With a camera also in pictures: 1 before, 2 after, 3 what changed (grey unchanged, then dark violet to yellow).";
   return {
     name: "preview_change",
     // A picture takes a branch for as long as it is drawn, so this is not read-only to the letter.
     annotations: {...changes, idempotentHint: true},
-    description: "Says what commands would do, and changes nothing: vertices touched, mean and largest change of each field.",
-    inputSchema: schemas.input({scene: scene_member, commands: commandsMember([...schemas.commands().keys()]), camera}, ["scene", "commands"]),
+    description: "Says what commands would do, and changes nothing: vertices touched, mean and largest change of each field. " + pictured,
+    inputSchema: schemas.input({scene: scene_member, commands: commandsMember(), camera}, ["scene", "commands"]),
     run: async (input, caller) => {
       const path = await scenePath(service, textIn(input, "scene"), caller);
       const body = {commands: arrayIn(input, "commands")};

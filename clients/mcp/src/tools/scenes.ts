@@ -2,7 +2,7 @@
 import {readFile} from "node:fs/promises";
 import {extname} from "node:path";
 import {Refusal, unknownName} from "../refusal";
-import {changes, destroys, reads, result, scene_member, scenePath, textIn, without, arrayIn, type Answers, type Context, type Input, type Tool} from "./tool";
+import {changes, destroys, pathMember, queryOf, reads, result, scene_member, scenePath, textIn, without, arrayIn, type Answers, type Context, type Input, type Tool} from "./tool";
 import {sceneInWords} from "./words";
 
 type Scene = Answers["Scene"];
@@ -39,7 +39,7 @@ function createScene({service, schemas}: Context): Tool {
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
   const discard = {type: "boolean", default: false, description: "Begin with a first groom of its own; the groom of the scene is lost."};
-  const path = {type: "string", description: "Path of the file on the machine where pelage-mcp runs. A model with files of its own comes as a zip archive."};
+  const path = {...pathMember("of the file"), description: `${pathMember("of the file").description} A model with files of its own comes as a zip archive.`};
   return {
     name: "load_model", annotations: destroys,
     description: "Gives a scene the model of a file, with a first fur on it, or a new version of its model, which takes over the groom. "
@@ -60,8 +60,6 @@ function loadModel({service, schemas}: Context): Tool {
     },
   };
 }
-
-const queryOf = (members: Input) => new URLSearchParams(Object.entries(members).map(([name, value]): [string, string] => [name, String(value)])).toString();
 
 async function bytesOf(path: string): Promise<Uint8Array> {
   try {
@@ -110,6 +108,19 @@ function removeScene({service, schemas}: Context): Tool {
       const name = textIn(input, "scene");
       await service.remove(await scenePath(service, name, caller), caller);
       return result(`Scene "${name}" is gone.`, {removed: name});
+    },
+  };
+}
+
+export function branchScene({service, schemas}: Context): Tool {
+  return {
+    name: "branch_scene", annotations: changes,
+    description: "Makes another scene that begins as this one is, or was at a revision: to try something that is not to change this one.",
+    inputSchema: schemas.input({scene: scene_member, ...schemas.named("BranchRequest").properties}, ["scene"]),
+    run: async (input, caller) => {
+      const path = await scenePath(service, textIn(input, "scene"), caller);
+      const scene = await service.post<Scene>(`${path}/branch`, without(input, "scene"), caller);
+      return result(sceneInWords(scene), scene);
     },
   };
 }

@@ -1,6 +1,7 @@
 // What every tool is made of.
 import type {CallToolResult, ToolAnnotations} from "@modelcontextprotocol/sdk/types.js";
 import type {components} from "contract";
+import type {Cameras} from "../cameras";
 import type {InputSchema, Schema, Schemas} from "../contract";
 import {nearestOf} from "../nearest";
 import {Refusal} from "../refusal";
@@ -9,7 +10,7 @@ import type {Caller, Service} from "../service";
 export type Answers = components["schemas"];
 export type Input = Record<string, unknown>;
 /** What tools work with: the server, and what its contract says. */
-export interface Context { service: Service; schemas: Schemas }
+export interface Context { service: Service; schemas: Schemas; cameras: Cameras }
 
 export interface Tool {
   name: string;
@@ -25,6 +26,11 @@ export const changes: ToolAnnotations = {readOnlyHint: false, destructiveHint: f
 export const destroys: ToolAnnotations = {readOnlyHint: false, destructiveHint: true, openWorldHint: false};
 
 export const scene_member: Schema = {type: "string", description: "Id or name of the scene."};
+/** In a few words: the contract's schema of a camera in each tool would fill an agent's context. */
+export const camera_member = ({cameras}: Context): Schema => ({
+  type: ["string", "object"], default: "three_quarter",
+  description: `A name: ${cameras.names().join(", ")}, or one of name_camera. Or {"position": [x, y, z], "target": [x, y, z], "up": [0, 1, 0], "fov_degrees": 35}.`,
+});
 export const dry_run_member: Schema = {type: "boolean", default: false, description: "Only say what would change; nothing changes."};
 
 /** Words for the agent, and the same as data. */
@@ -48,6 +54,10 @@ export function integerIn(input: Input, name: string, fallback: number, min: num
   if (typeof value === "number" && Number.isInteger(value) && value >= min && value <= max) return value;
   throw new Refusal({detail: `${JSON.stringify(value)} is out of range.`, pointer: `/${name}`, limit: `a whole number in [${min}, ${max}]`});
 }
+
+export const pathMember = (whose: string): Schema => ({type: "string", description: `Path ${whose} on the machine where pelage-mcp runs.`});
+
+export const queryOf = (members: Input) => new URLSearchParams(Object.entries(members).map(([name, value]): [string, string] => [name, String(value)])).toString();
 
 /** All but these members. */
 export const without = (input: Input, ...names: string[]): Input =>

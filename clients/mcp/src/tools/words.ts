@@ -6,8 +6,11 @@ type Result = Answers["CommandResult"];
 
 const short = (value: number) => String(Number(value.toPrecision(3)));
 
+export const fieldInWords = ({field, changed, mean_change, max_change}: Answers["FieldChange"]) =>
+  `${field} of ${changed}, mean change ${short(mean_change)}, largest ${short(max_change)}`;
+
 function resultInWords({op, touched, fields, clamped, warnings}: Result, dry_run: boolean): string {
-  const changes = fields.map(({field, changed, mean_change, max_change}) => `${field} of ${changed}, mean change ${short(mean_change)}, largest ${short(max_change)}`);
+  const changes = fields.map(fieldInWords);
   const did = dry_run ? "would touch" : "touched";
   return [
     `${op} ${did} ${touched} vertices${changes.length > 0 ? `: ${changes.join("; ")}` : ""}.`,
