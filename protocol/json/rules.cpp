@@ -74,7 +74,7 @@ void check_layers(const Value& value, const FrameRequest& request) {
   const bool linear = is_linear(request.format);
   if (given(value, "aovs") && !linear)
     value.refuse_below("aovs", "Only linear light has AOVs.", "format exr or npy_linear");
-  if (given(value, "colour_space") && !linear)
+  if (!request.colour_space.empty() && !linear)
     value.refuse_below("colour_space", "Only linear light has a colour space of its own.", "format exr or npy_linear");
   const bool colour_only = request.aovs == std::vector{Aov::beauty};
   const int pictures = std::transform_reduce(request.aovs.begin(), request.aovs.end(), 0, std::plus<>(), pictures_of);

@@ -61,29 +61,31 @@ HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
 /// What the scene shows of an eye. Lids and cornea count as what reflects, not as shadow: all of the lights' share is
 /// left.
 HWY_INLINE Vec3 shown_of(const RasterScene& scene, EyeShading& shading, const EyeHit& hit, Real inverse) {
-  const auto direct = [&]() HWY_ATTR {
-    EyeShading unlit = shading;
-    unlit.eye_lights = 0;
-    return max(shading.eye_light(hit) - unlit.eye_light(hit), 0.0f);
-  };
   const Real none = 0.0f;
   switch (scene.shown) {
     case RasterOutput::objects: return shown_object(scene, eyes_object);
-    case RasterOutput::albedo: return shading.eye_surface(hit).albedo;
-    case RasterOutput::normal: return shading.eye_surface(hit).normal;
+    case RasterOutput::albedo:
+    case RasterOutput::normal: {
+      const EyeShading::EyeSurface surface = shading.eye_surface(hit);
+      return scene.shown == RasterOutput::albedo ? surface.albedo : surface.normal;
+    }
     case RasterOutput::field:
     case RasterOutput::tangent:
     case RasterOutput::count:
     case RasterOutput::strand: return {none, none, none};
-    case RasterOutput::direct: return direct();
-    case RasterOutput::shadow: {
-      const Real sent = luminance(direct());
-      return {sent, sent, none};
-    }
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
-    default: return shading.eye_light(hit);
+    default: break;
   }
+  const bool lights_alone = scene.shown == RasterOutput::direct || scene.shown == RasterOutput::shadow;
+  Vec3 sent(0.0f);
+  for (int part = 0; part < (lights_alone ? 2 : 1); ++part) {  // a loop, as each call is a copy of the code
+    if (part == 1) shading.eye_lights = 0;
+    const Vec3 light = shading.eye_light(hit);
+    sent = part == 0 ? light : max(sent - light, 0.0f);
+  }
+  if (scene.shown != RasterOutput::shadow) return sent;
+  return {luminance(sent), luminance(sent), none};
 }
 
 HWY_INLINE void light_eye(const RasterScene& scene, std::size_t number, Vec3 way, const std::int8_t* numbers,

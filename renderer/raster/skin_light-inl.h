@@ -113,14 +113,8 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
   }
   SceneLight from(scene);
   const SceneLight::SkinLooks looks = from.skin_looks(skin.at);
-  switch (scene.shown) {
-    case RasterOutput::albedo: return from.skin_albedo(looks);
-    case RasterOutput::direct: return from.skin_light(skin.at, looks, false).direct;
-    case RasterOutput::shadow: return shadow_of(from.skin_light(skin.at, looks, true));
-    default: break;
-  }
-  const SceneLight::SentLight light = from.skin_light(skin.at, looks, false);
-  return light.ambient + light.direct;
+  if (scene.shown == RasterOutput::albedo) return from.skin_albedo(looks);
+  return shown_light(scene, from.skin_light(skin.at, looks, scene.shown == RasterOutput::shadow));
 }
 
 HWY_INLINE void light_seen(const RasterScene& scene, SkinSeen& seen, int at) {

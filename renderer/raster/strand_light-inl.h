@@ -109,6 +109,16 @@ HWY_INLINE Vec3 shadow_of(const SceneLight::SentLight& sent) {
   return {luminance(sent.direct), luminance(sent.unshadowed), 0.0f};
 }
 
+/// What the scene shows of light: said once, after it was computed, as each place that computes it is a copy of the
+/// code.
+HWY_INLINE Vec3 shown_light(const RasterScene& scene, const SceneLight::SentLight& sent) {
+  switch (scene.shown) {
+    case RasterOutput::direct: return sent.direct;
+    case RasterOutput::shadow: return shadow_of(sent);
+    default: return sent.ambient + sent.direct;
+  }
+}
+
 /// What a field is on a piece of the model, by the shares of its second and third corner.
 HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
   const auto* corners = reinterpret_cast<const std::int32_t*>(scene.model->triangles.data());
@@ -153,12 +163,9 @@ HWY_INLINE Vec3 shown_of(SceneLight& from, const Fibre& fibre, Real thin, Vec3 a
     case RasterOutput::albedo: return fibre.colour;
     case RasterOutput::normal: return fibre.normal;
     case RasterOutput::tangent: return fibre.tangent;
-    case RasterOutput::direct: return from.strand_light(fibre, thin, ambient, false).direct;
-    case RasterOutput::shadow: return shadow_of(from.strand_light(fibre, thin, ambient, true));
     default: break;
   }
-  const SceneLight::SentLight light = from.strand_light(fibre, thin, ambient, false);
-  return light.ambient + light.direct;
+  return shown_light(from.scene, from.strand_light(fibre, thin, ambient, from.scene.shown == RasterOutput::shadow));
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
