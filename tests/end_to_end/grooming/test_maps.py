@@ -175,7 +175,7 @@ class Maps(ServedTest):
         self.assert_problem(self.put(scene, "length", png(numpy.ones((8, 8, 3)))[:-20]), 422)
         self.assert_problem(self.put(scene, "length", b"no picture"), 422)
         self.assert_problem(self.put(scene, "length", png(numpy.zeros((1, 4097, 3)))), 422)
-        self.assert_problem(self.put(scene, "furriness", good), 422, "/field")
+        self.assert_problem(self.put(scene, "furriness", good), 404, "/field")
         self.assert_problem(self.put(scene, "length", good, "?encoding=vector"), 422, "/encoding")
         self.assert_problem(self.put(scene, "direction", good, "?encoding=value"), 422, "/encoding")
         self.assert_problem(self.put(scene, "direction", png(numpy.ones((4, 4, 3))), "?encoding=vector"), 422, "/encoding")
