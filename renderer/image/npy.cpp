@@ -125,6 +125,10 @@ std::string encode_npy(std::span<const std::size_t> shape, std::span<const float
   return encode(shape, values, "<f4");
 }
 
+std::string encode_npy(std::span<const std::size_t> shape, std::span<const double> values) {
+  return encode(shape, values, "<f8");
+}
+
 std::string encode_npy(std::span<const std::size_t> shape, std::span<const std::uint8_t> values) {
   return encode(shape, values, "|u1");
 }

@@ -15,6 +15,7 @@ inline constexpr const char* npy_type = "application/x-npy";  // no media type i
 
 /// The file of an array in C order; `shape` is of as many numbers as there are `values`.
 std::string encode_npy(std::span<const std::size_t> shape, std::span<const float> values);
+std::string encode_npy(std::span<const std::size_t> shape, std::span<const double> values);
 std::string encode_npy(std::span<const std::size_t> shape, std::span<const std::uint8_t> values);
 
 /// Returns whether the bytes begin as such a file does.

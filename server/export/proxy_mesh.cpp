@@ -3,10 +3,13 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "base/limits.h"
+#include "renderer/image/npy.h"
 #include "server/export/glb_writer.h"
 #include "server/groom/standing_fur.h"
 
@@ -142,6 +145,16 @@ std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur) {
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}};
   file.set_scene(node_of("skin", 0, mesh.centre), GltfJson::array({skin}));
   return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
+}
+
+std::string npy_of_vertices(const Mesh& mesh) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * mesh.positions.size());
+  for (const glm::vec3& position : mesh.positions) {
+    const glm::dvec3 place = mesh.to_model(position);
+    numbers.insert(numbers.end(), {place.x, place.y, place.z});
+  }
+  return encode_npy(std::array{mesh.positions.size(), std::size_t{3}}, std::span<const double>(numbers));
 }
 
 }  // namespace pelage

@@ -41,4 +41,8 @@ ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields
 /// is a triangle at least.
 std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur = nullptr);
 
+/// A .npy file of the places of all vertices, [vertices, 3] in the model's coordinates, in the order of lists of
+/// vertices.
+std::string npy_of_vertices(const Mesh& mesh);
+
 }  // namespace pelage

@@ -1,4 +1,5 @@
 #include "protocol/json/decode.h"
+#include "server/export/proxy_mesh.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 
@@ -33,11 +34,22 @@ void get_mesh(Service& service, const Scene& scene, const Request& request, Resp
   response.set_header("Pelage-Revision", std::to_string(now->revision));
 }
 
+void get_vertices(const Scene& scene, const Request& request, Response& response) {
+  if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
+  const SnapshotPtr now = scene.snapshot();
+  response.set_content(npy_of_vertices(now->model->surface.mesh()), "application/x-npy");
+  response.status = 200;
+  response.set_header("Pelage-Revision", std::to_string(now->revision));
+}
+
 }  // namespace
 
 void add_mesh_routes(httplib::Server& server, Service& service) {
   server.Get("/v1/scenes/([^/]+)/mesh", [&](const Request& request, Response& response) {
     with_scene(service, request, response, [&](const auto& scene) { get_mesh(service, *scene, request, response); });
+  });
+  server.Get("/v1/scenes/([^/]+)/vertices", [&](const Request& request, Response& response) {
+    with_scene(service, request, response, [&](const auto& scene) { get_vertices(*scene, request, response); });
   });
 }
 

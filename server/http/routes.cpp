@@ -96,6 +96,7 @@ RouteInfo route_of(const std::string& path) {
                                                       {"/v1/scenes/{id}", "GET, HEAD, DELETE"},
                                                       {"/v1/scenes/{id}/model", "PUT"},
                                                       {"/v1/scenes/{id}/mesh", "GET, HEAD"},
+                                                      {"/v1/scenes/{id}/vertices", "GET, HEAD"},
                                                       {"/v1/scenes/{id}/subdivide", "POST"},
                                                       {"/v1/scenes/{id}/turn", "POST"},
                                                       {"/v1/scenes/{id}/rename", "POST"},

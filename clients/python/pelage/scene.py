@@ -244,6 +244,10 @@ class Scene(Commands[CommandAnswer], Pictures):
         """
         return self.upload_map(field, arrays.encoded(array), **options)
 
+    def positions(self) -> NDArray[numpy.float64]:
+        """Where the vertices of the model are: [vertices, 3], in the model's own coordinates, in the order of `field`."""
+        return arrays.decoded(self._connection.get(f"{self._path}/vertices").body, "npy")
+
     def field(self, name: Field) -> NDArray[numpy.float32]:
         """A field at the vertices as a NumPy array of float32: [vertices], or [vertices, channels].
 

@@ -59,6 +59,16 @@ class Arrays(ServedTest):
                 self.scene.set_field(name, 0.5 * field)
                 numpy.testing.assert_allclose(self.scene.field(name), 0.5 * field, atol=1e-5)
 
+    def test_positions_are_in_the_order_of_fields(self):
+        positions, bounds = self.scene.positions(), self.scene.info()["bounds"]
+        self.assertEqual((positions.shape, positions.dtype), ((self.vertices, 3), numpy.float64))
+        numpy.testing.assert_allclose((positions.min(0), positions.max(0)), (bounds["min"], bounds["max"]), atol=1e-6)
+        length = 0.01 + 0.05 * (positions[:, 1] - positions[:, 1].min())
+        self.scene.set_field("length", length)
+        for vertex in range(0, self.vertices, self.vertices // 7):
+            found = self.scene.pick_nearest(positions[vertex].tolist())
+            self.assertAlmostEqual(found["length"], length[vertex], delta=1e-4)
+
     def test_a_field_is_one_step_with_an_author(self):
         answer = self.scene.set_field("length", numpy.linspace(0, 0.1, self.vertices), author="Ann", if_match=0)
         self.assertEqual((answer["revision"], list(self.scene.log())[0]["author"]), (1, "Ann"))

@@ -23,7 +23,7 @@ CONTRACT = json.loads((BIN / "openapi.json").read_text())
 # How each operation of the contract is reached.
 OPERATIONS = {
     "listScenes": "Server.scenes", "createScene": "Server.create", "describeScene": "Scene.info", "removeScene": "Scene.remove",
-    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "subdivide": "Scene.subdivide", "turn": "Scene.turn", "rename": "Scene.rename", "exportScene": "Scene.export", "openScene": "Server.open_file",
+    "uploadModel": "Scene.load", "getMesh": "Scene.mesh", "getVertices": "Scene.positions", "subdivide": "Scene.subdivide", "turn": "Scene.turn", "rename": "Scene.rename", "exportScene": "Scene.export", "openScene": "Server.open_file",
     "uploadEnvironment": "Scene.upload_environment", "uploadSkinTexture": "Scene.upload_skin_texture",
     "uploadPicture": "Scene.upload_picture", "getMap": "Scene.download_map", "uploadMap": "Scene.upload_map", "uploadGuides": "Scene.upload_guides",
     "runCommands": "Scene.run", "undo": "Scene.undo", "redo": "Scene.redo", "revert": "Scene.revert", "amend": "Scene.amend",
