@@ -1,5 +1,5 @@
-// Cryptomatte: which objects cover each pixel, and how much, as channels and a manifest of an EXR. By the specification
-// of Psyop, "Cryptomatte Specification", version 1.2.0, 2018.
+// Cryptomatte: which objects cover each pixel, and how much, as channels and a manifest of an EXR. By Psyop's
+// "Cryptomatte Specification", version 1.2.0.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace pelage {
 
-/// MurmurHash3 of 32 bits (x86, seed 0) of a name, as its float: an exponent of 0 or 255 loses its last bit's value, so
-/// that all are finite and normal (section "Hash algorithm").
+/// MurmurHash3 of 32 bits (x86, seed 0) of a name, read as a float. The last bit of an exponent of 0 or 255 is flipped,
+/// so that all are finite and normal.
 float matte_id(std::string_view name);
 
 /// Which objects cover the pixels of a frame.

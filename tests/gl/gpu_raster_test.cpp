@@ -215,11 +215,12 @@ TEST_P(GpuRasterTwin, FollowsTheWind) {
   EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, calm.rgba) << "it stands as it did";
 }
 
-/// All pictures but those of colours.
+/// All pictures but those of colours; the CPU draws those of objects in between.
 TEST_P(GpuRasterTwin, ShowsWhatIsAskedForBesideLight) {
   const GoldenScene scene = whole_creature(64);
-  const std::vector<Aov> aovs{Aov::alpha,  Aov::depth,  Aov::position,     Aov::normal, Aov::tangent, Aov::albedo,
-                              Aov::direct, Aov::shadow, Aov::sample_count, Aov::strand, Aov::root};
+  const std::vector<Aov> aovs{Aov::alpha,     Aov::depth,  Aov::position, Aov::normal,       Aov::tangent,
+                              Aov::albedo,    Aov::direct, Aov::shadow,   Aov::sample_count, Aov::objects_1,
+                              Aov::objects_2, Aov::strand, Aov::root};
   const auto pictures = [&](Renderer& renderer) {
     draw(renderer, scene.model, scene.request);  // so that it has the model
     Result<std::vector<FloatImage>> drawn = renderer.draw_aovs(make_frame(scene.model.view(), scene.request), aovs);

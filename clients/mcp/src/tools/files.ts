@@ -10,7 +10,7 @@ export function exportScene({service, schemas}: Context): Tool {
   return {
     name: "export_scene", annotations: {...reads, readOnlyHint: false, destructiveHint: true},
     description: "Writes the groom to a file for another program: usda and hair strands, glTF for shells, cards and fields, or the scene itself as pelage.",
-    inputSchema: schemas.input({scene: scene_member, path: pathMember("of the file"), format: {...format, description: "Unless given, the ending of the path."}, ...options, overwrite}, ["scene", "path"]),
+    inputSchema: schemas.input({scene: scene_member, path: pathMember(), format: {...format, description: "Unless given, the ending of the path."}, ...options, overwrite}, ["scene", "path"]),
     run: async (input, caller) => {
       const path = textIn(input, "path"), wanted = String(input["format"] ?? extname(path).slice(1).toLowerCase());
       const query = queryOf(without(input, "scene", "path", "format", "overwrite"));

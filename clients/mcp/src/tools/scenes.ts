@@ -39,7 +39,7 @@ function createScene({service, schemas}: Context): Tool {
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
   const discard = {type: "boolean", default: false, description: "Begin with a first groom of its own; the groom of the scene is lost."};
-  const path = {...pathMember("of the file"), description: `${pathMember("of the file").description} A model with files of its own comes as a zip archive.`};
+  const path = pathMember(" A model with files of its own comes as a zip archive.");
   return {
     name: "load_model", annotations: destroys,
     description: "Gives a scene the model of a file, with a first fur on it, or a new version of its model, which takes over the groom. "

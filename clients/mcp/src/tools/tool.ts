@@ -55,7 +55,7 @@ export function integerIn(input: Input, name: string, fallback: number, min: num
   throw new Refusal({detail: `${JSON.stringify(value)} is out of range.`, pointer: `/${name}`, limit: `a whole number in [${min}, ${max}]`});
 }
 
-export const pathMember = (whose: string): Schema => ({type: "string", description: `Path ${whose} on the machine where pelage-mcp runs.`});
+export const pathMember = (more = ""): Schema => ({type: "string", description: `Path of the file on the machine where pelage-mcp runs.${more}`});
 
 export const queryOf = (members: Input) => new URLSearchParams(Object.entries(members).map(([name, value]): [string, string] => [name, String(value)])).toString();
 
