@@ -13,7 +13,7 @@ enum class Code {
   ok,
   malformed,     // 400: not JSON, not HTTP, duplicate keys, too deep, numbers that are no double
   not_found,     // 404
-  conflict,      // 409: other model, idempotency clash, superseded frame
+  conflict,      // 409: other model, no room for a scene, idempotency clash, superseded frame
   precondition,  // 412: If-Match names another revision
   too_large,     // 413
   unsupported,   // 415

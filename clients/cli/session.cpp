@@ -43,7 +43,7 @@ Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
 
 Result<HttpAnswer> Session::make_scene(const std::string& address, const std::string& request) {
   auto answer = accepted(connection_.post_json(address, request));
-  if (answer || answer.status().code != Code::busy) return answer;
+  if (answer || answer.status().code != Code::conflict) return answer;
   return with_next(answer.status(), "remove a scene that is not needed with `pelage rm`");
 }
 

@@ -13,8 +13,9 @@ namespace {
 
 Status no_such_scene() { return failure(Code::not_found, "there is no such scene"); }
 
+/// Not `busy`: waiting does not help, and clients wait for a busy server.
 Status too_many() {
-  return failure(Code::busy, "there are as many scenes as the server holds", {},
+  return failure(Code::conflict, "there are as many scenes as the server holds; remove one first", {},
                  "at most " + std::to_string(limits::scenes) + " scenes");
 }
 

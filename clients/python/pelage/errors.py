@@ -54,7 +54,8 @@ class NotFound(Refused):
 
 
 class Conflict(Refused):
-    """The scene is at another revision than `if_match` (412), a newer frame took the view, or a groom would be lost (409)."""
+    """412: the scene is at another revision than `if_match`. 409: a newer frame took the view, a groom would be lost, or
+    the server holds as many scenes as it takes."""
 
 
 class Busy(Problem):

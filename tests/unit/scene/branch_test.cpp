@@ -127,7 +127,7 @@ TEST_F(BranchTest, IsRefusedAtTheLimitOfScenesAndForARemovedScene) {
   ASSERT_TRUE(store_->remove(gone->id()).ok());
   EXPECT_EQ(store_->branch(*gone, {}).status().code, Code::not_found);
   for (std::size_t i = 1; i < limits::scenes; ++i) branch(*scene);
-  EXPECT_EQ(store_->branch(*scene, {}).status().code, Code::busy);
+  EXPECT_EQ(store_->branch(*scene, {}).status().code, Code::conflict);
   EXPECT_EQ(store_->list().size(), limits::scenes);
 }
 

@@ -32,7 +32,7 @@ TEST_F(SceneStoreTest, MakesFindsListsAndRemoves) {
 
 TEST_F(SceneStoreTest, IsFullAtTheLimit) {
   for (std::size_t i = 0; i < limits::scenes; ++i) make(Builtin::plane, 2);
-  EXPECT_EQ(store_->create({}).status().code, Code::busy);
+  EXPECT_EQ(store_->create({}).status().code, Code::conflict);
 }
 
 TEST_F(SceneStoreTest, ARestartHasEverything) {
