@@ -13,6 +13,13 @@ constexpr bool has_stroke = requires(C command) {
 
 }  // namespace
 
+Command::Command() = default;
+Command::Command(const Command&) = default;
+Command::Command(Command&&) noexcept = default;
+Command& Command::operator=(const Command&) = default;
+Command& Command::operator=(Command&&) noexcept = default;
+Command::~Command() = default;
+
 const char* op_of(const Command& command) {
   return std::visit([](const auto& c) { return c.op; }, command);
 }

@@ -127,7 +127,17 @@ concept SettingCommand = Settings::holds<C>;
 template <class... T, class... S>
 std::variant<T..., S...> either_of(CommandList<T...>, CommandList<S...>);  // only its type is used
 
-using Command = decltype(either_of(Tools{}, Settings{}));
+/// One of all commands. It is a class of its own so that copying, moving and destroying any of them is compiled once,
+/// not in each file that does so.
+struct Command : decltype(either_of(Tools{}, Settings{})) {
+  using variant::variant;
+  Command();
+  Command(const Command&);
+  Command(Command&&) noexcept;
+  Command& operator=(const Command&);
+  Command& operator=(Command&&) noexcept;
+  ~Command();
+};
 
 /// The name of the command on the wire: "comb", "set_coat", ...
 const char* op_of(const Command& command);

@@ -15,8 +15,15 @@ struct NamedRevision {
   std::uint64_t revision = 0;
 };
 
-/// Changed by commands alone.
+/// Changed by commands alone. Its copies are compiled once, as those of commands are.
 struct SceneSettings {
+  SceneSettings();
+  SceneSettings(const SceneSettings&);
+  SceneSettings(SceneSettings&&) noexcept;
+  SceneSettings& operator=(const SceneSettings&);
+  SceneSettings& operator=(SceneSettings&&) noexcept;
+  ~SceneSettings();
+
   std::vector<NamedCoat> coats{1};  // at least one, and one that is not muted
   Look look;
   std::vector<Light> lights = default_lights();

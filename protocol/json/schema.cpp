@@ -310,10 +310,16 @@ class MemberSchemas {
     schema["properties"] = std::move(properties);
     if (!required.empty()) schema["required"] = std::move(required);
     schema["additionalProperties"] = false;
+    properties_ = Json::object(), required_ = Json::array();
     return schema;
   }
-  std::string name() const { return name_; }
-  const char* words() const { return words_; }
+  /// Ends a form of the struct; the next one begins with no members.
+  void end_form(const char* op = nullptr) { forms_.push_back(finish(op)); }
+  /// Adds the schema of all forms under the struct's name, and refers to it.
+  Json named() {
+    all_[name_] = described(forms_.size() > 1 ? Json{{"oneOf", forms_}} : forms_[0], words_);
+    return reference(name_);
+  }
 
  private:
   template <class T>
@@ -337,33 +343,31 @@ class MemberSchemas {
   bool one_form_;        // of several forms, each with a schema
   bool answer_ = false;  // all members are there, except sparse ones
   const char *name_ = "", *words_ = "";
-  Json properties_ = Json::object(), required_ = Json::array();
+  Json forms_ = Json::array(), properties_ = Json::object(), required_ = Json::array();
 };
+
+void add_command(Json& command, const char* op, const Json& to) {
+  command["oneOf"].push_back(to);
+  command["discriminator"]["mapping"][op] = to["$ref"];
+}
 
 template <class T>
 Json describe(Json& all) {
   const std::vector<T> values = forms<T>();
-  Json schemas = Json::array(), to;
+  MemberSchemas visitor(all, values.size() > 1);
   for (const T& value : values) {
-    MemberSchemas visitor(all, values.size() > 1);
     members(visitor, value);
-    schemas.push_back(visitor.finish());
-    all[visitor.name()] = described(values.size() > 1 ? Json{{"oneOf", schemas}} : schemas[0], visitor.words());
-    to = reference(visitor.name());
+    visitor.end_form();
   }
-  return to;
+  return visitor.named();
 }
 
 template <class Tool>
 void describe_command(Json& all, Json& command) {
   MemberSchemas visitor(all);
-  const Tool defaults{};
-  members(visitor, defaults);
-  const char* op = op_of(Command(defaults));
-  all[visitor.name()] = described(visitor.finish(op), visitor.words());
-  const Json to = reference(visitor.name());
-  command["oneOf"].push_back(to);
-  command["discriminator"]["mapping"][op] = to["$ref"];
+  members(visitor, Tool{});
+  visitor.end_form(Tool::op);
+  add_command(command, Tool::op, visitor.named());
 }
 
 template <class... Tools>

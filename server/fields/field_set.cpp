@@ -86,6 +86,12 @@ FieldSet::FieldSet(std::size_t vertices)
   select(0);
 }
 
+FieldSet::FieldSet(const FieldSet&) = default;
+FieldSet::FieldSet(FieldSet&&) noexcept = default;
+FieldSet& FieldSet::operator=(const FieldSet&) = default;
+FieldSet& FieldSet::operator=(FieldSet&&) noexcept = default;
+FieldSet::~FieldSet() = default;
+
 void FieldSet::select(CoatId coat) {
   coat_ = coat;
   if (coat >= coats_.size()) coats_.resize(std::size_t{coat} + 1);

@@ -51,6 +51,11 @@ class FieldSet {
  public:
   /// Sets all fields to their defaults: fur upright and of length 0. Seen from coat 0.
   explicit FieldSet(std::size_t vertices);
+  FieldSet(const FieldSet&);
+  FieldSet(FieldSet&&) noexcept;
+  FieldSet& operator=(const FieldSet&);
+  FieldSet& operator=(FieldSet&&) noexcept;
+  ~FieldSet();
 
   /// The coat whose fields are read and set; those that all coats share are the same from each.
   CoatId coat() const { return coat_; }
