@@ -50,6 +50,11 @@ class StudioFiles(ServedTest):
             self.assertEqual(page.headers["cache-control"], "no-cache")
             self.assertIn(b"<!doctype html>", page.body)
 
+    def test_answers_that_are_made_when_asked_are_compressed_by_gzip_alone(self):
+        """Brotli takes seconds for the contract."""
+        for encodings, used in (("gzip, deflate, br", "gzip"), ("br", None), ("gzip;q=0, br", None), ("identity", None)):
+            self.assertEqual(self.accepted("/openapi.json", encodings).headers.get("content-encoding"), used, encodings)
+
     def test_headers_keep_other_sites_out(self):
         for path in self.all_paths():
             answer = self.server.get(path)
