@@ -5,7 +5,9 @@
 
 #include "server/fields/field_mix.h"
 #include "server/groom/evaluate.h"
+#include "server/groom/first_groom.h"
 #include "server/history/journal.h"
+#include "server/scene/creature_settings.h"
 #include "server/scene/model.h"
 #include "server/scene/moving_model.h"
 #include "server/scene/new_version.h"

@@ -17,6 +17,7 @@
 #include "server/scene/creature_settings.h"
 #include "server/scene/follow_guides.h"
 #include "server/scene/foreign_scene.h"
+#include "server/scene/imported_model.h"
 #include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
 
@@ -33,46 +34,10 @@ std::string random_id() {
   return id;
 }
 
-/// Returns the options of the preparation. What is not asked for follows from the file, and never puts both axes on one
-/// line.
-PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
-  const auto line = [](Axis axis) { return static_cast<int>(axis) / 2; };
-  PrepareOptions options{.source_is_32_bit = raw.is_32_bit, .crease_degrees = asked.crease_degrees};
-  options.up = asked.up.value_or(raw.up.value_or(Axis::plus_y));
-  if (!asked.up && asked.front && line(options.up) == line(*asked.front))
-    options.up = line(*asked.front) == line(Axis::plus_y) ? Axis::plus_z : Axis::plus_y;
-  options.front = asked.front.value_or(raw.front.value_or(Axis::plus_z));
-  if (line(options.front) == line(options.up))
-    options.front = options.up == Axis::plus_z ? Axis::minus_y : Axis::plus_z;
-  if (line(options.front) == line(options.up)) options.front = Axis::plus_y;  // -Z is up
-  options.flipped_parts.assign(asked.flip.begin(), asked.flip.end());
-  options.two_sided_parts.assign(asked.two_sided.begin(), asked.two_sided.end());
-  return options;
-}
-
-struct ImportedModel {
-  std::shared_ptr<const SceneModel> model;
-  StoredModel stored;
-};
-
-/// A new version of a file stands as the one before does, unless other axes are asked for.
-ImportOptions standing_as(const SceneModel& before, ImportOptions asked) {
-  const auto& formats = json_names::model_formats;
-  const bool is_file =
-      std::any_of(formats.begin(), formats.end(), [&](const auto& one) { return before.name == one.text; });
-  if (!is_file || asked.up || asked.front) return asked;
-  asked.up = before.surface.mesh().report.up, asked.front = before.surface.mesh().report.front;
-  return asked;
-}
-
 /// The name of the scene that stays behind when this one gets a new version of its model.
 std::string name_before(const SceneSummary& scene) {
   const std::string ending = " before " + std::to_string(scene.revision + 1);
   return scene.name.size() + ending.size() <= limits::name_bytes ? scene.name + ending : scene.name;
-}
-
-ImportLimits ended_by(const Cancel& cancel) {
-  return {.cancelled = [cancel] { return cancel.asked(); }};
 }
 
 Status no_such_source() {
@@ -103,9 +68,6 @@ struct SceneStore::Impl {
   Result<Restored> restored(const std::string& id);
   Result<std::shared_ptr<Scene>> opened(const std::string& id);
   Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
-  /// Reads a model through the worker. Throws Cancelled.
-  Result<ImportedModel> imported(const ImportOptions& options, std::span<const std::byte> bytes, const Cancel& cancel,
-                                 std::vector<ChosenTriangles> subdivisions = {});
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -307,7 +269,7 @@ void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.
 
 Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
                                             std::span<const std::byte> bytes, const ExecuteOptions& execute) try {
-  Result<ImportedModel> model = impl_->imported(options, bytes, execute.cancel);
+  Result<ImportedModel> model = import_for_scene(impl_->worker, ++impl_->last_model, options, bytes, execute.cancel);
   if (!model) return model.status();
   return scene.replace_model(model->model, options.fur, std::move(model->stored), options.ground, execute);
 } catch (const Cancelled&) {
@@ -318,7 +280,8 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
                                               std::span<const std::byte> bytes, ExecuteOptions execute) try {
   const std::vector<ChosenTriangles> groom_before_log(1);  // StoredModel::subdivisions
   const Result<ImportedModel> model =
-      impl_->imported(standing_as(*scene.model(), options), bytes, execute.cancel, groom_before_log);
+      import_for_scene(impl_->worker, ++impl_->last_model, standing_as(*scene.model(), options), bytes, execute.cancel,
+                       groom_before_log);
   if (!model) return model.status();
   const bool any_revision = !execute.if_match;
   for (int tries = 3;; --tries) {
@@ -335,23 +298,6 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
   }
 } catch (const Cancelled&) {
   return nobody_waits();
-}
-
-Result<ImportedModel> SceneStore::Impl::imported(const ImportOptions& options, std::span<const std::byte> bytes,
-                                                 const Cancel& cancel, std::vector<ChosenTriangles> subdivisions) {
-  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(cancel));
-  if (!raw) return raw.status();
-  StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
-                  .prepare = preparation_of(options, *raw),
-                  .raw = {},
-                  .fur_patches = options.fur_patches,
-                  .subdivisions = std::move(subdivisions)};
-  cancel.check();
-  auto model = build_model(*raw, how, ++last_model);
-  if (!model) return model.status();
-  cancel.check();
-  how.raw = encode_raw_model(*raw);
-  return ImportedModel{std::move(*model), std::move(how)};
 }
 
 Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute) {
