@@ -1,8 +1,12 @@
-"""Counts the cases in GoogleTest's XML files; its last line is `N passed, N failed, N skipped`.
+"""Counts the cases of all runners; its last line is `N passed, N failed, N skipped`.
 
-usage: count.py FOLDER [--no-skips]   fails where a case failed, where there are none, and at a skip with --no-skips
+usage: count.py FOLDER CTEST [--no-skips]   FOLDER has GoogleTest's XML files, CTEST is what ctest wrote by --output-junit. Fails
+where a case failed, where there are none, and with --no-skips where GoogleTest skipped one. What Python skips needs a program or
+a right that the machine may lack; what CI has to have fails there by itself.
 """
+import collections
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree as xml
 
@@ -13,21 +17,56 @@ def outcome(case):
     return "skipped" if case.get("result") == "skipped" else "passed"
 
 
-def cases(folder):
-    for path in sorted(pathlib.Path(folder).glob("*.xml")):
-        for case in xml.parse(path).iter("testcase"):
-            if case.get("status") == "run" or case.get("result") == "skipped":
-                yield path.stem, f"{case.get('classname')}.{case.get('name')}", outcome(case)
+def cases_of_googletest(path):
+    for case in xml.parse(path).iter("testcase"):
+        if case.get("status") == "run" or case.get("result") == "skipped":
+            yield f"{path.stem} {case.get('classname')}.{case.get('name')}", outcome(case), 1
+
+
+def number(pattern, text):
+    found = re.search(pattern, text, re.M)
+    return int(found[1]) if found else 0
+
+
+def counts_said(text):
+    """What unittest or node say at their end that they ran, as passed, failed, skipped; None of others."""
+    ran = re.search(r"^Ran (\d+) tests? in", text, re.M)
+    if ran:
+        failed = number(r"^FAILED .*failures=(\d+)", text) + number(r"^FAILED .*errors=(\d+)", text)
+        skipped = number(r"^(?:OK|FAILED) .*skipped=(\d+)", text)
+        return int(ran[1]) - failed - skipped, failed, skipped
+    if re.search(r"^# pass \d+$", text, re.M):
+        return tuple(number(rf"^# {word} (\d+)$", text) for word in ("pass", "fail", "skipped"))
+    return None
+
+
+def cases_of_program(case):
+    """Of a program that is not GoogleTest's. One that fails has a case that failed, whatever it says."""
+    name, good = case.get("name"), case.find("failure") is None
+    passed, failed, skipped = counts_said(case.findtext("system-out") or "") or (int(good), 0, 0)
+    yield name, "passed", passed
+    yield name, "failed", failed if good else max(failed, 1)
+    yield name, "skipped by choice", skipped
+
+
+def cases(folder, ctest):
+    of_googletest = {path.stem: path for path in sorted(pathlib.Path(folder).glob("*.xml"))}
+    for case in xml.parse(ctest).iter("testcase"):
+        path = of_googletest.pop(case.get("name"), None)
+        found = list(cases_of_googletest(path)) if path else []
+        if not found or (case.find("failure") is not None and all(what != "failed" for _, what, _ in found)):
+            found += cases_of_program(case)  # also one that crashed after its cases
+        yield from found
 
 
 def main():
-    folder, *options = sys.argv[1:]
-    count = {"passed": 0, "failed": 0, "skipped": 0}
-    for program, name, what in cases(folder):
-        count[what] += 1
-        if what != "passed":
-            print(f"{what}: {program} {name}")
-    print("{passed} passed, {failed} failed, {skipped} skipped".format(**count))
+    folder, ctest, *options = sys.argv[1:]
+    count = collections.Counter()
+    for name, what, times in cases(folder, ctest):
+        count[what] += times
+        if what != "passed" and times:
+            print(f"{what}: {name}" + (f" ({times})" if times > 1 else ""))
+    print(f"{count['passed']} passed, {count['failed']} failed, {count['skipped'] + count['skipped by choice']} skipped")
     no_skips = "--no-skips" in options
     sys.exit(count["failed"] > 0 or count["passed"] == 0 or (no_skips and count["skipped"] > 0))
 
