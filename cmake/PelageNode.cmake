@@ -1,4 +1,16 @@
-# Packages of npm, and tests on node's own runner. Only where PELAGE_STUDIO says that there are node and npm.
+# Node, packages of npm, and tests on node's own runner. The functions only where PELAGE_STUDIO says that there are node and npm.
+find_program(PELAGE_NODE NAMES node nodejs)
+find_program(PELAGE_NPM NAMES npm)
+set(PELAGE_STUDIO OFF CACHE INTERNAL "Whether there are node and npm to build the studio")
+if(PELAGE_NODE)
+  execute_process(COMMAND ${PELAGE_NODE} --version OUTPUT_VARIABLE NODE_VERSION OUTPUT_STRIP_TRAILING_WHITESPACE)
+  string(REGEX REPLACE "^v" "" NODE_VERSION "${NODE_VERSION}")
+endif()
+if(NOT PELAGE_NODE OR NOT PELAGE_NPM OR NODE_VERSION VERSION_LESS 18)
+  message(STATUS "No node of version 18 or newer with npm: the server is built without the studio")
+else()
+  set(PELAGE_STUDIO ON CACHE INTERNAL "Whether there are node and npm to build the studio")
+endif()
 
 # Fetches the packages of this folder's package-lock.json, once, in a target NAME; WHAT ends the line that says so. Sets
 # NAME_STAMP to the file that is there once they are.

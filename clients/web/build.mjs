@@ -1,11 +1,11 @@
 // Builds the studio: types of the contract, type check, bundle with hashed names, and each file compressed.
 // usage: node build.mjs CONTRACT_JSON OUT     writes OUT/contract.d.ts and OUT/dist/
 import {execFileSync} from "node:child_process";
-import {mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync} from "node:fs";
+import {mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {basename, dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
-import {brotliCompressSync, constants, gzipSync} from "node:zlib";
 import * as esbuild from "esbuild";
+import {compress} from "./compress.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [contract, out] = process.argv.slice(2).map((path) => resolve(path));
@@ -52,19 +52,6 @@ function writePage(outputs) {
     .replace("STYLE", entry("index.css")).replace("SCRIPT", entry("main.tsx"))
     .replace("PROXY", entry("view/proxy.ts"));  // the brush needs it soon after
   writeFileSync(join(dist, "index.html"), page);
-}
-
-/** FILE.br and FILE.gz beside each file that gets smaller. */
-function compress(folder) {
-  for (const file of readdirSync(folder, {withFileTypes: true})) {
-    const path = join(folder, file.name);
-    if (file.isDirectory()) { compress(path); continue; }
-    const bytes = readFileSync(path);
-    const forms = {br: brotliCompressSync(bytes, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}), gz: gzipSync(bytes, {level: 9})};
-    for (const [ending, small] of Object.entries(forms)) {
-      if (small.length < bytes.length * 0.95) writeFileSync(`${path}.${ending}`, small);
-    }
-  }
 }
 
 rmSync(dist, {recursive: true, force: true});

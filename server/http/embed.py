@@ -2,7 +2,7 @@
 
 usage: embed.py BYTES.s TABLE.cpp FOLDER...
 
-index.html is at the address /, assets/FILE at /assets/FILE and docs/FILE at /docs/FILE; anything else is refused. FILE.gz and FILE.br are the
+index.html is at the address /, assets/FILE, docs/FILE and openapi.json at their own; anything else is refused. FILE.gz and FILE.br are the
 compressed forms of FILE, used where they are there.
 """
 import hashlib
@@ -24,7 +24,7 @@ TYPES = {
     ".pelage": "application/octet-stream",
 }
 HASHED = re.compile(r".+-[A-Za-z0-9_-]{8,}\.\w+")  # NAME-HASH.js: other content has another name
-ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+")
+ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+|openapi.json")
 FORMS = {"identity": "", "gzip": ".gz", "brotli": ".br"}
 
 
@@ -34,7 +34,7 @@ def files(folder):
     plain = [name for name in names if not (name.endswith((".gz", ".br")) and name[:-3] in names)]
     for name in plain:
         if name != "index.html" and not ASSET.fullmatch(name):
-            sys.exit(f"embed.py: {name} has no address; only index.html, assets/* and docs/* have")
+            sys.exit(f"embed.py: {name} has no address; only index.html, openapi.json, assets/* and docs/* have")
         if pathlib.PurePath(name).suffix not in TYPES:
             sys.exit(f"embed.py: {name} is of no known type")
         if not (folder / name).stat().st_size:

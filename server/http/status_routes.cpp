@@ -5,7 +5,6 @@
 
 #include <fstream>
 
-#include "protocol/openapi/openapi.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
 
@@ -139,8 +138,6 @@ void add_status_routes(httplib::Server& server, Service& service) {
                         .renderer = service.frames.description()};
     response.set_content(service.metrics.text(gauges), "text/plain; version=0.0.4");
   });
-  server.Get("/openapi.json",
-             [](const Request&, Response& response) { reply_json(response, 200, std::string(openapi_json())); });
 }
 
 }  // namespace pelage

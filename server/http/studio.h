@@ -1,5 +1,5 @@
-// The browser client and the reference, built into the program; in a build without node, a page that says how to get
-// the client.
+// The contract, the browser client and the reference, built into the program; in a build without node, a page that says
+// how to get the client.
 #pragma once
 
 #include <span>
@@ -9,9 +9,8 @@ namespace pelage {
 
 /// All views are of the program's own constants.
 struct StudioFile {
-  std::string_view
-      path;  // of its address: "/" for the page, "/assets/..." for its files, "/docs/..." for the reference
-  std::string_view type;                    // for Content-Type
+  std::string_view path;  // of its address: "/" for the page, "/assets/..." for its files, "/docs/...", "/openapi.json"
+  std::string_view type;  // for Content-Type
   std::string_view identity, gzip, brotli;  // its bytes; the compressed forms are empty where they would not be shorter
   std::string_view etag;                    // of what it holds, without quotes
   bool hashed;                              // the name has a hash of the content: what is at this address never changes

@@ -69,6 +69,7 @@ void answer_first_page(const Request& request, Response& response) {
 
 void add_studio_routes(httplib::Server& server) {
   server.Get("/", answer_address);
+  server.Get("/openapi.json", answer_address);
   server.Get("/assets/([^/]+)", answer_address);
   server.Get("/docs/?", answer_first_page);
   server.Get("/docs/([^/]+)", answer_address);

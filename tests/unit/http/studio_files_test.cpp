@@ -23,9 +23,11 @@ std::string unzipped(std::string_view bytes, std::size_t size) {
   return plain;
 }
 
-bool is_beside_the_page(std::string_view path) { return path.starts_with("/assets/") || path.starts_with("/docs/"); }
+bool is_beside_the_page(std::string_view path) {
+  return path == "/openapi.json" || path.starts_with("/assets/") || path.starts_with("/docs/");
+}
 
-TEST(StudioFiles, HasThePageAssetsAndReferenceOnly) {
+TEST(StudioFiles, HasThePageContractAssetsAndReferenceOnly) {
   const StudioFile* page = find_studio_file("/");
   ASSERT_NE(page, nullptr);
   EXPECT_TRUE(page->identity.starts_with("<!doctype html>"));
@@ -38,6 +40,8 @@ TEST(StudioFiles, HasThePageAssetsAndReferenceOnly) {
   for (const StudioFile& file : studio_files()) EXPECT_TRUE(&file == page || is_beside_the_page(file.path));
   ASSERT_NE(find_studio_file("/docs/index.html"), nullptr);
   EXPECT_FALSE(find_studio_file("/docs/style.css")->hashed);
+  ASSERT_NE(find_studio_file("/openapi.json"), nullptr);
+  EXPECT_TRUE(find_studio_file("/openapi.json")->identity.starts_with(R"({"openapi":"3.1.0")"));
 }
 
 TEST(StudioFiles, EachIsFoundByItsPathAndHasATagOfWhatItHolds) {

@@ -6,7 +6,6 @@
 
 #include "protocol/json/colour.h"
 #include "protocol/json/decode.h"
-#include "protocol/openapi/openapi.h"
 
 namespace pelage {
 namespace {
@@ -136,11 +135,6 @@ TEST(Colour, AllLevelsComeBack) {
   EXPECT_FALSE(colour_of_text("#12345"));
   EXPECT_FALSE(colour_of_text("#12345g"));
   EXPECT_FALSE(colour_of_text("123456#"));
-}
-
-TEST(OpenApi, IsEmbedded) {
-  EXPECT_EQ(openapi_json().substr(0, 18), R"({"openapi":"3.1.0")");
-  EXPECT_EQ(openapi_json().back(), '}');
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
-"""Puts the schemas of requests and answers and the examples into the contract, as JSON and as a C++ source that holds it:
-embed.py CONTRACT.yaml EXAMPLES.yaml SCHEMAS.json OUTPUT.cpp OUTPUT.json"""
+"""Puts the schemas of requests and answers and the examples into the contract, as one line of JSON in each folder:
+compose.py CONTRACT.yaml EXAMPLES.yaml SCHEMAS.json FOLDER..."""
 
 import json
+import pathlib
 import sys
 
 import yaml
-
-PIECE = 8000  # compilers bound the length of one string literal
 
 
 def merged(contract, schemas):
@@ -93,20 +92,12 @@ def read_yaml(path):
         return yaml.safe_load(file)
 
 
-def main(source, examples, schemas, target, document):
+def main(source, examples, schemas, *folders):
     with open(schemas, encoding="utf-8") as file:
         contract = with_parameters(merged(read_yaml(source), json.load(file)))
     text = json.dumps(with_examples(contract, read_yaml(examples)), ensure_ascii=True, separators=(",", ":"))
-    with open(document, "w", encoding="utf-8") as file:
-        file.write(text)
-    pieces = [text[i:i + PIECE] for i in range(0, len(text), PIECE)]
-    lines = [f'    R"json~({piece})json~"' for piece in pieces]
-    with open(target, "w", encoding="utf-8") as file:
-        file.write('#include "protocol/openapi/openapi.h"\n\n#include <string>\n\nnamespace pelage {\n\n')
-        file.write("namespace {\n\nconstexpr std::string_view pieces[] = {\n" + ",\n".join(lines) + "};\n\n")
-        file.write("}  // namespace\n\nstd::string_view openapi_json() {\n  static const std::string text = [] {\n")
-        file.write("    std::string joined;\n    for (const std::string_view piece : pieces) joined += piece;\n")
-        file.write("    return joined;\n  }();\n  return text;\n}\n\n}  // namespace pelage\n")
+    for folder in folders:
+        pathlib.Path(folder, "openapi.json").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
