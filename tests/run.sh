@@ -16,8 +16,7 @@ rm -rf build/tests/results
 passed=yes no_skips=()
 counted=(--output-junit "$PWD/build/tests/ctest.xml" --test-output-size-passed 8192 --test-output-truncation head)
 [ "${CI:-}" != true ] || no_skips=(--no-skips)
-# One more than there are cores, for some wait: for a browser, for a deadline.
-RC_PARAMS="seed=1 max_success=25" ctest --preset tests -j $((jobs + 1)) --no-tests=error -LE nightly "${counted[@]}" "$@" || passed=no
+RC_PARAMS="seed=1 max_success=25" ctest --preset tests -j "$jobs" --no-tests=error -LE nightly "${counted[@]}" "$@" || passed=no
 echo "tests: done after $((SECONDS - started)) s, packages and build included"
 python3 tests/count.py build/tests/results build/tests/ctest.xml "${no_skips[@]}" || passed=no
 [ $passed = yes ]
