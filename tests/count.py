@@ -54,7 +54,7 @@ def cases(folder, ctest):
     for case in xml.parse(ctest).iter("testcase"):
         path = of_googletest.pop(case.get("name"), None)
         found = list(cases_of_googletest(path)) if path else []
-        if not found or (case.find("failure") is not None and all(what != "failed" for _, what, _ in found)):
+        if path is None or (case.find("failure") is not None and all(what != "failed" for _, what, _ in found)):
             found += cases_of_program(case)  # also one that crashed after its cases
         yield from found
 

@@ -43,7 +43,8 @@ Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
 
 Result<HttpAnswer> Session::make_scene(const std::string& address, const std::string& request) {
   auto answer = accepted(connection_.post_json(address, request));
-  if (answer || answer.status().code != Code::conflict) return answer;
+  const bool full = !answer && answer.status().code == Code::conflict && !answer.status().limit.empty();
+  if (!full) return answer;  // other conflicts break no limit
   return with_next(answer.status(), "remove a scene that is not needed with `pelage rm`");
 }
 

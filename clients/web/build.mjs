@@ -5,7 +5,7 @@ import {mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {basename, dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import * as esbuild from "esbuild";
-import {compress} from "./compress.mjs";
+import {compress} from "../../cmake/compress.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [contract, out] = process.argv.slice(2).map((path) => resolve(path));

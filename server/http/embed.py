@@ -24,7 +24,7 @@ TYPES = {
     ".pelage": "application/octet-stream",
 }
 HASHED = re.compile(r".+-[A-Za-z0-9_-]{8,}\.\w+")  # NAME-HASH.js: other content has another name
-ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+|openapi.json")
+ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+|openapi\.json")
 FORMS = {"identity": "", "gzip": ".gz", "brotli": ".br"}
 
 

@@ -52,8 +52,8 @@ void settle_framing(const Request& request) {
   if (takes_body && !request.has_header("Content-Length")) owned.headers.emplace("Content-Length", "0");
 }
 
-/// cpp-httplib compresses texts by brotli for those who take it, at its slowest setting: the contract takes seconds. By
-/// gzip it is fast. The studio's files were compressed when they were built.
+/// cpp-httplib compresses texts by brotli for those who take it, at its slowest setting: half a second for 230 kB,
+/// which gzip takes 12 ms for. The program's own files were compressed when it was built.
 void settle_encoding(const Request& request) {
   if (find_studio_file(request.path)) return;
   const auto chosen = choose_encoding(joined_header(request, "Accept-Encoding"), true, false);

@@ -18,7 +18,7 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
 /// Answers with JSON, and sets ETag.
 void reply_json(httplib::Response& response, int http_status, const std::string& body, Revision revision);
 
-/// Answers with a long body without compression, which would take seconds for a log of 8 MB.
+/// Answers with a long body without compression, which would hold up a log of some MB.
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body);
 
 /// Answers with a problem document, and with Retry-After where trying again helps. Its text is in `reason` too, which
