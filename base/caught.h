@@ -1,4 +1,5 @@
-// Exceptions as Status, for the outermost function of a thread: the caller gets an answer, and the thread continues.
+// Converts exceptions to Status at the outermost function of a thread, so that the caller gets an answer and the thread
+// continues.
 #pragma once
 
 #include <exception>
@@ -11,8 +12,8 @@
 
 namespace pelage {
 
-/// Returns the Status of an exception: unavailable where memory ran out, because more may be free a little later;
-/// internal otherwise.
+/// Returns the Status of an exception: unavailable if memory ran out, because more may be free a little later;
+/// otherwise internal.
 inline Status status_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
@@ -25,7 +26,7 @@ inline Status status_of(const std::exception_ptr& thrown) {
   }
 }
 
-/// Calls `work`, which returns a Status or a Result; what it throws becomes its Status.
+/// Calls `work`, which returns a Status or a Result; an exception becomes the Status that is returned.
 template <class Work>
 std::invoke_result_t<Work> caught(Work&& work) {
   try {

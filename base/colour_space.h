@@ -1,4 +1,4 @@
-// Luminance and the sRGB curve, for all who need them. Colours are linear Rec. 709.
+// Luminance and the sRGB transfer curve. Colours are linear Rec. 709.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace pelage {
 inline float luminance(glm::vec3 linear) { return glm::dot(linear, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 inline double luminance(const glm::dvec3& linear) { return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
-/// The sRGB curve (IEC 61966-2-1). Its linear part continues below 0, and its power above 1.
+/// The sRGB curve (IEC 61966-2-1). Its linear part continues below 0, its power law above 1.
 template <class T>
 T linear_from_srgb(T encoded) {
   return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));

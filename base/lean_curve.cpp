@@ -10,7 +10,7 @@ namespace {
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-/// (sqrt(1 + u^2) + asinh(u) / u): the arc length of a parabola over u, 2 at u = 0.
+/// sqrt(1 + u^2) + asinh(u) / u: the arc length of a parabola over u, up to a constant factor; 2 at u = 0.
 double parabola_length(double u) {
   return std::sqrt(1 + u * u) + (std::abs(u) < 1e-4 ? 1 - u * u / 6 : std::asinh(u) / u);
 }
@@ -20,8 +20,9 @@ LeanPoint arc(double a0, double a, double s) {
   return {s * std::sin(a0 + x / 2) * sinc(x / 2), s * std::cos(a0 + x / 2) * sinc(x / 2), a0 + x};
 }
 
-/// Returns a point on y = K sqrt(x), which has the chord of the arc and is turned by the angle at the root, with u = 2y
-/// / K^2. It solves for the ratio r = u / u1, which stays bounded when a goes to 0.
+/// Returns the point at arc length `s` of the parabola y = K sqrt(x), whose chord has the direction of the arc's chord,
+/// rotated by the angle a0 at the root; u = 2y / K^2. Newton's method solves for the ratio r = u / u1, which stays
+/// bounded when a goes to 0.
 LeanPoint root(double a0, double a, double s) {
   const double u1 = 2 * std::tan(a / 2);
   const double whole = parabola_length(u1);

@@ -6,17 +6,17 @@
 
 namespace pelage {
 
-enum class LeanCurve { arc, root };  // science.md 2: the arc, and y = K sqrt(x)
+enum class LeanCurve { arc, root };  // science.md 2: a circular arc, and the parabola y = K sqrt(x)
 
-/// How a strand leans: its inclination in [0, 1], and the unit vector along the skin that it leans to.
+/// How a strand leans: its inclination in [0, 1], and the unit vector along the skin towards which it leans.
 template <class Number>
 struct Lean {
   Number inclination;
   glm::vec<3, Number> along;
 };
 
-/// Returns the lean that a value of the direction field has in the frame of a unit normal and tangent. Upright fur has
-/// the inclination 0 along the tangent. renderer/shaders/lean.glsl has the same function.
+/// Converts a value of the direction field to a Lean in the frame of a unit normal and tangent. Upright fur has
+/// inclination 0 and the heading of the tangent. renderer/shaders/lean.glsl has the same function.
 template <class Number>
 Lean<Number> lean_of(glm::vec<2, Number> direction, glm::vec<3, Number> normal, glm::vec<3, Number> tangent) {
   const Number length = glm::length(direction);
@@ -33,8 +33,9 @@ struct LeanPoint {
   double angle = 0;
 };
 
-/// Returns the point at `s` in [0, 1] for an inclination in [0, 1] and a root share in [0, 1]. Both curves keep the
-/// length exactly: up to s it is s. There is no singularity: an inclination of 0 gives the straight strand.
+/// Returns the point at `s` in [0, 1] for an inclination in [0, 1] and a root share in [0, 1]. Both curves have the
+/// length 1, and `s` is the arc length from the root. There is no singularity: an inclination of 0 gives the straight
+/// strand.
 LeanPoint lean_point(LeanCurve curve, double inclination, double root_share, double s);
 
 }  // namespace pelage

@@ -21,15 +21,15 @@ namespace pelage {
 int core_count() {
   cpu_set_t cores;
   if (sched_getaffinity(0, sizeof cores, &cores) == 0) return std::max(1, CPU_COUNT(&cores));
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // more cores than the set holds
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // more cores than cpu_set_t holds
 }
 
 int default_threads() { return std::min(core_count(), 16); }
 
 namespace {
 
-/// Ensures that one thread has done its part before another continues. oneTBB does this already; the thread sanitizer
-/// has to be told, because oneTBB is not built with it.
+/// Tells the thread sanitizer that one thread has done its part before another continues. oneTBB ensures that order
+/// itself, but is not built with the sanitizer.
 struct Order {
 #if defined(__SANITIZE_THREAD__)
   void release() { __tsan_release(this); }
@@ -40,10 +40,10 @@ struct Order {
 #endif
 };
 
-/// The first exception of some threads; one that leaves a thread ends the process.
+/// Keeps the first exception of several threads. An exception that left its thread would end the process.
 class FirstException {
  public:
-  /// Returns whether `run` threw none.
+  /// Calls `run`; keeps its exception and returns false if it throws.
   bool guard(const std::function<void()>& run) {
     try {
       run();
@@ -63,13 +63,14 @@ class FirstException {
   std::exception_ptr first_;
 };
 
-/// Gives the calling thread the lowest priority. Where that fails the thread keeps its priority and shares the cores.
+/// Gives the calling thread the lowest priority. If that fails, the thread keeps its priority and competes for the
+/// cores.
 void run_only_when_idle() {
   const sched_param none{};
   pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);
 }
 
-/// Starts at most `count` threads of the lowest priority that call `run`, fewer where the machine has no more. They are
+/// Starts up to `count` threads of the lowest priority that call `run`; fewer if the system cannot start more. They are
 /// not oneTBB's, because a thread without privileges cannot leave SCHED_IDLE again.
 std::vector<std::thread> start_idle_threads(std::size_t count, const std::function<void()>& run) {
   std::vector<std::thread> team;
@@ -81,22 +82,22 @@ std::vector<std::thread> start_idle_threads(std::size_t count, const std::functi
         run();
       });
     }
-  } catch (const std::system_error&) {  // those that started do the work
+  } catch (const std::system_error&) {  // the threads that did start do the work
   }
   return team;
 }
 
-/// Calls `run`, which does not throw, on that many idle threads, and waits for all.
+/// Calls `run`, which does not throw, on `threads` threads of the lowest priority, and waits for all of them.
 void run_on_idle_threads(std::size_t threads, const std::function<void()>& run) {
   std::vector<std::thread> team = start_idle_threads(threads, run);
-  if (team.empty()) run();  // the machine has no thread to give: the caller's own, which cannot yield
+  if (team.empty()) run();  // no thread could be started: the caller's does the work, at its own priority
   for (std::thread& member : team) member.join();
 }
 
 }  // namespace
 
 void run_on_threads(int threads, const std::function<void()>& run) {
-  // On one core more threads would take turns, and oneTBB would complain on the error output.
+  // On one core, more threads would only take turns, and oneTBB would write a warning to stderr.
   if (threads <= 1 || core_count() == 1) return run();
   FirstException failure;
   Order begun, ended;
@@ -112,7 +113,7 @@ void run_on_threads(int threads, const std::function<void()>& run) {
       tbb::parallel_for(
           0, threads, [&](int) { guarded(); }, tbb::simple_partitioner());
     });
-  } catch (const std::exception&) {  // not of `run`: oneTBB could not start a thread, so the caller's own does the work
+  } catch (const std::exception&) {  // not from `run`: oneTBB could not start a thread, so the caller's does the work
     guarded();
   }
   ended.acquire();

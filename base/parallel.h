@@ -1,4 +1,4 @@
-// Work on several threads whose result does not depend on their number. The only place that knows oneTBB.
+// Parallel loops whose results do not depend on the number of threads. Only parallel.cpp uses oneTBB.
 #pragma once
 
 #include <algorithm>
@@ -9,23 +9,25 @@
 
 namespace pelage {
 
-/// Cores that the calling thread may run on, at least 1: fewer than the machine's where a farm or a container pins it.
+/// Returns the number of cores that the calling thread may run on, at least 1. A farm or a container may pin it to
+/// fewer than the machine has.
 int core_count();
 
-/// Threads that a parallel loop uses where nobody asks for a number: one for each core, at most 16.
+/// Returns the number of threads of a parallel loop if none is given: one for each core, at most 16.
 int default_threads();
 
-/// Calls `run` once on each of at most `threads` threads (at least 1), the caller's among them, and waits for all.
-/// There may be fewer where the machine has none to give, so `run` takes its work from a common counter. Each call has
-/// an arena of its own, so the caller never carries out another caller's work while it waits. The first exception of a
-/// run is thrown again when all have ended.
+/// Calls `run` once on each of at most `threads` threads (at least 1), including the caller's, and waits for all. There
+/// may be fewer if the system cannot start more, so `run` takes its work from a common counter. Each call has its own
+/// arena, so the caller never executes another caller's work while it waits. The first exception is rethrown when all
+/// threads have ended.
 void run_on_threads(int threads, const std::function<void()>& run);
 
-/// Calls `run` on the caller's thread, and keeps on it what a library inside would spread over oneTBB's threads.
+/// Calls `run` on the caller's thread and keeps libraries inside, such as Embree, from spreading work over oneTBB's
+/// threads.
 void run_on_this_thread(const std::function<void()>& run);
 
 /// Calls work(0) ... work(count - 1) on at most `threads` threads, in no order. Each call writes its own results only.
-/// After an exception, which is thrown again, no further call begins.
+/// After an exception, which is rethrown, no further call begins.
 template <class Work>
 void for_each_in_parallel(std::uint32_t count, const Work& work, int threads = default_threads()) {
   std::atomic<std::uint32_t> next = 0;
@@ -43,23 +45,24 @@ void for_each_in_parallel(std::uint32_t count, const Work& work, int threads = d
   });
 }
 
-/// Threads that work is spread over. Yielding ones run only where no other thread of the machine wants to.
+/// The threads that share a job. Yielding threads run only while no other thread of the machine wants their core.
 struct WorkThreads {
   int threads = 1;
   bool yielding = false;
 };
 
 /// Calls work(i) for i in [0, count), in any order and from several threads, until a call returns false. Returns
-/// whether all were called and returned true. With one thread that does not yield the caller's own calls them all.
+/// whether all were called and returned true. With one thread that does not yield, the caller's thread makes all calls.
 bool for_each_until_false(const WorkThreads& workers, std::size_t count, const std::function<bool(std::size_t)>& work);
 
-/// Calls both, on two threads where the machine has two to give. They write different results.
+/// Calls both functions, on two threads if two can be had. They must write different results.
 template <class First, class Second>
 void run_both(const First& first, const Second& second) {
   for_each_in_parallel(2, [&](std::uint32_t k) { k == 0 ? first() : second(); });
 }
 
-/// Calls work(begin, end) for runs of [0, count) on all cores, in no order; one run where there is little to do.
+/// Calls work(begin, end) for consecutive ranges of [0, count) on all cores, in no order; for one range if `count` is
+/// small.
 template <class Work>
 void for_each_run_in_parallel(std::uint32_t count, const Work& work) {
   constexpr std::uint32_t run_length = 1 << 14;

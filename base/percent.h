@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// Encodes a value for an address: every byte but letters, digits and -._~ becomes %XX.
+/// Encodes a value for a URL: every byte except letters, digits and the characters "-._~," becomes %XX.
 std::string percent_encoded(std::string_view text);
 
 /// Replaces each %XX by its byte; anything else stays as it is.

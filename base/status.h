@@ -1,4 +1,4 @@
-// One vocabulary of errors, inside and on the wire. Bad input is a Status; a broken contract inside is an assert.
+// Error codes and results, inside the program and on the wire. Bad input is a Status; a programming error is an assert.
 #pragma once
 
 #include <cassert>
@@ -8,12 +8,12 @@
 
 namespace pelage {
 
-/// What went wrong; server/http maps each to one HTTP status.
+/// Kinds of failure; server/http maps each to one HTTP status.
 enum class Code {
   ok,
-  malformed,     // 400: not JSON, not HTTP, duplicate keys, too deep, numbers that are no double
+  malformed,     // 400: not JSON, not HTTP, duplicate keys, nested too deeply, numbers beyond a double
   not_found,     // 404
-  conflict,      // 409: other model, no room for a scene, idempotency clash, superseded frame
+  conflict,      // 409: model was replaced, no room for a scene, idempotency clash, superseded frame
   precondition,  // 412: If-Match names another revision
   too_large,     // 413
   unsupported,   // 415
@@ -24,8 +24,8 @@ enum class Code {
 };
 
 /// The outcome of a call that can be refused. `pointer` is a JSON pointer to the bad field ("" for the whole body),
-/// `limit` the limit that it broke in words ("[0, 1]"), `nearest` the nearest known name to an unknown one, `next` what
-/// the user of a program can do where the code alone does not say it; it is not on the wire.
+/// `limit` describes the violated limit ("[0, 1]"), and `nearest` is the known name nearest to an unknown one. `next`
+/// tells the user of a program what to do if the code alone does not say it; it is not sent over the wire.
 struct Status {
   Code code = Code::ok;
   std::string message;
@@ -47,7 +47,7 @@ inline Status with_next(Status status, std::string next) {
   return status;
 }
 
-/// A value or the reason why there is none.
+/// A value, or the reason why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_host_bytes = 40;  // names of files have at most 255
+constexpr std::size_t max_host_bytes = 40;  // a file name has at most 255 bytes
 
 std::string random_digits() {
   std::random_device random;

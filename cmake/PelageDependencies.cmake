@@ -1,4 +1,4 @@
-# Every library from outside, found once. docs/dependencies.md says why each is there.
+# Finds all third-party libraries. docs/dependencies.md says why each is used.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
@@ -11,7 +11,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(meshoptimizer REQUIRED)
-# Through pkg-config and not find_package: its macros change the size of cpp-httplib's structures.
+# Found through pkg-config and not find_package, whose macros change the size of cpp-httplib's structures.
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(webp REQUIRED IMPORTED_TARGET libwebp)

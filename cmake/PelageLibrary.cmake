@@ -1,6 +1,6 @@
-# pelage_library(NAME [COLD] [DEPS lib...]): one folder, one idea, one static library made of the folder's .cpp files.
-# COLD: what no frame and no stroke waits for. Optimised less in a release, which takes half off its compiling.
-# Includes are written from the top of the repository; links are PRIVATE, so a folder sees only what it names.
+# pelage_library(NAME [COLD] [DEPS lib...]): makes a static library of the .cpp files of this folder, without main.cpp.
+# COLD marks code that no frame and no stroke waits for. Releases optimise it less (-Og), which halves its compile time.
+# Includes are written from the top of the repository; links are PRIVATE, so a folder sees only the libraries that it names.
 function(pelage_library NAME)
   cmake_parse_arguments(ARG "COLD" "" "DEPS" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -17,13 +17,14 @@ function(pelage_library NAME)
   endif()
 endfunction()
 
-# pelage_for_each_instruction_set(FILE): a file of the folder that Highway compiles for SSSE3, AVX2 and AVX-512, and the machine
-# chooses from.
+# pelage_for_each_instruction_set(FILE): has Highway compile a file of this folder for SSSE3, AVX2 and AVX-512; the CPU
+# decides at run time which version is used.
 function(pelage_for_each_instruction_set FILE)
   set_source_files_properties(${FILE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_DEFINITIONS HWY_DISABLED_TARGETS=HWY_SSE4)
 endfunction()
 
-# pelage_program(NAME SOURCE [DEPS lib...]): a program in build/<preset>/bin. Its SOURCE is COLD: the work is done in libraries.
+# pelage_program(NAME SOURCE [DEPS lib...]): makes a program in build/<preset>/bin. SOURCE is compiled as COLD: libraries do
+# the work.
 function(pelage_program NAME SOURCE)
   cmake_parse_arguments(ARG "" "" "DEPS" ${ARGN})
   add_executable(${NAME} ${SOURCE})

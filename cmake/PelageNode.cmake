@@ -1,4 +1,5 @@
-# Node, packages of npm, and tests on node's own runner. The functions only where PELAGE_STUDIO says that there are node and npm.
+# Finds Node.js and npm, fetches npm packages, and adds tests that run on Node. Call the functions only if PELAGE_STUDIO
+# is ON, which means that Node and npm were found.
 find_program(PELAGE_NODE NAMES node nodejs)
 find_program(PELAGE_NPM NAMES npm)
 set(PELAGE_STUDIO OFF CACHE INTERNAL "Whether there are node and npm to build the studio")
@@ -12,8 +13,8 @@ else()
   set(PELAGE_STUDIO ON CACHE INTERNAL "Whether there are node and npm to build the studio")
 endif()
 
-# Fetches the packages of this folder's package-lock.json, once, in a target NAME; WHAT ends the line that says so. Sets
-# NAME_STAMP to the file that is there once they are.
+# Adds a target NAME that fetches the packages of this folder's package-lock.json once; WHAT ends its progress message.
+# Sets NAME_STAMP to the file that exists once they are fetched.
 function(pelage_npm_packages NAME WHAT)
   set(STAMP ${CMAKE_CURRENT_BINARY_DIR}/packages.stamp)
   add_custom_command(
@@ -27,14 +28,14 @@ function(pelage_npm_packages NAME WHAT)
   set(${NAME}_STAMP ${STAMP} PARENT_SCOPE)
 endfunction()
 
-# The node program and its arguments are a test NAME of at most TIMEOUT seconds, run in this folder.
+# Adds a test NAME that runs Node with the remaining arguments in this folder, for at most TIMEOUT seconds.
 function(pelage_node_test NAME TIMEOUT)
   add_test(NAME ${NAME} COMMAND ${PELAGE_NODE} ${ARGN} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   set_tests_properties(${NAME} PROPERTIES TIMEOUT ${TIMEOUT}
     ENVIRONMENT "PELAGE_BIN=${CMAKE_RUNTIME_OUTPUT_DIRECTORY};PELAGE_MCP=${PELAGE_MCP}")
 endfunction()
 
-# All *.test.mjs of this folder, on node's own runner, as one test.
+# Adds one test that runs all *.test.mjs of this folder on Node's test runner.
 function(pelage_node_tests NAME TIMEOUT)
   file(GLOB FILES CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/*.test.mjs)
   pelage_node_test(${NAME} ${TIMEOUT} --test ${FILES})

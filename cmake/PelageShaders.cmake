@@ -1,9 +1,9 @@
 # pelage_shaders(TARGET file...): expands, checks and embeds shaders. shells/fur/fur.frag becomes
-# `extern const char* const pelage::shaders::fur_frag`. A typo in a shader fails the build.
+# `extern const char* const pelage::shaders::fur_frag`. An invalid shader fails the build.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
-# renderer/shaders/constants.h of constants.glsl, made when CMake runs, which it does again when the shader changes.
+# Generates renderer/shaders/constants.h from constants.glsl when CMake runs, and again when the shader changes.
 set(PELAGE_CONSTANTS ${CMAKE_SOURCE_DIR}/renderer/shaders/constants.glsl)
 set(PELAGE_CONSTANTS_PROGRAM ${CMAKE_CURRENT_LIST_DIR}/shared_constants.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PELAGE_CONSTANTS} ${PELAGE_CONSTANTS_PROGRAM})

@@ -1,5 +1,5 @@
-# What --version says: the version of the project, the commit that was built and the version of the contract. Configuring again
-# after a commit is cheap: one file is compiled.
+# Generates what --version prints: the version of the project, the commit that was built and the version of the contract.
+# After a commit CMake configures again, which is cheap: it compiles one file.
 file(STRINGS ${CMAKE_SOURCE_DIR}/protocol/openapi/openapi.yaml PELAGE_CONTRACT_LINE REGEX "^  version: " LIMIT_COUNT 1)
 string(REGEX REPLACE "^  version: *" "" PELAGE_CONTRACT "${PELAGE_CONTRACT_LINE}")
 

@@ -7,13 +7,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
                       -Wno-maybe-uninitialized)
 endif()
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_compile_options(-Wno-subobject-linkage)  # for headers; what is in the batch is one file's own
+  add_compile_options(-Wno-subobject-linkage)  # meant for headers, but a unity build includes .cpp files as well
 elseif(CMAKE_UNITY_BUILD)
-  add_compile_options(-Wno-shadow)  # names of files beside it; `dev` compiles file by file
+  add_compile_options(-Wno-shadow)  # names of other .cpp files in the same batch; the preset `dev` still warns
 endif()
-# The same bits on every run: no contraction that depends on the optimiser's mood.
+# Keeps results the same, bit for bit: the optimiser must not choose whether to fuse multiplications and additions.
 add_compile_options(-ffp-contract=off)
-# One x86-64 level for every build, so that a log gives the same bits on one kind of CPU.
+# All builds target one x86-64 level, so that a log gives the same bits on one kind of CPU.
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
   add_compile_options(-march=x86-64-v2)
 endif()

@@ -1,11 +1,11 @@
-// Compresses the files of a folder as the server gives them out. usage: node compress.mjs FOLDER
+// Compresses the files of a folder for the server to serve. usage: node compress.mjs FOLDER
 import {readFileSync, readdirSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {argv} from "node:process";
 import {fileURLToPath} from "node:url";
 import {brotliCompressSync, constants, gzipSync} from "node:zlib";
 
-/** FILE.br and FILE.gz beside each file that gets smaller. */
+/** Writes FILE.br and FILE.gz next to each file, where they save more than 5%. */
 export function compress(folder) {
   for (const file of readdirSync(folder, {withFileTypes: true})) {
     const path = join(folder, file.name);

@@ -1,6 +1,6 @@
-"""Expands #include lines of a shader and writes it as a C++ string. glslangValidator checks it without, with each and with all of the
-names that it asks for, with each thing that a picture shows, and with each shading model; other sets of names are compiled when a
-scene first needs them.
+"""Expands the #include lines of a shader and writes it as a C++ string. glslangValidator checks these variants: no #define;
+each name that #ifdef tests or that begins with SHOWN_ by itself; all #ifdef names without SHOWN_*; and these with each shading
+model. Other combinations are compiled when a scene first needs them.
 
 usage: expand_shader.py SOURCE OUTPUT.cpp SYMBOL INCLUDE_DIR...
 """
@@ -29,12 +29,12 @@ def expand(path, folders, seen):
     return "\n".join(text)
 
 
-SHADING_MODELS = 6  # of renderer/shaders/constants.glsl
+SHADING_MODELS = 6  # number of models in renderer/shaders/constants.glsl
 
 
 def variants(text):
-    """Sets of #define lines: none, each name that the text asks for with #ifdef alone, all of them, and with each shading model."""
-    shown = [f"{name} 1" for name in sorted(set(re.findall(r"\bSHOWN_\w+", text)))]  # what a picture shows: one thing
+    """Returns the variants to check, each a list of #define lines (see above)."""
+    shown = [f"{name} 1" for name in sorted(set(re.findall(r"\bSHOWN_\w+", text)))]  # RasterOutput: a picture shows one at a time
     asked = sorted(set(re.findall(r"^\s*#ifdef\s+(\w+)", text, re.MULTILINE)))
     names = [f"{name} 1" for name in asked if not name.startswith("SHOWN_")]
     models = [f"SHADING_MODEL {number}" for number in range(SHADING_MODELS)] if "SHADING_MODEL" in text else []
@@ -42,7 +42,7 @@ def variants(text):
 
 
 def check(source, text):
-    """All sets in one run: the validator takes longer to start than to read one."""
+    """Checks all variants in one run: the validator takes longer to start than to check one."""
     version, rest = text.split("\n", 1)
     with tempfile.TemporaryDirectory() as folder:
         files = {}

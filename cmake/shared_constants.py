@@ -1,5 +1,5 @@
-"""Writes the constants of a GLSL file as a C++ header. A line is `const int|float NAME = VALUE;  // comment`, or a comment. A
-float is a double in C++, and one whose value ends in f a float.
+"""Writes the constants of a GLSL file as a C++ header. Each line is `const int|float NAME = VALUE;  // comment` or a
+comment. A GLSL float becomes a C++ double, or a C++ float if its value ends in f.
 
 usage: shared_constants.py CONSTANTS.glsl HEADER.h
 """
@@ -26,7 +26,7 @@ def main():
             lines.append(line)
     text = "#pragma once\n\nnamespace pelage {\n\n" + "\n".join(lines) + "\n\n}  // namespace pelage\n"
     if header.is_file() and header.read_text(encoding="utf-8") == text:
-        return  # or all that includes it would be compiled again
+        return  # a new time stamp would recompile all files that include it
     header.parent.mkdir(parents=True, exist_ok=True)
     header.write_text(text, encoding="utf-8")
 

@@ -37,7 +37,7 @@ if [ ! -s $out/port ]; then echo "the server did not start:" >&2; cat $out/serve
 export PELAGE_SERVER=http://127.0.0.1:$(cat $out/port)
 cat $out/server.log
 
-groom() {  # NAME: pictures before and after each step
+groom() {  # NAME: draws a picture of the scene, then one after each step
   local name=$1
   $bin/pelage --json info "$name" >$out/$name.json
   python3 deploy/demo_groom.py $out/$name.json $out

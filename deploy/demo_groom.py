@@ -1,4 +1,4 @@
-"""Writes the demo's commands for one scene as JSON lines, one file a step, fitted to the model's box.
+"""Writes the demo's commands for one scene as JSON lines, one file per step, fitted to the model's box.
 
 usage: demo_groom.py INFO.json FOLDER   (INFO.json is what `pelage --json info` prints)
 """
@@ -10,7 +10,7 @@ VIEW = {"camera": {"auto": "three_quarter"}, "width": 512, "height": 512}
 
 
 def stroke(points):
-    """A stroke over pixels of the picture that `pelage frame` makes by default; pixels beside the model are left out."""
+    """A stroke over pixels of the picture that `pelage frame` draws by default; pixels that miss the model have no effect."""
     samples = [{"screen": list(p), "time": 0.02 * i} for i, p in enumerate(points)]
     return {"view": VIEW, "samples": samples}
 
@@ -20,7 +20,7 @@ def line(start, end, steps=24):
 
 
 def comb():
-    """Against the grain over the whole side, from tail to nose and up."""
+    """Combs the whole side against the grain, from tail to nose and up."""
     brush = {"radius": 0.12, "strength": 0.9}
     for y in (170, 225, 280, 335):
         yield {"op": "comb", "brush": brush, "lean": 0.8, "stroke": stroke(line((430, y - 60), (90, y + 40)))}

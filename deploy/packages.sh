@@ -6,7 +6,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libglm-dev libegl-dev libosmesa6-dev libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6
   libcpp-httplib-dev nlohmann-json3-dev libopenimageio-dev libwebp-dev zlib1g-dev libtinyobjloader-dev libassimp-dev libzip-dev libembree-dev libtbb-dev libeigen3-dev libmeshoptimizer-dev libhwy-dev
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
-package=("${build[@]}" file git)  # CPack asks `file` what is a program, and the version is that of a commit
+package=("${build[@]}" file git)  # CPack finds programs by `file`; the version has the commit from git
 demo=("${build[@]}" glmark2-data openimageio-tools)
 test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip curl
   slurm-wlm munge ffmpeg
@@ -20,7 +20,7 @@ case "${1:-}" in
   *) echo "usage: $0 build|package|demo|test" >&2; exit 2 ;;
 esac
 
-# The studio is built by node 18 or newer; one that is there with its npm, from wherever, will do.
+# The studio needs Node.js 18 or newer with npm; any that is installed will do, Debian's or not.
 major=$({ node --version 2>/dev/null || true; } | sed -n 's/^v\([0-9]*\).*/\1/p')
 if ! { [ "${major:-0}" -ge 18 ] && command -v npm >/dev/null; }; then wanted+=(nodejs npm); fi
 

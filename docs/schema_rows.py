@@ -8,17 +8,17 @@ from typing import Any, Dict, List, Optional, Tuple
 
 Schema = Dict[str, Any]
 
-NO_LIMIT = 1e20  # bounds as large as these only say that a number is finite; the words say the real ones
-# What stands in so many tables that its own words would only repeat themselves: type, unit and range.
+NO_LIMIT = 1e20  # a bound this large only means that the number is finite; the description gives the real one
+# Types of members in many tables, given as (type, unit, range) instead of a reference to the schema.
 KNOWN = {"Position": ("3 numbers", "model units", ""), "Direction": ("3 numbers", "any length", ""),
          "Colour": ("colour", "", "`#rrggbb` (sRGB) or 3 linear numbers"),
          "Camera": ("camera", "", "`auto`, or `position`, `target`, `up`, `fov_degrees`")}
-PLAIN_UNITS = ("share", "factor", "varies", "any length", "model units", "as `units`")  # the words beside a number say as much
+PLAIN_UNITS = ("share", "factor", "varies", "any length", "model units", "as `units`")  # units that the value column leaves out; the description makes them clear
 
 
 @dataclass(frozen=True)
 class Row:
-    """A member. `target`: the schema with members of its own that it is, or a list (`many`) of them."""
+    """A member. `target`: name of the object schema that it is or, with `many`, that it is a list of."""
     name: str
     kind: str
     unit: str
@@ -31,18 +31,18 @@ class Row:
 
     @property
     def value(self) -> str:
-        """Type, range and unit in one."""
+        """Type, range and unit in one text."""
         unit = "" if self.unit in PLAIN_UNITS else self.unit
         return " ".join(part for part in (self.kind if self.kind != "word" else "", self.range, unit) if part)
 
 
 def name_of(schema: Schema) -> str:
-    """The name of the schema that it refers to, or nothing."""
+    """Returns the name of the schema that `$ref` names; empty without one."""
     return str(schema.get("$ref", "")).split("/")[-1]
 
 
 def required_of(schema: Schema) -> List[str]:
-    """Members that are always required, by the schema itself or by a rule that is written for it."""
+    """Members that are always required, by the schema itself or by a rule in its `allOf`."""
     return [*schema.get("required", []), *(name for rule in schema.get("allOf", []) for name in rule.get("required", []))]
 
 
@@ -64,7 +64,7 @@ class Schemas:
         self.all = schemas
 
     def resolved(self, schema: Schema) -> Schema:
-        """A schema with what it refers to; its own words and default come first."""
+        """Follows `$ref`; keywords next to it, such as description and default, override the target's."""
         if "$ref" not in schema:
             return schema
         path = schema["$ref"].split("/")[3:]
@@ -108,7 +108,7 @@ class Schemas:
         return f"list of {count} {plural}".replace("  ", " "), unit, range_
 
     def target_of(self, schema: Schema) -> Tuple[Optional[str], bool]:
-        """The schema with members that a member is, or is a list of."""
+        """Returns the name of the object schema that a member is or is a list of, and whether it is a list."""
         for one in (schema, *schema.get("oneOf", [])):
             many = one.get("type") == "array"
             name = name_of(one.get("items", {}) if many else one)
@@ -128,13 +128,13 @@ class Schemas:
         return Row(name, kind, unit, range_, default, required, " ".join(words.split()), target, many)
 
     def rows(self, schema: Schema) -> List[Row]:
-        """The members of an object, but for the `op` of a command."""
+        """The members of an object, except the `op` of a command."""
         required = required_of(schema)
         return [self.row(name, own, name in required) for name, own in schema.get("properties", {}).items()
                 if name != "op" or "const" not in own]
 
     def where(self, schema: Schema) -> str:
-        """Whether a tool takes a stroke, a flood or both; nothing of what has no stroke."""
+        """Says whether a tool takes a stroke, a flood or either; empty for types without a stroke."""
         if "stroke" not in schema.get("properties", {}):
             return ""
         if "flood" in schema["properties"]:

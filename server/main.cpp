@@ -35,12 +35,12 @@ namespace {
 
 using namespace pelage;
 
-/// Ends the program with code 0 when some time has gone by since begin(), unless it is destroyed before: the first that
-/// is made, so that all that has to be waited for is destroyed before it. What was answered is on disk by then, and
-/// what has not ended by itself is for nobody.
+/// Ends the program with code 0 unless it is destroyed within `time` after begin(). It is constructed before all
+/// objects whose destructors may wait, so that it outlives them. By then all changes that were acknowledged are on
+/// disk, and nobody waits for the work that is still running.
 class StopDeadline {
  public:
-  /// 1 s after the transport cuts off those who still wait, which ends what they wait for.
+  /// 1 s after the transport disconnects the clients that still wait (ReceptionLimits), which cancels their work.
   static constexpr std::chrono::seconds time{9};
 
   void begin() {
@@ -64,17 +64,17 @@ class StopDeadline {
 constexpr int failed = 1, usage = 2, no_gl = 4;
 
 constexpr std::size_t min_memory = std::size_t{1} << 20, max_memory = std::size_t{1} << 50;
-constexpr std::size_t aside_share = 4;  // pictures that give way to others take one over this of --trace-memory more
-constexpr std::size_t coat_share = 4;   // coats that are baked take at most one over this of --memory
+constexpr std::size_t aside_share = 4;  // pictures that are set aside may take 1 / aside_share of --trace-memory more
+constexpr std::size_t coat_share = 4;   // baked coats take at most 1 / coat_share of --memory
 
 struct Options {
   std::string listen = "127.0.0.1:8080";
   std::string port_file;
   std::string data = "pelage-data";
   GlChoice gl = GlChoice::automatic;
-  std::optional<int> device;  // of several GPUs
+  std::optional<int> device;  // number of the EGL device, if there are several GPUs
   int threads = 0;
-  std::size_t memory = 0;   // bytes of open scenes and coats, 0 for a half of the machine's
+  std::size_t memory = 0;   // bytes of open scenes and coats; 0 for half of the machine's memory
   double trace_memory = 4;  // GiB
   std::string token;
   std::vector<std::string> hosts;
@@ -145,14 +145,14 @@ bool split_address(const std::string& text, HttpOptions& http) {
   return http.port <= 65535;
 }
 
-/// Readers see no file or the whole of it.
+/// Writes the port to a file by rename, so that readers see no file or a complete one.
 bool write_port(const std::string& path, int port) {
   const std::string temporary = temporary_beside(path);
   std::ofstream(temporary) << port << "\n" << std::flush;
   return std::rename(temporary.c_str(), path.c_str()) == 0;
 }
 
-/// As the client reports a refusal.
+/// Prints a refusal in the form that the client uses, too.
 void complain(const Status& status) {
   fmt::print(stderr, "pelaged: {}\n", status.message);
   if (!status.pointer.empty()) fmt::print(stderr, "  field:   {}\n", status.pointer);
@@ -165,7 +165,7 @@ int fail(int code, const Status& status) {
   return code;
 }
 
-/// A half of what this process may have: the machine's memory, or less where a container sets a limit.
+/// Returns half of the memory that this process may use: the machine's memory, or less if a container sets a limit.
 std::size_t default_memory() {
   std::size_t bytes =
       static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -176,7 +176,8 @@ std::size_t default_memory() {
   return bytes / 2;
 }
 
-/// A calibration that is not there is nothing to speak of; one that cannot be used is said, and the defaults count.
+/// Plans frames by the stored calibration, or else by the defaults. A calibration that cannot be used is reported, a
+/// missing one only if its file was given on the command line.
 void plan_frames(FrameService& frames, const Options& options) {
   Result<Calibration> stored = read_calibration(options.calibration_file(), frames.description(), frames.threads());
   if (stored) return frames.plan_by(std::move(stored).value());
@@ -184,14 +185,14 @@ void plan_frames(FrameService& frames, const Options& options) {
   complain(with_next(stored.status(), "frames are planned by the defaults; `pelage calibrate` measures this machine"));
 }
 
-/// While no client waits: the first frame that is a JPEG or an EXR would take .3 s longer.
+/// Loads the libraries for picture files while no client waits; otherwise the first JPEG or EXR would take .3 s longer.
 void load_picture_files() {
   const Status loaded = caught([] { return picture_files(), Status{}; });
   if (!loaded.ok()) complain(with_next(loaded, "build or install all programs in one folder"));
 }
 
 int serve(const Options& options, const HttpOptions& http) {
-  if (!options.port_file.empty()) std::remove(options.port_file.c_str());  // a server's that is gone
+  if (!options.port_file.empty()) std::remove(options.port_file.c_str());  // left by an earlier server
   const StopSignals signals;
   StopDeadline deadline;
   YieldGate gate;
@@ -234,7 +235,7 @@ int serve(const Options& options, const HttpOptions& http) {
   std::thread loader(load_picture_files);
   const Status served = (*server)->run();
   loader.join();
-  pthread_kill(stopper.native_handle(), SIGTERM);  // ends it where no signal came
+  pthread_kill(stopper.native_handle(), SIGTERM);  // ends the thread if no signal came
   stopper.join();
   if (!served.ok()) return fail(failed, served);
   fmt::print("pelaged: stopped\n");

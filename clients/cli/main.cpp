@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* one_folder = "build or install all programs in one folder";
 
-/// Replaces this program by the one of this name beside it. Returns only if that fails.
+/// Replaces this process by `program` from the same folder (exec). Returns only if that fails.
 pelage::ExitCode hand_over(const char* program, char* const* arguments) {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -26,13 +26,13 @@ pelage::ExitCode hand_over(const char* program, char* const* arguments) {
 pelage::ExitCode compare(const pelage::Options& options) {
   try {
     return pelage::compare_pictures(options);
-  } catch (const std::runtime_error& error) {  // the library of picture files is not there
+  } catch (const std::runtime_error& error) {  // the picture library is missing
     const auto status = pelage::failure(pelage::Code::internal, error.what());
     return report(with_next(status, one_folder));
   }
 }
 
-/// Measures this machine by the server's program, so that no server has to run.
+/// Calibrates this machine by running `pelaged --calibrate`; no server has to run.
 pelage::ExitCode calibrate(const pelage::Options& options) {
   std::vector<std::string> words{"pelaged", "--calibrate"};
   for (const auto& [flag, value] : options.server_options) words.insert(words.end(), {flag, value});

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns advice on refusals by HTTP itself, which have no code of their own.
+/// Returns advice on HTTP errors that have no Code of their own; "" for others.
 const char* advice_for(int http_status) {
   if (http_status == 401) return "give the server's token with --token or PELAGE_TOKEN";
   if (http_status == 403) return "start the server with --host and the name in its address";
@@ -44,7 +44,7 @@ Result<HttpAnswer> Session::accepted(Result<HttpAnswer> answer) {
 Result<HttpAnswer> Session::make_scene(const std::string& address, const std::string& request) {
   auto answer = accepted(connection_.post_json(address, request));
   const bool full = !answer && answer.status().code == Code::conflict && !answer.status().limit.empty();
-  if (!full) return answer;  // other conflicts break no limit
+  if (!full) return answer;  // other conflicts have no `limit`
   return with_next(answer.status(), "remove a scene that is not needed with `pelage rm`");
 }
 

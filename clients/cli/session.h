@@ -1,4 +1,4 @@
-// One run of the client: the server it talks to, and how it says what happened.
+// One run of the client: its connection to the server, and helpers that print the server's answers.
 #pragma once
 
 #include <string>
@@ -17,15 +17,15 @@ class Session {
   Connection& connection() { return connection_; }
   const Options& options() const { return options_; }
 
-  /// Turns problem documents into their Status.
+  /// Converts an error answer (a problem document) into its Status; returns other answers unchanged.
   static Result<HttpAnswer> accepted(Result<HttpAnswer> answer);
 
-  /// Sends what makes a scene. Refused (busy) when the server holds as many as it can.
+  /// Sends a request that creates a scene. If the server holds its maximum of scenes, the error advises to remove one.
   Result<HttpAnswer> make_scene(const std::string& address, const std::string& request);
 
-  /// "/v1/scenes/ID" of the scene that the user named by id or, when only one has it, by name.
+  /// Returns "/v1/scenes/ID" for the scene that the user named by its id or by a unique name.
   Result<std::string> scene_path();
-  /// The id of a scene that is named by id or, when only one has it, by name.
+  /// Returns the id of a scene that is given by its id or by a unique name.
   Result<std::string> scene_id(const std::string& wanted);
 
  private:
@@ -33,13 +33,13 @@ class Session {
   const Options& options_;
 };
 
-/// Returns a header of an answer; "" when it has none. `name` is in lower case.
+/// Returns a header of an answer; "" if it is absent. `name` is in lower case.
 std::string header(const HttpAnswer& answer, const char* name);
 
-/// Prints a scene, or why the server did not describe it.
+/// Prints a scene's summary, or the error.
 ExitCode print_summary(const Session& session, const Result<HttpAnswer>& answer);
 
-/// Prints what a command changed, or why it was refused; `context` as for report.
+/// Prints what a command changed, or the error; `context` as in report().
 ExitCode print_change(const Session& session, const Result<HttpAnswer>& answer, const std::string& context = {});
 
 }  // namespace pelage

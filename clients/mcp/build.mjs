@@ -1,4 +1,5 @@
-// Builds the server: types of the contract, type check, one program without dependencies, looks and recipes beside it.
+// Builds the MCP server: generates types from the contract, checks types, bundles one program without dependencies, and
+// copies the looks and recipes beside it.
 // usage: node build.mjs CONTRACT_JSON OUT     writes OUT/pelage-mcp.js, OUT/looks/, OUT/recipes/ and OUT/contract.d.ts
 import {execFileSync} from "node:child_process";
 import {chmodSync, cpSync, mkdirSync, rmSync, writeFileSync} from "node:fs";
@@ -15,7 +16,7 @@ if (!contract || !out) {
 const program = join(out, "pelage-mcp.js");
 const run = (script, ...words) => execFileSync(process.execPath, [join(here, "node_modules", script), ...words], {cwd: here, stdio: ["ignore", "ignore", "inherit"]});
 
-/** A change of the contract that this client does not follow fails here. */
+/** Generates the contract's types and runs the type check, which fails if this client does not fit the contract. */
 function checkTypes() {
   run("openapi-typescript/bin/cli.js", contract, "--output", join(out, "contract.d.ts"), "--default-non-nullable=false");
   const config = join(out, "tsconfig.json");

@@ -28,7 +28,7 @@ Description-Content-Type: text/markdown
 
 {readme}"""
 WHEEL = "Wheel-Version: 1.0\nGenerator: pelage\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of a zip file: the same sources give the same wheel
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # earliest date of a zip entry; fixed, so that the same sources give the same wheel
 
 
 def version():

@@ -1,4 +1,4 @@
-// Builds the studio: types of the contract, type check, bundle with hashed names, and each file compressed.
+// Builds the studio: generates types from the contract, checks types, bundles with hashed names, compresses each file.
 // usage: node build.mjs CONTRACT_JSON OUT     writes OUT/contract.d.ts and OUT/dist/
 import {execFileSync} from "node:child_process";
 import {mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -16,7 +16,7 @@ if (!contract || !out) {
 const dist = join(out, "dist");
 const run = (program, ...words) => execFileSync(process.execPath, [join(here, "node_modules", program), ...words], {cwd: here, stdio: ["ignore", "ignore", "inherit"]});
 
-/** A change of the contract that the studio does not follow fails here. */
+/** Generates the contract's types and runs the type check, which fails if the studio does not fit the contract. */
 function checkTypes() {
   try {
     run("openapi-typescript/bin/cli.js", contract, "--output", join(out, "contract.d.ts"), "--default-non-nullable=false");
@@ -39,7 +39,7 @@ async function bundle() {
     entryNames: "[name]-[hash]", chunkNames: "[name]-[hash]", assetNames: "[name]-[hash]",
     bundle: true, splitting: true, format: "esm", minify: true, metafile: true, target: "es2022",
     jsx: "automatic", jsxImportSource: "preact",
-    // One module at a time of three.js, so that what nobody uses falls away: a third of the size.
+    // Imports three.js's source modules, so that unused ones are dropped: a third of the size.
     alias: {three: join(here, "node_modules/three/src/Three.js")},
     loader: {".jpg": "file", ".webp": "file", ".svg": "file", ".json": "json"},
     legalComments: "none", logLevel: "warning",
@@ -50,7 +50,7 @@ function writePage(outputs) {
   const entry = (of) => "/assets/" + basename(Object.keys(outputs).find((path) => outputs[path].entryPoint?.endsWith(of)));
   const page = readFileSync(join(here, "src/index.html"), "utf8")
     .replace("STYLE", entry("index.css")).replace("SCRIPT", entry("main.tsx"))
-    .replace("PROXY", entry("view/proxy.ts"));  // the brush needs it soon after
+    .replace("PROXY", entry("view/proxy.ts"));  // preloaded, because the brush needs it soon
   writeFileSync(join(dist, "index.html"), page);
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Slurm on this machine with nodes n0, n1, ... of a core each, in a folder of its own, on loopback.
+# Runs Slurm on this machine over loopback: nodes n0, n1, ... with one core each, and all files in FOLDER.
 # Needs Debian's slurm-wlm and munge. usage: deploy/farm/slurm.sh start FOLDER [NODES] | node FOLDER N | stop FOLDER
-# start prints the line that lets `sbatch` and `pelage farm` find it; node starts a node again that has died.
+# start prints the line that lets `sbatch` and `pelage farm` find it; node restarts a node that has died.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 action=${1:-} folder=${2:-}
@@ -10,7 +10,7 @@ case $action in start|node|stop) ;; *) sed -n '3,4s/^# //p' "$0" >&2; exit 2 ;; 
 mkdir -p "$folder" && folder=$(cd "$folder" && pwd)
 export SLURM_CONF=$folder/slurm.conf PATH=$PATH:/usr/sbin
 
-free_ports() {  # as many as $1, one a line
+free_ports() {  # prints $1 free TCP ports, one per line
   python3 -c 'import socket, sys
 sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(int(sys.argv[1]))]
 print(*(one.getsockname()[1] for one in sockets), sep="\n")' "$1"
@@ -30,7 +30,7 @@ write_conf() {  # $1: number of nodes
   printf '%s\n' "$text" > "$SLURM_CONF"
 }
 
-background() {  # $1: name of its pid file and log; the rest: the program, which stays in the foreground
+background() {  # $1: name of its pid file and log; the rest: a program that does not fork
   local name=$1
   shift
   setsid "$@" > "$folder/log/$name.out" 2>&1 < /dev/null &
@@ -42,7 +42,7 @@ start_node() {
   background "slurmd-n$1" slurmd -D -N "n$1"
 }
 
-wait_for() {  # $1: what for; the rest: a command that succeeds then
+wait_for() {  # $1: what is waited for; the rest: a command that succeeds once it is there
   local k what=$1
   shift
   for ((k = 0; k < 200; ++k)); do

@@ -1,4 +1,4 @@
-"""What the gallery shows: figures of pictures, each a model, its fur, commands and a frame."""
+"""Figures of the gallery. Each of their pictures is a model, its fur, commands and a frame request."""
 
 import json
 import pathlib
@@ -41,7 +41,7 @@ def shared(name, **options):
 
 
 def shells(**settings):
-    """The layered method of the papers, which a GL draws."""
+    """The quality of a frame drawn as shells, the method of the papers, which needs a GL."""
     return {"method": "shells", "scale": 1.5, "shells": {"count": 24, **settings}}
 
 
@@ -92,7 +92,7 @@ NEAR = eye([0.0, 0.42, 0.5], [0.0, 0.0, 0.02], 24)
 
 
 def dabbed(field, value, radius, *pixels, falloff="smooth", **settings):
-    """One stroke of paint over pixels of the flank's picture."""
+    """One stroke of paint over pixels of the picture from the camera FLANK."""
     return {"op": "paint", "field": field, "value": value, **settings,
             "brush": {"radius": radius, "strength": 1, "falloff": falloff, "falloff_shape": "surface"},
             "stroke": {"view": {"camera": FLANK, "width": 420, "height": 420},

@@ -22,7 +22,7 @@ SIZE = 420
 
 
 class Server:
-    """A pelaged on a free port of this machine with a folder of its own, and a GL that draws shells."""
+    """Runs pelaged on a free port of this machine with a temporary data folder and OSMesa, so that it can draw shells."""
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -53,7 +53,7 @@ class Server:
 
 
 def make_scene(server, picture):
-    """A new scene with the picture's model, fur and commands; its path."""
+    """Makes a scene with the picture's model, fur and commands, and returns its path on the server."""
     model, path = picture["model"], None
     first = {"model": model, "fur": picture["fur"]} if "builtin" in model else {"model": {"builtin": "sphere", "triangles": 100}}
     scene = json.loads(server.call("POST", "/v1/scenes", {**first, "name": "gallery"}))
@@ -87,7 +87,7 @@ def make_picture(server, picture, name):
 
 
 def section_of(figure):
-    """A figure as Markdown: three pictures a row, or four where that leaves none over."""
+    """A figure as Markdown: rows of four pictures if their number is a multiple of four, else rows of three."""
     titles = [p["title"] for p in figure["pictures"]]
     lines, columns = [f"### {figure['title']}", "", figure["text"], ""], 4 if len(titles) % 4 == 0 else 3
     for row in range(0, len(titles), columns):

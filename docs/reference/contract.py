@@ -1,4 +1,4 @@
-"""The contract as the pages need it: commands, operations in groups, types, and who refers to whom."""
+"""The contract as the pages need it: commands, operations by group, types, and which of them refer to which."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Operation:
         return str(self.about["tags"][0])
 
     def body_types(self) -> Dict[str, Any]:
-        """Media types of the request, with schema and examples."""
+        """Media types of the request body, each with its schema and examples."""
         return dict(self.about.get("requestBody", {}).get("content", {}))
 
 
@@ -49,7 +49,7 @@ class Contract:
         self._ops = {command.schema_name: command.op for command in self.commands}
 
     def component(self, node: Dict[str, Any]) -> Dict[str, Any]:
-        """What a reference to a parameter, a response or a header points at."""
+        """Resolves a reference to a parameter, a response or a header; returns any other node as it is."""
         if "$ref" not in node:
             return node
         _, _, kind, name = node["$ref"].split("/")
@@ -70,11 +70,11 @@ class Contract:
             yield Command(op, name, self.schemas.all[name], examples[op]["value"])
 
     def types(self) -> Dict[str, Schema]:
-        """All schemas but those of commands, which have pages of their own."""
+        """All schemas except those of commands, which have pages of their own."""
         return {name: schema for name, schema in self.schemas.all.items() if name not in self._ops}
 
     def page_of(self, name: str) -> str:
-        """File of the page of a schema."""
+        """Returns the file name of a schema's page."""
         return f"{self._ops[name]}.html" if name in self._ops else f"type-{name.lower()}.html"
 
     def users_of(self, name: str) -> Dict[str, str]:

@@ -1,4 +1,4 @@
-"""Examples of the contract as JSON, as a line of the command line, as Python and for curl."""
+"""Writes examples of the contract as JSON, as shell commands, as Python and as curl calls."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FOX = 'fox = server.open("fox")\n\n'
 
 
 def as_json(value: Any, indent: int = 0, used: int = 0) -> str:
-    """JSON with what fits on one line on one line. `used`: columns before it."""
+    """Formats JSON; whatever fits on a line stays on one. `used`: columns that are taken before it on its line."""
     flat = json.dumps(value, ensure_ascii=False)
     if indent + used + len(flat) <= WIDTH or not isinstance(value, (dict, list)) or not value:
         return flat
@@ -29,7 +29,7 @@ def as_json(value: Any, indent: int = 0, used: int = 0) -> str:
 
 
 def as_python(value: Any, indent: int = 0, used: int = 0) -> str:
-    """A literal, laid out as the JSON is."""
+    """Formats a Python literal, with the layout of as_json."""
     flat = repr(value).replace("'", '"')
     if indent + used + len(flat) <= WIDTH or not isinstance(value, (dict, list)) or not value:
         return flat
@@ -43,7 +43,7 @@ def as_python(value: Any, indent: int = 0, used: int = 0) -> str:
 
 
 def command_python(command: Dict[str, Any]) -> str:
-    """The typed method of the package."""
+    """Returns Python code that calls the command's typed method of the package."""
     members = {name: value for name, value in command.items() if name != "op"}
     flat = ", ".join(f"{name}={as_python(value)}" for name, value in members.items())
     call = f"fox.{command['op']}({flat})"
@@ -62,7 +62,7 @@ def operation_python(python: str) -> str:
 
 
 def curl(operation: Operation) -> str:
-    """Parameters that have an example stand in the address; those of headers are left out."""
+    """Returns a curl command. Path and query parameters that have an example go into the URL; headers are left out."""
     path, query = operation.path, {}
     for one in operation.parameters:
         if one["in"] == "path":
@@ -85,7 +85,7 @@ def curl(operation: Operation) -> str:
 
 
 def is_binary(operation: Operation) -> bool:
-    """Whether the answer is a file that no terminal shows."""
+    """Returns whether the response is binary, so that it goes to a file instead of the terminal."""
     answer = operation.about["responses"].get("200", {})
     kind = next(iter(answer.get("content", {})), "image/png" if "$ref" in answer and operation.method == "GET" else "")
     return kind.startswith(("image/", "model/")) or operation.id == "drawFrame"

@@ -1,4 +1,4 @@
-"""Commands in groups, as the sidebar and the first page have them. A command that is in none stops the build."""
+"""Groups of commands for the sidebar and the first page. A command that is in no group fails the build."""
 
 GROUPS = {
     "Direction": ["comb", "blow", "attract", "interpolate", "flow", "smooth", "noise", "unify", "part", "whorl", "lift"],
@@ -8,7 +8,7 @@ GROUPS = {
     "Coat, body and light": ["set_coats", "set_coat", "set_look", "set_lights", "set_environment", "set_ground", "set_wind", "set_eyes", "set_curves", "set_skin",
                              "set_skin_texture"],
 }
-# What the words in the column of units mean, for the first page; degrees and the like say it themselves.
+# What the words of the unit column mean, for the first page; units such as degrees need no explanation.
 UNITS = {
     "sizes": "Fractions of the diagonal of the model's box.",
     "model units": "The model's own coordinates, right-handed with Y up.",

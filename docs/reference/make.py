@@ -3,8 +3,8 @@
 usage: make.py OPENAPI_JSON FOLDER
 
 FOLDER gets docs/, with index.html, a page for each command, each group of operations and each type, their pictures, the
-files of the examples and one style sheet. The pages link to each other alone. The build runs it; the server has them at
-/docs.
+files of the examples and one style sheet. The pages link only to each other. The build runs this program; the server
+serves the pages at /docs.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ COMPRESSED = (".html", ".css")
 
 
 def write(path: pathlib.Path, content: bytes) -> None:
-    """The file, and beside it its compressed form where that is shorter. The same content gives the same bytes."""
+    """Writes a file and, for HTML and CSS, a shorter gzip next to it. The same content gives the same bytes."""
     path.write_bytes(content)
     small = gzip.compress(content, 9, mtime=0)
     if path.suffix in COMPRESSED and len(small) < len(content):

@@ -1,4 +1,4 @@
-"""Small pieces of HTML: text with names in it, tables, code, and the frame of a page."""
+"""Helpers that write HTML: text with inline code, tables, code blocks, and the frame of a page."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import html
 import re
 from typing import Iterable, List, Optional, Sequence, Tuple
 
-Links = Sequence[Tuple[str, str, bool]]  # text, address, whether it is the page itself
+Links = Sequence[Tuple[str, str, bool]]  # text, address, true for the current page
 
 escape = html.escape
 
 
 def inline(text: str) -> str:
-    """Escaped text, with `names` as code."""
+    """Escapes text and turns `names` into <code>."""
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", escape(" ".join(text.split()), quote=False))
 
 
 def paragraphs(text: str) -> str:
-    """Sentences as they came; a line break in a list of words and colons begins a new paragraph."""
+    """Splits text into paragraphs: at blank lines, and where a sentence ends before a line that begins with `word: `."""
     return "".join(f"<p>{inline(part)}</p>\n" for part in re.split(r"\n\s*\n|\.\n(?=[A-Za-z_]+: )", text.strip()) if part)
 
 
@@ -30,7 +30,7 @@ def link(text: str, address: str) -> str:
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "members") -> str:
-    """Rows of cells that are HTML already; the first cell of each names it. A column that is empty throughout is left out."""
+    """Writes a table. Cells are HTML; the first cell of a row is its heading. Columns that are empty in all rows are left out."""
     cells = [list(row) for row in rows]
     used = [k for k in range(len(heads)) if k == 0 or any(row[k] for row in cells)]
     lines = [f'<div class="wide"><table class="{kind}">', "<thead><tr>" + "".join(f'<th scope="col">{escape(heads[k])}</th>' for k in used) + "</tr></thead>", "<tbody>"]
@@ -52,7 +52,7 @@ def navigation(groups: Sequence[Tuple[str, Links]]) -> str:
 
 
 def page(title: str, above: Optional[str], body: str, sidebar: str, version: str) -> str:
-    """A whole page. `above`: the kind of thing that it is about."""
+    """Writes a whole page. `above`: a line above the title that says what kind of page it is, if any."""
     return f"""<!doctype html>
 <html lang="en">
 <head>

@@ -1,4 +1,4 @@
-"""The pages: the first one, one for each command, each group of operations and each type."""
+"""Makes the pages: the first one, and one for each command, each group of operations and each type."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from schema_rows import KNOWN, Row, Schema, name_of
 
 HEADS = ("Member", "Type", "Unit", "Range", "Default", "Meaning")
 RULES = ("oneOf", "anyOf", "allOf", "not", "if", "then", "else", "dependentRequired")
-SHARED = ("Stroke", "Brush", "Camera")  # in so many commands that their tables would hide the command's own
+SHARED = ("Stroke", "Brush", "Camera")  # used by so many commands that their tables would bury the command's own
 CAPTIONS = {True: "Before and after this example, on the built-in creature.", False: "Before and after, with the recipe of the tool's page in the manual."}
 
 
@@ -22,13 +22,13 @@ def first_sentence(text: str) -> str:
 
 
 def address_text(path: str) -> str:
-    """A path with a place for a line break after each slash."""
+    """Escapes a path and allows a line break after each slash."""
     return escape(path).replace("/", "/<wbr>")
 
 
 class Pages:
-    """`clients`: how the command line and the package send the example of each operation. `pictures`: files by op, and
-    whether they show the command's example."""
+    """`clients`: by operation, how the command line and the Python package send its example. `pictures`: by op, a file and
+    whether it shows the command's own example."""
 
     def __init__(self, contract: Contract, clients: Dict[str, Dict[str, str]], pictures: Dict[str, Tuple[str, bool]]) -> None:
         self.contract, self.clients, self.pictures = contract, clients, pictures
@@ -39,7 +39,7 @@ class Pages:
             raise SystemExit(f"docs/reference: groups.py, clients.yaml and the contract differ in {sorted(missing)}")
 
     def all(self) -> Iterator[Tuple[str, str]]:
-        """File names and what they hold; the first page last, so that it says that all are there."""
+        """Yields file names and contents. The first page comes last: the build takes it as the sign that all pages exist."""
         for command in self.contract.commands:
             yield f"{command.op}.html", self.frame(command.op, "Command", self.command(command), f"{command.op}.html")
         for group in self.contract.groups:
@@ -73,14 +73,14 @@ class Pages:
         return table(HEADS, map(self.row, rows)) if rows else "<p>It has no members.</p>\n"
 
     def rules(self, schema: Schema) -> str:
-        """Which members exclude or need others, as the contract has it."""
+        """Shows the rules of a schema about which members exclude or need others, as JSON."""
         rules = {name: schema[name] for name in RULES if name in schema}
         if not rules:
             return ""
         return f"<details class=\"rules\"><summary>Rules between members</summary>\n{code(examples.as_json(rules), 'json')}</details>\n"
 
     def inner_types(self, schema: Schema, seen: Sequence[str]) -> Iterator[str]:
-        """Types that members are of, and theirs, each once, without those that many share."""
+        """Yields the types of the members, and recursively those of their members, each once and without SHARED ones."""
         found = list(seen)
         for row in self.contract.schemas.rows(schema):
             if row.target and row.target not in (*found, *SHARED) and row.target in self.contract.types():
@@ -113,7 +113,7 @@ class Pages:
 
     @staticmethod
     def samples(name: str, each: Sequence[Tuple[str, str, str]]) -> str:
-        """Tabs, one open at a time. `name`: theirs alone on the page."""
+        """Shows code samples as tabs, one open at a time. `name`: a name for the tabs, unique on the page."""
         shown = [one for one in each if one[1]]
         heads = "".join(f'<input type="radio" name="{name}" id="{name}-{kind}"{" checked" if k == 0 else ""}><label for="{name}-{kind}">{escape(title)}</label>'
                         for k, (title, _, kind) in enumerate(shown))
@@ -169,7 +169,7 @@ class Pages:
             yield [f"<code>{'any other' if status == 'default' else status}</code>", holds, headers, words]
 
     def schema_words(self, schema: Schema) -> str:
-        """A schema in a word or two, as HTML."""
+        """Names a schema in a word or two, as HTML."""
         if name_of(schema):
             return link(name_of(schema), self.contract.page_of(name_of(schema)))
         if "oneOf" in schema:
@@ -189,7 +189,7 @@ class Pages:
         return "\n".join(parts)
 
     def forms(self, schema: Schema) -> str:
-        """Tables of a type's members, one for each form that it has; what it may be where it has none."""
+        """Shows a table of members for each form of a type; for a type without members, its type, unit, range and pattern."""
         if "discriminator" in schema:
             return '<p class="users">' + " ".join(link(f"`{op}`", f"{op}.html") for op in schema["discriminator"]["mapping"]) + "</p>"
         if "properties" in schema:
@@ -223,5 +223,5 @@ class Pages:
 
 
 def read_pictures(folder: pathlib.Path) -> Dict[str, Tuple[str, bool]]:
-    """Pictures by op, and whether they show the command's example: settings do, tools show the recipe of their page."""
+    """Finds pictures by op, and whether they show the command's example: settings do, tools show the recipe of their page."""
     return {path.stem: (path.name, path.stem in GROUPS["Coat, body and light"]) for path in sorted(folder.glob("*.jpg"))}

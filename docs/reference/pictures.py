@@ -2,7 +2,7 @@
 
 usage: docs/reference/pictures.py [OP...]     (all commands, or the given ones)
 
-Tools show the recipe of their page in docs/tools, settings what the contract's example does to the built-in creature. Needs a build of build/release (or PELAGE_BIN) and Pillow.
+Tools show the recipe of their page in docs/tools, settings show what the contract's example does to the built-in creature. Needs a build of build/release (or PELAGE_BIN) and Pillow.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ SIDE = 320  # pixels of each half
 FACE = {"position": [-0.4, 0.95, 1.35], "target": [0, 0.83, 0.55], "fov_degrees": 22}
 WHOLE = {"position": [-1.9, 1.1, 1.6], "target": [0, 0.52, -0.03], "fov_degrees": 36}
 CAMERAS: Dict[str, Dict[str, Any]] = {"set_eyes": FACE, "set_curves": FACE, "set_skin": FACE}
-# Tools show the pictures of their pages of docs/tools.
+# Commands that show the pictures of a page of docs/tools with another name.
 PAGES = {"set_symmetry": "symmetry", "set_blowers": "named_winds", "set_attractors": "named_winds"}
 WITHOUT = ("set_skin_texture",)
 LIGHTS = [{"kind": "directional", "direction": [0.5, -1, -0.6], "intensity": 1.1, "cast_shadow": "soft"}]

@@ -28,7 +28,7 @@ VIEW = ["--width", "420", "--height", "420", "--quality", "detailed"]
 # Tables
 
 def linked(row):
-    """Members that have a page or a table of their own."""
+    """Returns the type of a member: a link if it has a page or a table of its own, else its value."""
     if row.target in ("Brush", "Stroke"):
         return f"[{row.target.lower()}](brush.md)"
     if row.target and row.many:
@@ -52,7 +52,7 @@ def where(name):
 # Pages
 
 def first_lines(page):
-    """Where the recipe is tried, and what has to be there first."""
+    """Says which scene to try the recipe in, and what to upload first."""
     if page["builtin"] == "creature":
         return ["To try it, with the scene `fox` of the [first steps](../../README.md#first-steps-by-hand):"]
     return ["To try it:", "", f"    build/release/bin/pelage new --name fox --builtin {page['builtin']} --triangles 20000",
@@ -110,7 +110,7 @@ def write_pages():
 # Pictures
 
 class Server:
-    """A pelaged on a free port of this machine with a folder of its own, and the client that talks to it."""
+    """Runs pelaged on a free port of this machine with a temporary data folder, and calls the client."""
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -143,14 +143,14 @@ def draw(server, scene, camera, name):
 
 
 def make_source(server, recipe):
-    """Another scene, groomed by a recipe of clients/recipes; its id."""
+    """Makes another scene, groomed by a recipe of clients/recipes, and returns its id."""
     scene = server.pelage("new", "--name", "source", "--builtin", "creature", "--triangles", "20000")
     server.pelage("run", scene, ROOT / "clients" / "recipes" / f"{recipe}.json")
     return scene
 
 
 def make_pictures(server, name):
-    """The fur that the example leaves, and before that the one without its last step."""
+    """Draws the fur after the example (NAME-after), and before its last step (NAME-before)."""
     page = PAGES[name]
     scene = server.pelage("new", "--name", "fox", "--builtin", page["builtin"], "--triangles", "20000")
     if page["picture"]:
@@ -164,7 +164,7 @@ def make_pictures(server, name):
 
 
 def make_groom(server, name):
-    """A recipe of clients/recipes on its model: before and after, for docs/recipes.md."""
+    """Draws a model before and after its recipe of clients/recipes, for docs/recipes.md."""
     model = GROOMS[name]
     path = SHARED / model["file"] if "file" in model else None
     if path and not path.exists():
@@ -180,7 +180,7 @@ def make_groom(server, name):
 
 
 def make_retargeted(server, name):
-    """The creature's groom on another model, by its fields and by its log, for docs/retarget.md."""
+    """Draws the creature's groom on another model, moved by its fields and by its log, for docs/retarget.md."""
     path = SHARED / GROOMS[name]["file"]
     if not path.exists():
         return print(f"retarget-{name}: skipped, there is no {path}")
@@ -189,7 +189,7 @@ def make_retargeted(server, name):
     server.pelage("load", scene, path, *GROOMS[name]["options"])
     lines, look = (pathlib.Path(server.folder.name) / file for file in ("lines", "look.json"))
     lines.write_text(server.pelage("log", source, "--lines", "--for", scene), encoding="utf-8")
-    look.write_text('{"op": "set_look", "look": {"colour_source": "coat"}}', encoding="utf-8")  # the model has none
+    look.write_text('{"op": "set_look", "look": {"colour_source": "coat"}}', encoding="utf-8")  # the model has no colours of its own
     server.pelage("run", scene, FOLDER / "examples" / "retarget.json", "--set", f"source={source}")
     draw(server, scene, GROOMS[name]["camera"], f"retarget-{name}-fields")
     server.pelage("undo", scene)

@@ -1,4 +1,4 @@
-"""What the pages of the tools say: a title, words, schemas of openapi.yaml whose members are listed, and a camera."""
+"""Content of the pages of the tools: a title, text, the schemas whose members are listed, and a camera."""
 
 SIDE = ["--position=-1.45,0.75,-0.02", "--target=0,0.5,-0.02"]
 ABOVE = ["--position=-0.35,1.75,-0.95", "--target=0,0.5,-0.1"]

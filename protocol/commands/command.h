@@ -23,10 +23,10 @@ struct SetCoat {
   static constexpr const char* op = "set_coat";
   static constexpr Inputs inputs = Inputs::none;
   Coat coat;
-  std::string name = {};  // of the coat that is set; "" for the first
+  std::string name = {};  // name of the coat to set; "" for the first
 };
 
-/// All coats of a scene, in their order. One that is left out is removed with its fields.
+/// All coats of a scene, in order. A coat that is left out is removed with its fields.
 struct SetCoats {
   static constexpr const char* op = "set_coats";
   static constexpr Inputs inputs = Inputs::none;
@@ -81,10 +81,10 @@ struct SetSkinTexture {
   std::string picture;
 };
 
-/// A wind or a stick that stays in the scene under a name, for `blow` and `attract` to use again and again.
+/// A wind or a stick that is stored in the scene under a name, for `blow` and `attract` to use repeatedly.
 struct NamedBlower {
   std::string name;  // 1 to 200 bytes
-  Blow blow;         // without stroke, brush and name
+  Blow blow;         // its stroke, brush and blower are not used
 };
 struct NamedAttractor {
   std::string name;
@@ -108,15 +108,15 @@ struct SetSymmetry {
   Symmetry symmetry;
 };
 
-/// Gives the present revision a name, for `erase` and for comparing.
+/// Gives the present revision a name, for `erase` and for comparisons.
 struct Checkpoint {
   static constexpr const char* op = "checkpoint";
   static constexpr Inputs inputs = Inputs::none;
-  std::string name;                       // 1 to 200 bytes; one that is known moves here
-  std::optional<std::uint64_t> revision;  // set when it is resolved
+  std::string name;                       // 1 to 200 bytes; a known name moves to this revision
+  std::optional<std::uint64_t> revision;  // set when the command is resolved
 };
 
-/// Commands that set something about the scene, and change no field of their own.
+/// Commands that change settings of the scene and do not edit fields themselves.
 using Settings =
     CommandList<SetBlowers, SetAttractors, SetSymmetry, Checkpoint, ChangeEditLayer, SetCoat, SetCoats, SetLook,
                 SetLights, SetEnvironment, SetGround, SetEyes, SetCurves, SetSkin, SetSkinTexture, SetWind>;
@@ -125,10 +125,10 @@ template <class C>
 concept SettingCommand = Settings::holds<C>;
 
 template <class... T, class... S>
-std::variant<T..., S...> either_of(CommandList<T...>, CommandList<S...>);  // only its type is used
+std::variant<T..., S...> either_of(CommandList<T...>, CommandList<S...>);  // only its return type is used
 
-/// One of all commands. It is a class of its own so that copying, moving and destroying any of them is compiled once,
-/// not in each file that does so.
+/// A variant of all commands. It is a class of its own so that copying, moving and destroying it is compiled once, not
+/// in each file that does so.
 struct Command : decltype(either_of(Tools{}, Settings{})) {
   using variant::variant;
   Command();
@@ -150,7 +150,8 @@ Stroke* stroke_of(Command& command);
 /// tools.
 std::string edit_layer_of(const Command& command);
 
-/// Returns the names of the coats that a tool is told to work on; none for all, and for commands that are no tools.
+/// Returns the names of the coats that a tool is restricted to; empty for all coats, and for commands that are no
+/// tools.
 std::vector<std::string> coats_of(const Command& command);
 
 }  // namespace pelage

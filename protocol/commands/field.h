@@ -13,11 +13,11 @@
 namespace pelage {
 
 enum class Field : std::uint8_t {
-  direction,    // where fur leans in the vertex's (tangent, bitangent); its length is the inclination, [0, 1]
+  direction,    // lean in the vertex's (tangent, bitangent); its length is the inclination, [0, 1]
   length,       // sizes
-  stretch,      // what the attracting stick has built up
-  density,      // share of the coat's strands that stand here
-  width,        // of the coat's strand widths
+  stretch,      // stretch that attract has built up
+  density,      // share of the coat's strands that grow here
+  width,        // factor on the coat's strand widths
   curl,         // added to the coat's own
   clump,        // added to the coat's own
   wetness,      // added to the coat's own
@@ -25,13 +25,13 @@ enum class Field : std::uint8_t {
   mask,         // how much tools may change: 1 all, 0 nothing
   root_colour,  // linear red, green, blue, and how much of the coat's colour they cover
   tip_colour,   // the same at the tips
-  stiffness,    // of fur in the wind: 2 leans half as far; its number is stored, so it comes last
+  stiffness,    // stiffness in the wind: 2 leans half as far; last, because journals store the numbers
 };
 
 struct FieldShape {
   std::string_view name;    // on the wire
   int channels = 1;         // [1, 4]
-  float default_value = 0;  // what every channel holds before anything has touched it
+  float default_value = 0;  // first value of every channel
   float min = 0, max = 1;
 };
 
@@ -50,9 +50,10 @@ inline constexpr std::array<FieldShape, 13> field_shapes{{{"direction", 2, 0, -1
                                                           {"stiffness", 1, 1, 0, 4}}};
 
 inline constexpr std::size_t field_count = field_shapes.size();
-inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::density);  // and all after it
+/// The painted fields are this one and all after it.
+inline constexpr std::size_t first_painted = static_cast<std::size_t>(Field::density);
 
-/// Returns whether all coats of a scene have the field in common; of the others each coat has its own.
+/// Returns whether all coats of a scene share the field; each coat has its own of the other fields.
 constexpr bool is_shared(Field field) { return field == Field::bare || field == Field::mask; }
 
 constexpr const FieldShape& shape_of(Field field) { return field_shapes[static_cast<std::size_t>(field)]; }
@@ -64,9 +65,9 @@ constexpr Field field_at(std::size_t number) { return static_cast<Field>(number)
 /// layer, the weight times what the edit layer adds, clamped to the field's range. The mask belongs to no edit layer.
 struct EditLayer {
   std::string name = {};  // 1 to 200 bytes; names differ
-  double weight = 1;      // [-4, 4]; below 0 the opposite of what was groomed
+  double weight = 1;      // [-4, 4]; below 0 it reverses the change
   bool muted = false;
-  std::string coat = {};  // whose changes it stores; "" for all coats
+  std::string coat = {};  // name of the only coat whose changes it stores; "" for all coats
   bool operator==(const EditLayer&) const = default;
 };
 
@@ -78,13 +79,12 @@ struct ChangeEditLayer {
   static constexpr const char* op = "edit_layer";
   static constexpr Inputs inputs = Inputs::none;
   EditLayerAction action = EditLayerAction::add;
-  std::string name = {};                 // 1 to 200 bytes
-  std::optional<double> weight = {};     // of add and set
-  std::optional<bool> muted = {};        // of add and set
-  std::optional<std::string> coat = {};  // of add: EditLayer::coat
-  std::string rename = {};               // of set; "" keeps the name
-  std::optional<std::string> above =
-      {};  // of add and move: the edit layer that it comes to lie on, "" for none; add: on top
+  std::string name = {};                  // 1 to 200 bytes
+  std::optional<double> weight = {};      // for add and set
+  std::optional<bool> muted = {};         // for add and set
+  std::optional<std::string> coat = {};   // for add: EditLayer::coat
+  std::string rename = {};                // for set: the new name; "" keeps the old one
+  std::optional<std::string> above = {};  // for add, move: layer directly below it, "" for the bottom; absent: on top
 };
 
 }  // namespace pelage

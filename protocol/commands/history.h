@@ -1,4 +1,4 @@
-// What the history of a scene can be asked for beside commands.
+// Requests about the history of a scene: branch and amend.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace pelage {
 
-/// A scene of its own that begins with another one's model, log and settings at a revision.
+/// Makes a new scene with the model, log and settings of another one at a revision.
 struct BranchRequest {
   std::string name = "branch";                 // 1 to 200 bytes
-  std::optional<std::uint64_t> revision = {};  // [first of the model, present]; the present one when absent
+  std::optional<std::uint64_t> revision = {};  // [first of the model, present]; absent: the present one
 };
 
-/// Puts other commands in the place of an earlier step, and replays the steps after it.
+/// Replaces the commands of an earlier step, and replays the steps after it.
 struct AmendRequest {
-  std::uint64_t revision = 0;     // one that the step has in the log, or its number; the step is still in effect
-  std::vector<Command> commands;  // at most 1,000, strokes whole; none leaves the step out
+  std::uint64_t revision = 0;     // a revision of the step in the log, or its number; the step must be in effect
+  std::vector<Command> commands;  // at most 1,000, with whole strokes; an empty list removes the step
 };
 
 }  // namespace pelage

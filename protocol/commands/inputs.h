@@ -1,26 +1,26 @@
-// Properties that each command declares of itself, so that a tool is one struct: a command that leaves one out does not
+// Properties that each command declares about itself, so that a tool is one struct. A command that lacks one does not
 // compile.
 #pragma once
 
 namespace pelage {
 
-/// What a command has in model coordinates, beside its stroke.
+/// Members in model coordinates that a command has, besides its stroke.
 enum class Inputs {
-  none,   // nothing: it is checked, mirrored and moved to other models without a change
-  placed  // positions, directions or lengths: resolve.cpp checks them, symmetry.cpp moves them
+  none,   // nothing to check, to mirror or to move to other models
+  placed  // positions, directions or lengths: resolve.cpp checks and symmetry.cpp transforms them
 };
 
-/// What the work of a tool grows with, beside that of its stroke.
+/// How the work of a tool grows, besides that of its stroke.
 enum class Work {
-  vertices,            // with the vertices under its stroke, or all of them
-  vertices_x_samples,  // each of them looks at the whole stroke
+  vertices,            // with the vertices under its stroke, or with all if it has none
+  vertices_x_samples,  // the same, and each vertex looks at all samples of the stroke
   own                  // counted in evaluation_cost.cpp
 };
 
-/// Whether the tool has an opposite, which `invert` asks for.
+/// Whether the tool has an opposite, which Brush::invert selects.
 enum class Opposite { no, yes };
 
-/// A tool that does nothing without a stroke says `static constexpr bool needs_stroke = true`.
+/// A tool that does nothing without a stroke declares `static constexpr bool needs_stroke = true`.
 template <class Tool>
 concept NeedsStroke = requires {
   requires Tool::needs_stroke;

@@ -14,10 +14,11 @@ struct PickRay {
 };
 
 /// Asks for the position of the surface that lies farthest along `direction`, inside the box from `min` to `max` (model
-/// coordinates) or, without a box, on the whole model. Of several the one on the first triangle counts.
+/// coordinates) or, without a box, on the whole model. Of several equally far ones, the one on the first triangle
+/// counts.
 struct PickFarthest {
   glm::dvec3 direction{0, 1, 0};
-  std::optional<glm::dvec3> min = {}, max = {};  // both or none; min nowhere above max
+  std::optional<glm::dvec3> min = {}, max = {};  // both or none; min is at most max on each axis
 };
 
 /// Asks what lies under a pixel of a view, or for the first hit of a ray, the farthest position along a direction, or
@@ -25,7 +26,7 @@ struct PickFarthest {
 struct PickRequest {
   View view = {};
   glm::dvec2 pixel{0};       // origin top left
-  Reach reach = Reach::fur;  // of a pixel: fur also reports the strand that is seen there
+  Reach reach = Reach::fur;  // for a pixel: fur also reports the strand that is visible there
   std::optional<PickRay> ray = {};
   std::optional<PickFarthest> farthest = {};
   std::optional<glm::dvec3> nearest = {};

@@ -10,31 +10,31 @@
 
 namespace pelage {
 
-/// A recipe with all that it is made of. Texts of JSON, all together at most limits::recipe_bytes.
+/// A recipe and all that it includes, as JSON texts of at most limits::recipe_bytes in total.
 struct RecipeRequest {
-  std::string file = "recipe.json";  // names the recipe in refusals; what it includes is relative to its folder
+  std::string file = "recipe.json";  // name of the recipe in refusals; included files are relative to its folder
   std::string recipe;                // the document
-  std::string files = {};            // what is included, documents by name: {"folder/dot.json": {...}}
-  std::string variables = {};        // values in place of the recipe's, by name
-  std::string places = {};           // places and sizes by name, in place of variables and picks
+  std::string files = {};            // included documents by name: {"folder/dot.json": {...}}
+  std::string variables = {};        // values by name that replace those of the recipe's variables
+  std::string places = {};           // places and sizes by name that replace variables and picks
 };
 
-/// How many vertices a command of a step has to touch.
+/// Limits on how many vertices a command of a step touches.
 struct TouchLimits {
-  std::uint64_t command = 0;  // of the step, from 0
+  std::uint64_t command = 0;  // index of the command in the step
   std::optional<std::uint64_t> min_vertices = {}, max_vertices = {};
 };
 
-/// One undo step, and where it stands.
+/// One undo step, and where the recipe states it.
 struct RecipeStep {
   std::vector<Command> commands;  // 1 to 1,000
-  std::string file;               // that the step stands in
-  std::string pointer;            // to the step, within the request
+  std::string file;               // name of the file that contains the step
+  std::string pointer;            // JSON pointer to the step, within the request
   std::vector<TouchLimits> asserts = {};
 };
 
 struct RecipeAnswer {
-  std::uint64_t revision = 0;  // of the scene that picks were made in
+  std::uint64_t revision = 0;  // revision of the scene that picks were made in
   std::vector<RecipeStep> steps;
 };
 

@@ -1,4 +1,4 @@
-// What a scene holds beside its fields and its log.
+// The settings of a scene: everything that it holds besides its fields and its log.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace pelage {
 
-/// A checkpoint that was made.
+/// A checkpoint.
 struct NamedRevision {
   std::string name;
   std::uint64_t revision = 0;
 };
 
-/// Changed by commands alone. Its copies are compiled once, as those of commands are.
+/// The settings of a scene; only commands change them. Copying them is compiled once, as for Command.
 struct SceneSettings {
   SceneSettings();
   SceneSettings(const SceneSettings&);
@@ -33,12 +33,12 @@ struct SceneSettings {
   std::vector<Eye> eyes;
   std::vector<CurveGroup> curves;
   std::vector<SkinRegion> skin;
-  std::string skin_texture;  // "" for the model's own colours
+  std::string skin_texture;  // name of a picture; "" for the model's own colours
   std::vector<NamedBlower> blowers;
   std::vector<NamedAttractor> attractors;
   Symmetry symmetry;
   std::vector<NamedRevision> checkpoints;
-  std::vector<EditLayer> layers;  // from the lowest
+  std::vector<EditLayer> layers;  // bottom to top
 };
 
 /// The settings of a scene at a revision.

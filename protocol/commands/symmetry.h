@@ -1,4 +1,4 @@
-// Symmetries that tools work under.
+// Symmetries of tools: mirror planes and a rotation.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,7 +15,7 @@ struct Plane {
 struct Symmetry {
   std::vector<Plane> planes;  // at most 3; two or more give their combinations
   glm::dvec3 axis_point{0}, axis{0, 1, 0};
-  int count = 1;  // of a rotation about the axis, [1, 16]
+  int count = 1;  // number of equal steps of the rotation about the axis, [1, 16]; 1 for none
 };
 
 }  // namespace pelage

@@ -1,6 +1,6 @@
-// Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask holds for
+// Commands that change the fields. Each works under a stroke's brush or, as a flood, everywhere; the mask applies to
 // all. A tool works on the visible values. `edit_layer` names the edit layer that stores its change; "" for the groom
-// below them all. `coats` names the coats that it works on; none for all that are not muted.
+// below them all. `coats` names the coats that it works on; empty for all that are not muted.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace pelage {
 
-/// Turns fur the way the stroke moves (science.md 3). As a flood it needs a direction.
+/// Turns fur in the direction in which the stroke moves (science.md 3). A flood needs a direction.
 struct Comb {
   static constexpr const char* op = "comb";
   static constexpr Inputs inputs = Inputs::placed;
@@ -29,11 +29,11 @@ struct Comb {
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
   double lean = 0.7;                         // inclination that combing tends to, [0, 1]
-  bool keep_inclination = false;             // turns the heading alone
-  std::optional<glm::dvec3> direction = {};  // flood only: where the fur is combed to; not zero
+  bool keep_inclination = false;             // changes only the heading
+  std::optional<glm::dvec3> direction = {};  // flood only: direction to comb in; not zero
 };
 
-/// Wind from a source, inside a cone; a stroke restricts it to what its brush covers.
+/// Wind from a source, inside a cone; a stroke restricts it to the region of its brush.
 struct Blow {
   static constexpr const char* op = "blow";
   static constexpr Inputs inputs = Inputs::placed;
@@ -43,18 +43,18 @@ struct Blow {
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
-  std::string blower = {};         // the name of one that stays (set_blowers), whose settings then hold; "" for these
+  std::string blower = {};         // name of a stored wind (set_blowers) that replaces the settings below; "" for none
   glm::dvec3 source{0};            // model coordinates
   glm::dvec3 direction{0, -1, 0};  // axis of the cone; not zero
   double cone_degrees = 40;        // half angle, [0, 180]
   double softness = 0.25;          // share of the cone over which the edge fades, [0, 1]
-  double fall = 0;                 // distance at which the wind has half its strength, in `units`; 0: it does not fall
+  double fall = 0;                 // distance at which the wind has half its strength, in `units`; 0: no falloff
   Units units = Units::relative;
   double strength = 0.5;  // [0, 1]
   double lean = 0.7;      // inclination that the wind tends to, [0, 1]
 };
 
-/// A stick that pulls fur to it and stretches it (fur modelling 5.2); a stroke restricts it to what its brush covers.
+/// A stick that pulls fur to it and stretches it (fur modelling 5.2); a stroke restricts it to the region of its brush.
 struct Attract {
   static constexpr const char* op = "attract";
   static constexpr Inputs inputs = Inputs::placed;
@@ -64,7 +64,7 @@ struct Attract {
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
-  std::string attractor = {};  // the name of one that stays (set_attractors), whose settings then hold; "" for these
+  std::string attractor = {};  // name of a stored stick (set_attractors) that replaces the settings below; "" for none
   glm::dvec3 point{0};         // model coordinates
   double radius = 0.2;         // in `units`, [0, 1e6 sizes]
   Units units = Units::relative;
@@ -76,11 +76,11 @@ struct Attract {
 
 enum class DistanceKind { straight, dijkstra, heat };  // through space; along edges; along the surface (heat method)
 
-/// The fur at one position.
+/// What the fur should be like at one position.
 struct Key {
-  glm::dvec3 position{0};                    // model coordinates; the nearest place on the surface is meant
-  std::optional<glm::dvec3> direction = {};  // where it leans; not zero
-  std::optional<double> inclination = {};    // [0, 1]; with a direction, .5 unless given
+  glm::dvec3 position{0};                    // model coordinates; moved to the nearest point of the surface
+  std::optional<glm::dvec3> direction = {};  // direction in which fur leans; not zero
+  std::optional<double> inclination = {};    // [0, 1]; only with a direction; absent: .5
   std::optional<double> length = {};         // in the command's `units`, [0, 10 sizes]
 };
 
@@ -96,7 +96,7 @@ struct Interpolate {
   std::vector<std::string> coats = {};
   std::vector<Key> keys = {};        // 1 to 1,024
   double sigma = 0.2;                // width of the Gaussians, in `units`, above 0
-  std::optional<double> reach = {};  // in `units`, above 0: beyond it nothing changes; absent: everywhere
+  std::optional<double> reach = {};  // distance beyond which nothing changes, in `units`, above 0; absent: no limit
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;
   double strength = 1;  // [0, 1]
@@ -114,11 +114,11 @@ struct Flow {
   std::vector<std::string> coats = {};
   std::vector<std::vector<glm::dvec3>> curves =
       {};                            // 1 to 64, of 2 to 256 points in model coordinates, root to tip of the flow
-  double sigma = 0.2;                // in `units`, above 0
+  double sigma = 0.2;                // width of the Gaussians, in `units`, above 0
   std::optional<double> reach = {};  // as Interpolate::reach
   Units units = Units::relative;
   DistanceKind distance = DistanceKind::dijkstra;
-  std::optional<double> inclination = {};  // [0, 1]; the fur keeps its own unless given
+  std::optional<double> inclination = {};  // [0, 1]; absent: unchanged
   double strength = 1;                     // [0, 1]
 };
 
@@ -151,8 +151,8 @@ struct Noise {
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
   std::uint32_t seed = 1;
-  double amount = 0.2;      // directions: inclinations; length and width: share of the value; others: added. [0, 10]
-  double feature_size = 0;  // of the noise, in `units`; 0: every vertex for itself
+  double amount = 0.2;      // [0, 10]: inclinations; shares of length, stretch, width, stiffness; others in their unit
+  double feature_size = 0;  // feature size of the noise, in `units`; 0: independent at each vertex
   Units units = Units::relative;
   std::vector<Field> fields{Field::direction};
 };
@@ -172,8 +172,8 @@ struct Unify {
   std::optional<double> inclination = {};    // [0, 1]
   std::optional<double> length = {};         // in `units`
   Units units = Units::relative;
-  std::vector<Field> mean = {};  // these go to their weighted mean
-  double weight = 0.5;           // [0, 1], beside the brush's own strength
+  std::vector<Field> mean = {};  // fields that are blended to their weighted mean
+  double weight = 0.5;           // [0, 1], factor on the brush's strength
 };
 
 /// A line that fur leans away from on both sides.
@@ -197,13 +197,12 @@ struct Whorl {
   static constexpr Work work = Work::vertices_x_samples;
   static constexpr Opposite opposite = Opposite::yes;
   static constexpr bool needs_stroke = true;
-  std::optional<Stroke> stroke = {};  // the middle; required
+  std::optional<Stroke> stroke = {};  // centre of the whorl; required
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
-  double turn_degrees =
-      70;             // from outwards, counter-clockwise seen from outside: 90 circles, 180 points in; [-180, 180]
-  double lean = 0.8;  // inclination that fur tends to, [0, 1]
+  double turn_degrees = 70;  // angle from outwards, counter-clockwise seen from outside, [-180, 180]: 90 circles
+  double lean = 0.8;         // inclination that fur tends to, [0, 1]
 };
 
 enum class LengthMode { set, add, scale, average, jitter, min, max };
@@ -220,12 +219,12 @@ struct Length {
   LengthMode mode = LengthMode::set;
   double value = 0.03;  // a length in `units` (may be below 0 for add), a factor, or the share of a jitter
   Units units = Units::relative;
-  std::uint32_t seed = 1;  // of a jitter
+  std::uint32_t seed = 1;  // for a jitter
 };
 
 struct TrimPlane {
   glm::dvec3 point{0}, normal{0, 1, 0};
-};  // fur ends before the side that the normal points to
+};  // cuts fur on the side that the normal points to
 struct TrimSphere {
   glm::dvec3 centre{0};
   double radius = 0;
@@ -272,11 +271,11 @@ struct Erase {
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
   std::string checkpoint = {};                 // "" for none
-  std::optional<std::uint64_t> revision = {};  // of this model
-  std::vector<Field> fields = {};              // all of them when empty
+  std::optional<std::uint64_t> revision = {};  // revision of this model to restore; absent for none
+  std::vector<Field> fields = {};              // empty for all except the mask
 };
 
-/// Gathers fur to the middle of the brush, and tips to locks.
+/// Turns fur to the middle of the brush, and gathers tips to locks.
 struct Clump {
   static constexpr const char* op = "clump";
   static constexpr Inputs inputs = Inputs::none;
@@ -288,10 +287,10 @@ struct Clump {
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
   double gather = 0.3;  // how far fur turns to the middle of each dab, [0, 1]
-  double amount = 0.6;  // what the field tends to, [0, 1]
+  double amount = 0.6;  // value that the field clump tends to, [0, 1]
 };
 
-/// Curls fur, and turns its heading.
+/// Curls fur and turns its heading.
 struct Curl {
   static constexpr const char* op = "curl";
   static constexpr Inputs inputs = Inputs::none;
@@ -302,7 +301,7 @@ struct Curl {
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
-  double amount = 0.6;      // what the field tends to, [0, 1]
+  double amount = 0.6;      // value that the field curl tends to, [0, 1]
   double turn_degrees = 0;  // counter-clockwise seen from outside, [-180, 180]
 };
 
@@ -317,21 +316,21 @@ struct Paint {
   Brush brush = {};
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
-  Field field = Field::density;  // one of density, width, curl, clump, wetness, bare, mask, root_colour, tip_colour
-  double value = 1;              // in the field's range; of a colour how much it covers, [0, 1]
-  glm::vec3 colour{1};           // linear; of colour fields
+  Field field = Field::density;  // any field except direction, length and stretch
+  double value = 1;              // in the field's range; for a colour its coverage, [0, 1]
+  glm::vec3 colour{1};           // linear; for colour fields
 };
 
 /// Takes the fields of another scene, or of this one at another revision, from the nearest positions on its surface.
-/// Lengths stay shares of the size; without alignment they stay as long as they are in the models' unit.
+/// Lengths stay shares of the size or, without alignment, keep their value in the models' unit.
 struct Retarget {
   static constexpr const char* op = "retarget";
   static constexpr Inputs inputs = Inputs::none;
   static constexpr Work work = Work::own;
   std::string scene = {};                      // id of the source, on the same server
-  std::optional<std::uint64_t> revision = {};  // of the source's model; set when it is resolved
+  std::optional<std::uint64_t> revision = {};  // revision of the source's model; set when the command is resolved
   Alignment align = Alignment::box;
-  std::vector<Field> fields = {};  // all but the mask when empty
+  std::vector<Field> fields = {};  // empty for all except the mask
   double strength = 1;             // [0, 1]
   std::string edit_layer = {};
   std::vector<std::string> coats = {};
@@ -350,38 +349,38 @@ struct MaskSphere {
   glm::dvec3 centre{0};
   double radius = 0.1;
   double softness = 0;
-};  // radius in `units`; share that fades
+};  // radius in `units`; softness: share of the radius over which it fades
 struct MaskPart {
   glm::dvec3 position{0};
 };  // the connected part nearest to it
 struct MaskMaterial {
   std::string name = {};
-};  // one of the model's report
+};  // name of a material of the model's report
 enum class PictureChannel {
   luminance,
   red,
   green,
   blue,
   alpha
-};  // luminance: by Rec. 709's weights of the file's numbers
-/// What an uploaded picture holds at the vertices' texture coordinates.
+};  // luminance: Rec. 709 weights of the numbers in the file
+/// Takes the mask from an uploaded picture, at the vertices' texture coordinates.
 struct MaskPicture {
   std::string name = {};
   PictureChannel channel = PictureChannel::luminance;
-};  // 32 hex digits
-/// Chooses where tools work. Brushes paint it with `paint`.
+};  // name: 32 hex digits
+/// Changes the mask, which selects where tools work. `paint` brushes it.
 struct ChangeMask {
   static constexpr const char* op = "mask";
   static constexpr Inputs inputs = Inputs::placed;
   static constexpr Work work = Work::own;
   MaskAction action = MaskAction::select;
   std::variant<MaskAll, MaskVertices, MaskBox, MaskSphere, MaskPart, MaskMaterial, MaskPicture> shape =
-      {};                                      // of select
-  MaskCombine combine = MaskCombine::replace;  // of select
-  double value = 1;        // of select: what the chosen get, [0, 1]; with replace the others get 1 - value
-  double distance = 0.02;  // of grow and shrink: along the surface, in `units`
+      {};                                      // for select
+  MaskCombine combine = MaskCombine::replace;  // for select
+  double value = 1;        // for select: value of what is chosen, [0, 1]; with replace, the others get 1 - value
+  double distance = 0.02;  // for grow and shrink: along edges of the mesh, in `units`
   Units units = Units::relative;
-  int passes = 3;  // of smooth, [1, 10,000]
+  int passes = 3;  // for smooth, [1, 10,000]
 };
 
 }  // namespace pelage

@@ -55,7 +55,7 @@ Status unknown_section(const std::string& name, const std::string& pointer) {
 
 json command_of(const Section& section, const json& value) { return {{"op", section.op}, {section.member, value}}; }
 
-/// Turns the refusal of a command's member into one of the parameter.
+/// Changes the pointer of a refusal from the command's member to the parameter.
 Status in_section(Status status, const Section* section) {
   if (!section) status.pointer = "/frame" + status.pointer;
   if (section)
@@ -75,7 +75,7 @@ Status at_frame(Status status, double frame) {
   return status;
 }
 
-/// A crop as large as the largest tile of a frame; null where the frame has one, or no size.
+/// Returns a crop as large as the largest tile of a frame; null if the frame has a crop already, or no valid size.
 json crop_of_tiles(const json& frame, const TileGrid& tiles) {
   if (!frame.is_object() || frame.contains("crop")) return nullptr;
   const json width = frame.value("width", json(FrameRequest().width));
@@ -90,7 +90,7 @@ json crop_of_tiles(const json& frame, const TileGrid& tiles) {
 }  // namespace
 
 struct Animation::Impl {
-  json document;  // "frame", and the settings by their parts
+  json document;  // "frame", and the sections of the settings
   std::optional<TileGrid> tiles;
   std::map<std::string, std::vector<std::pair<json::json_pointer, KeyCurve>>> curves;  // by section
 
@@ -119,7 +119,7 @@ Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointe
   json::json_pointer path;
   try {
     path = json::json_pointer(keys.parameter);
-    // A frame leaves out members that have their default, so that only its own check knows all of them.
+    // A frame request leaves out members at their default, so only its decoder can tell whether a member exists.
     if (path.empty() || path == json::json_pointer("/" + section)) throw std::invalid_argument("a whole part");
     if (section != frame_section) static_cast<void>(document.at(path));
     json copy = document;
@@ -155,7 +155,7 @@ Result<AnimatedFrame> Animation::at(double frame) const {
   json document = impl_->document;
   for (const auto& [name, curves] : impl_->curves)
     for (const auto& [path, curve] : curves) document[path] = curve.at(frame);
-  // Limits are of what is drawn at once.
+  // Limits apply to what is drawn at once, which is a tile.
   const json tile = impl_->tiles ? crop_of_tiles(document[frame_section], *impl_->tiles) : nullptr;
   if (!tile.is_null()) document[frame_section]["crop"] = tile;
   Result<FrameRequest> request = decode_frame_request(document[frame_section].dump());

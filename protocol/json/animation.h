@@ -12,15 +12,15 @@ namespace pelage {
 
 class Animation {
  public:
-  /// Refused (invalid, with the pointer into the job): a parameter that is not there, keys whose values cannot be
-  /// interpolated as asked, settings in a time lapse. A parameter that takes whole numbers alone is rounded between
-  /// keys.
+  /// Refuses (invalid, with the pointer into the job) parameters that do not exist, keys whose values cannot be
+  /// interpolated as requested, and settings in a time lapse. A parameter that takes whole numbers only is rounded
+  /// between keys.
   static Result<Animation> create(const RenderJob& job, const SceneSettings& settings);
 
-  /// The request, and the commands that set what keyframes change. Refused (invalid) as decoding does, with the pointer
-  /// of the parameter ("/lights/0/intensity") and the frame in the message.
+  /// Returns the request of a frame, and the commands that set the settings with keyframes. Refuses (invalid) what
+  /// decoding refuses, with the pointer of the parameter ("/lights/0/intensity") and the frame in the message.
   Result<AnimatedFrame> at(double frame) const;
-  /// Returns whether the job itself says the requests' max_seconds.
+  /// Returns whether the job itself sets max_seconds of its requests.
   bool limits_seconds() const;
 
  private:

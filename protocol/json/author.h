@@ -1,4 +1,4 @@
-// Who makes a change, as the header Pelage-Author names them.
+// The author of a change, from the header Pelage-Author.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ inline constexpr const char* author_header = "Pelage-Author";
 /// Refuses (malformed) a name that is not 1 to 200 bytes of UTF-8 without control characters.
 Status check_author(std::string_view name);
 
-/// The name as the header carries it: all but letters, digits and "-._~" as %XX. A reader of HTTP headers that decodes
-/// them, as cpp-httplib does, gives it back.
+/// Percent-encodes a name for the header: every byte except letters, digits and "-._~" becomes %XX. Libraries that
+/// decode header values, such as cpp-httplib, restore it.
 std::string encoded_author(std::string_view name);
 
 }  // namespace pelage

@@ -9,10 +9,10 @@
 
 namespace pelage {
 
-/// One line.
+/// Returns one line of JSON.
 std::string encode(const Calibration& calibration);
 
-/// Refused as a request is, with a pointer: another version, unknown members, numbers that are out of range.
+/// Refuses another version, unknown members and numbers out of range, with a pointer as for requests.
 Result<Calibration> decode_calibration(std::string_view text);
 
 }  // namespace pelage

@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// IEC 61966-2-1.
+/// Converts a level of 0 to 255 from sRGB (IEC 61966-2-1).
 float linear_of_srgb(int level) { return static_cast<float>(linear_from_srgb(level / 255.0)); }
 
 int srgb_of_linear(float linear) {
@@ -46,7 +46,7 @@ std::optional<std::string> text_of_colour(glm::vec3 linear) {
     text += digits[level % 16];
   }
   const auto decoded = colour_of_text(text);
-  // Compared as numbers, with the sign of zero: -0 has no #rrggbb.
+  // -0 is equal to 0 but has no #rrggbb, so the sign is checked as well.
   const bool exact =
       decoded && *decoded == linear && !std::signbit(linear.x) && !std::signbit(linear.y) && !std::signbit(linear.z);
   return exact ? std::optional(text) : std::nullopt;

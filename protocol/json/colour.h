@@ -8,10 +8,10 @@
 
 namespace pelage {
 
-/// "#rrggbb" to linear; none when the text is anything else.
+/// Converts "#rrggbb" to linear; returns nullopt for any other text.
 std::optional<glm::vec3> colour_of_text(std::string_view text);
 
-/// The "#rrggbb" that decodes to exactly this colour, if there is one.
+/// Returns the "#rrggbb" that decodes to exactly this colour, if there is one.
 std::optional<std::string> text_of_colour(glm::vec3 linear);
 
 }  // namespace pelage

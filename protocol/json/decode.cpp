@@ -11,13 +11,13 @@ using namespace json_parts;
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
-/// An empty body takes all defaults.
+/// Decodes a document; an empty body means all defaults.
 template <class T>
 Result<T> decode_optional_document(std::string_view text) {
   return is_blank(text) ? Result<T>(T{}) : decode_document<T>(text);
 }
 
-/// A command stands for a batch of one.
+/// Decodes a batch; a single command is a batch of one.
 Result<Batch> decode_batch(std::string_view text) {
   const auto tree = parse_json(text);
   if (!tree) return tree.status();

@@ -1,4 +1,5 @@
-// JSON text to commands and requests. Every refusal is a Status whose `pointer` is the JSON pointer of the bad field.
+// Decodes commands and requests from JSON text or query parameters, and answers for clients. Every refusal is a Status
+// whose `pointer` is the JSON pointer of the bad field.
 #pragma once
 
 #include <optional>
@@ -24,78 +25,80 @@
 
 namespace pelage {
 
-// All of these refuse: text that is not JSON, duplicate keys, more than 32 levels, numbers that are no finite double
-// (malformed); wrong types, values out of range, missing and unknown names, with the nearest known one (invalid).
+// All of these functions refuse text that is not JSON, duplicate keys, more than 32 levels and numbers that are no
+// finite double (malformed), and wrong types, values out of range, missing and unknown names, with the nearest known
+// one (invalid).
 
-/// `{"op": ...}` or `{"commands": [...]}`; 1 to 1,000 commands.
+/// Decodes `{"op": ...}` or `{"commands": [...]}`; 1 to 1,000 commands.
 Result<std::vector<Command>> decode_commands(std::string_view text);
 Result<NewScene> decode_new_scene(std::string_view text);
 /// Decodes a frame request; `usual` is the format of a request that names none.
 Result<FrameRequest> decode_frame_request(std::string_view text, FrameFormat usual = FrameFormat::png);
-/// A job of pelage-render. Paths and frame ranges are for the batch renderer to check.
+/// Decodes a job of pelage-render. The batch renderer checks paths and frame ranges.
 Result<RenderJob> decode_job(std::string_view text);
 
-/// Names and values of a query string, decoded.
+/// Decoded names and values of a query string.
 using Query = std::vector<std::pair<std::string, std::string>>;
-/// Decodes the same request from the parameters of an address: width, height, camera (an automatic view) or position,
-/// target, up (three numbers with commas) and fov_degrees, quality (a tier) or single knobs, background, exposure,
-/// tone_map, view, format, lossy_quality, exr_type, aovs (names with commas), colour_space, overlay, overlay_from,
-/// revision. Pointers name the member of the request that the parameter stands for.
+/// Decodes a frame request from query parameters: the members of FrameRequest by their names, lists with commas.
+/// Members of the camera, the knobs and their `raster` are parameters themselves; `camera` and `quality` take an
+/// automatic view and a tier, and of the look there is only colour_source. Crop is left,top,width,height. `trace`,
+/// `shells` and `progressive` are not available. Pointers name the member of the request that the parameter stands for.
 Result<FrameRequest> decode_frame_query(const Query& query);
-/// How strands are traced: the members of Tracing by their names.
+/// Decodes how strands are traced: the members of Tracing by their names.
 Result<Tracing> decode_tracing_query(const Query& query);
-/// How to read a model's bytes: format (required), up, front, length, inclination, fur_patches.
+/// Decodes how a model file is read: the members of ImportOptions and of its first groom; format is required.
 Result<ImportOptions> decode_import_query(const Query& query);
 
-/// What comes with the bytes of an environment's picture: intensity, turn_degrees and colour_space.
+/// Decodes the parameters of an environment's picture: intensity, turn_degrees and colour_space.
 Result<EnvironmentUpload> decode_environment_query(const Query& query);
 /// Decodes the revisions of a comparison: `from` and `to`, both required.
 Result<std::pair<std::uint64_t, std::uint64_t>> decode_compare_query(const Query& query);
 
-/// How fine a mesh: triangles.
+/// Decodes the members of MeshRequest.
 Result<MeshRequest> decode_mesh_query(const Query& query);
 
-/// What is exported: format (required), every, widen, curves.
+/// Decodes the members of ExportRequest; format is required.
 Result<ExportRequest> decode_export_query(const Query& query);
 
-/// `revision`, optional.
+/// Decodes `revision`, which is optional.
 Result<std::optional<std::uint64_t>> decode_revision_query(const Query& query);
 
-/// Which map: field (required), format, encoding, size, dilate, scale, units.
+/// Decodes the members of MapRequest; field is required.
 Result<MapRequest> decode_map_query(const Query& query);
-/// What comes with the bytes of a map: field (required), encoding, scale, units, strength.
+/// Decodes the members of MapUpload; field is required.
 Result<MapUpload> decode_map_upload_query(const Query& query);
-/// What comes with the bytes of guide curves: format (required), keys, sigma, strength.
+/// Decodes the members of GuideUpload; format is required.
 Result<GuideUpload> decode_guide_query(const Query& query);
 
 Result<PickRequest> decode_pick(std::string_view text);
-/// Reads the parts of the request as texts of JSON; expand_recipe checks what they say.
+/// Keeps the parts of the request as JSON texts; expand_recipe checks their contents.
 Result<RecipeRequest> decode_recipe(std::string_view text);
 
-/// `{"steps": n}` (1 when absent or the body is empty), n in [1, 1e6].
+/// Decodes `{"steps": n}`, n in [1, 1e6]; 1 if absent or if the body is empty.
 Result<int> decode_steps(std::string_view text);
-/// `{"revision": n}`.
+/// Decodes `{"revision": n}`.
 Result<std::uint64_t> decode_revision(std::string_view text);
 
-/// `{"levels": n, "masked": false}`; both have defaults, and the body may be empty.
+/// Decodes `{"levels": n, "masked": false}`; both have defaults, and the body may be empty.
 Result<Subdivide> decode_subdivide(std::string_view text);
-/// `{"up": "z", "front": "-y"}`; both have defaults.
+/// Decodes `{"up": "z", "front": "-y"}`; both have defaults, and the body may be empty.
 Result<TurnModel> decode_turn_model(std::string_view text);
 Result<SceneName> decode_scene_name(std::string_view text);
-/// `{"name": ..., "revision": n}`, both optional; an empty body is {}.
+/// Decodes `{"name": ..., "revision": n}`; both are optional, and the body may be empty.
 Result<BranchRequest> decode_branch(std::string_view text);
-/// `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.
+/// Decodes `{"revision": n, "commands": [...]}`, both required; 0 to 1,000 commands.
 Result<AmendRequest> decode_amend(std::string_view text);
 
-// How a client reads the server's answers. It ignores unknown members and words, and accepts limits that have grown, so
-// that an older client still works.
+// Answers of the server, decoded for clients. Unknown members and words are ignored, and values beyond known limits are
+// accepted, so that an older client still works.
 
-/// Decodes an answer. Refuses (malformed, with the pointer of the bad member) anything else. T is a struct that
-/// encode.h makes an answer of.
+/// Decodes an answer. T is one of the answers that encode.h encodes. Refuses (malformed, with the pointer of the bad
+/// member) anything else.
 template <class T>
 Result<T> decode_answer(std::string_view text);
 
-/// The refusal in a problem document; its code follows the `type`. Malformed when it is no problem document.
+/// Returns the refusal in a problem document; its code follows from the `type`. Malformed if it is not a problem
+/// document.
 Status decode_problem(std::string_view text);
 
 }  // namespace pelage

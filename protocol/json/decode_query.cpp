@@ -1,4 +1,4 @@
-// Query parameters become the JSON document that they stand for, so that one decoder refuses what is wrong with them.
+// Decodes query parameters: they become the JSON document that they stand for, so that one decoder makes all checks.
 #include <algorithm>
 #include <sstream>
 #include <vector>
@@ -17,7 +17,7 @@ namespace {
 using json_parts::Backdrop, json_parts::MemberName, json_parts::members;
 using nlohmann::json;
 
-enum class Kind { text, number, list, names, boolean, crop };  // lists, names and crops have commas
+enum class Kind { text, number, list, names, boolean, crop };  // lists, names and crops are separated by commas
 
 /// A parameter, and the JSON pointer of what it stands for.
 struct Parameter {
@@ -25,7 +25,7 @@ struct Parameter {
   Kind kind;
 };
 
-/// Collects the parameters that a request in an address has: its members, and those of its camera and its knobs.
+/// Collects the query parameters of a request: its members, and those of its camera and its knobs.
 class QueryMembers {
  public:
   static constexpr bool reads = true;
@@ -53,7 +53,7 @@ class QueryMembers {
     parameters.push_back({"colour_source", std::string("/") + name.text + "/colour_source", Kind::text});
   }
   void object(MemberName name, const Rasterizing& raster, const char* = "") { add_below(name, raster); }
-  void object(MemberName, const Tracing&, const char* = "") {}  // only POST takes it, as the next
+  void object(MemberName, const Tracing&, const char* = "") {}  // not available in a URL, and neither is the next
   void object(MemberName, const Layering&, const char* = "") {}
   void object(MemberName name, const std::optional<Crop>&, const char* = "") { add(name, Kind::crop); }
   void object(MemberName name, const Camera&, const char* = "") {
@@ -97,7 +97,7 @@ json names_of(const std::string& text) {
   return names;
 }
 
-/// "[0.5,1]" of ".5, 1": each number as JSON writes it.
+/// Converts ".5, 1" to "[0.5,1]": each number becomes one that JSON allows.
 std::string list_of(std::string_view text) {
   std::string list = "[";
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -109,13 +109,14 @@ std::string list_of(std::string_view text) {
   return list;
 }
 
-/// Left, top, width and height as a crop has them; the text for anything else.
+/// Converts a list of left, top, width and height to a crop; returns the text for anything else.
 json crop_of(const json& list, const std::string& text) {
   if (!list.is_array() || list.size() != 4) return text;
   return {{"left", list[0]}, {"top", list[1]}, {"width", list[2]}, {"height", list[3]}};
 }
 
-/// Converts a parameter to JSON. What is no number, list or boolean stays text, and the decoder says what it expected.
+/// Converts a parameter to JSON. What is not a number, list or boolean stays text, so that the decoder says what it
+/// expected.
 json value_of(const std::string& text, Kind kind) {
   if (kind == Kind::text) return text;
   if (kind == Kind::names) return names_of(text);
@@ -144,7 +145,7 @@ Status place(json& document, const Parameter& parameter, const std::string& text
   return {};
 }
 
-/// The document that the parameters stand for.
+/// Returns the document that the parameters stand for.
 Result<json> document_of(const Query& query, const std::vector<Parameter>& parameters) {
   json document = json::object();
   for (const auto& [name, text] : query) {

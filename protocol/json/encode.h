@@ -1,4 +1,4 @@
-// Commands, requests and answers to JSON text, in one line.
+// Encodes commands, requests and answers as one line of JSON.
 #pragma once
 
 #include <string>
@@ -47,13 +47,13 @@ std::string encode(const MapAnswer& answer);
 std::string encode(const PictureAnswer& answer);
 std::string encode(const Problem& problem);
 
-/// The JSON Schema (draft 2020-12) of a job's file, with all that it refers to.
+/// Returns the JSON Schema (draft 2020-12) of a job's file, with all that it refers to.
 std::string job_schema();
 
-/// A text as a JSON string, with its quotes.
+/// Returns a text as a JSON string, with its quotes.
 std::string json_text(std::string_view text);
 
-/// An RFC 9457 problem document: type, title, status, detail, and pointer, limit, nearest where there are any.
+/// Encodes a problem document (RFC 9457): type, title, status, detail, and pointer, limit and nearest if there are any.
 std::string encode_problem(const Status& status, int http_status);
 
 }  // namespace pelage

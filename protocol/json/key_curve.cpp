@@ -10,7 +10,7 @@ namespace pelage::json_parts {
 
 namespace {
 
-/// The numbers that a value is made of; none for what cannot be interpolated.
+/// Returns the components of a value; nullopt if it cannot be interpolated.
 std::optional<std::vector<double>> numbers_of(const nlohmann::json& value) {
   if (value.is_number()) return std::vector{value.get<double>()};
   if (value.is_string()) {
@@ -23,7 +23,7 @@ std::optional<std::vector<double>> numbers_of(const nlohmann::json& value) {
 }
 
 /// Returns the slope at a key as a weighted harmonic mean, which keeps the curve within its keys (Fritsch and Butland
-/// 1984); 0 at a turn.
+/// 1984); 0 at a local extremum.
 double slope_between(double before, double after, double left_slope, double right_slope) {
   if (left_slope * right_slope <= 0) return 0;
   const double a = (before + 2 * after) / (3 * (before + after)), b = 1 - a;
@@ -33,7 +33,7 @@ double slope_between(double before, double after, double left_slope, double righ
 double slope_at(const std::vector<double>& places, const std::vector<double>& values, std::size_t k) {
   const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / (places[i + 1] - places[i]); };
   if (places.size() == 2) return secant(0);
-  if (k == 0 || k + 1 == places.size()) return 0;  // it starts and ends smoothly
+  if (k == 0 || k + 1 == places.size()) return 0;  // flat at both ends
   return slope_between(places[k] - places[k - 1], places[k + 1] - places[k], secant(k - 1), secant(k));
 }
 

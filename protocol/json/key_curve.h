@@ -11,20 +11,22 @@
 
 namespace pelage::json_parts {
 
-/// The keys of one parameter: numbers and lists of numbers, interpolated as asked; any other value steps.
+/// The keys of one parameter. Numbers, lists of numbers and colours are interpolated as requested; other values need
+/// KeyInterpolation::step.
 class KeyCurve {
  public:
-  /// Refused (invalid, with the pointer of the key's value below `pointer`): values that are neither numbers nor lists
-  /// of as many numbers nor colours, unless they step.
+  /// Refuses (invalid, with the pointer of the key's value below `pointer`) values that are neither numbers nor lists
+  /// of equal length nor colours, unless the interpolation is step.
   static Result<KeyCurve> create(const ParameterKeys& keys, const std::string& pointer);
 
   /// Returns the value at a frame; between keys, colours are lists of linear red, green and blue.
   nlohmann::json at(double frame) const;
 
   const nlohmann::json& first() const { return values_.front(); }
-  /// Returns a value with fractions between keys that are whole numbers; none where they are not, or never change.
+  /// Returns a value between keys that has fractions, if all keys are whole numbers and differ; else nullopt. It serves
+  /// to test whether the parameter takes fractions.
   std::optional<nlohmann::json> between_whole_keys() const;
-  /// Rounds the values of all later calls of at().
+  /// Makes all later calls of at() round their values.
   void keep_whole() { whole_ = true; }
 
  private:
@@ -32,11 +34,11 @@ class KeyCurve {
   bool is_list_ = false, whole_ = false;
   std::vector<double> frames_;
   std::vector<nlohmann::json> values_;
-  std::vector<std::vector<double>> numbers_;  // of each component, its keys; unless it steps
+  std::vector<std::vector<double>> numbers_;  // [component][key]; empty with step
 };
 
 /// Monotone cubic Hermite interpolation (Fritsch and Carlson 1980) of values at ascending places; `at` lies in the
-/// interval that begins at place `left`.
+/// interval that begins at places[left].
 double monotone_cubic(const std::vector<double>& places, const std::vector<double>& values, std::size_t left,
                       double at);
 

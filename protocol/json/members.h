@@ -1,11 +1,13 @@
-// How a struct is described to the wire, once: `members(visitor, value)` names each member with its range and what it
-// means. Decoding, encoding, the JSON Schema, query parameters and the tests' random requests visit the same list.
+// Describes the JSON form of each struct, in one place: `members(visitor, value)` names each member with its range and
+// meaning. Decoding, encoding, the JSON Schema, query parameters and the tests' random requests visit the same list.
 //
-// A visitor has a method for each kind of member (MemberReader in read.cpp is the model), and some that say more:
-// type(name, words) names the struct; answer(name, words) one of the server's, whose members are all there unless they
-// are sparse; takes(condition) says whether the next members are allowed beside the ones before them; shows(condition)
-// whether they mean anything beside the others, and so are written; has(name, condition) whether the object has the
-// form with that member; `condition` is the answer for a struct.
+// A visitor has a method for each kind of member (MemberReader in read.cpp is the model), and these:
+// - type(name, words) names the struct.
+// - answer(name, words) names one of the server's answers, whose members are all present unless they are sparse.
+// - takes(condition) returns whether the members that follow are allowed, given the ones before them.
+// - shows(condition) returns whether the members that follow matter, given the others, and so are written.
+// - has(name, condition) returns whether the object has the form with the member `name`.
+// `condition` is what the values of the visited struct say; a visitor may have other information.
 #pragma once
 
 #include <type_traits>
@@ -20,13 +22,13 @@ namespace pelage::json_parts {
 template <class Visitor, class T>
 using Visited = std::conditional_t<Visitor::reads, const T, T>;
 
-/// Whether a member has to be there, and what it is when it is not.
+/// Whether a member is required, and its value if it is absent.
 enum class Presence {
-  defaulted,  // the struct's own value
-  sparse,     // the struct's own value, which is empty and then not written
+  defaulted,  // optional; the struct's default value
+  sparse,     // optional; the default value is empty, and empty values are not written
   required,
-  tag,  // required, and tells one form of the struct from another
-  bare  // a rule of the struct says when it has to be there, and no default is named
+  tag,  // required; its value distinguishes the forms of the struct
+  bare  // a rule of the struct says when it is required; the schema states no default
 };
 
 struct MemberName {
@@ -40,7 +42,7 @@ constexpr MemberName sparse(const char* name) { return {name, Presence::sparse};
 constexpr MemberName tag(const char* name) { return {name, Presence::tag}; }
 constexpr MemberName bare(const char* name) { return {name, Presence::bare}; }
 
-/// Returns whether a member has to be there. In an `answer` every member has to, except sparse and bare ones.
+/// Returns whether a member is required. In an `answer` every member is, except sparse and bare ones.
 constexpr bool is_required(MemberName name, bool answer) {
   return name.presence == Presence::required || name.presence == Presence::tag ||
          (answer && name.presence == Presence::defaulted);

@@ -1,4 +1,4 @@
-// What the server answers, on the wire.
+// JSON members of the server's answers.
 #pragma once
 
 #include "protocol/commands/answers.h"
@@ -324,7 +324,7 @@ void members(V& v, Visited<V, ChangeEvent>& c) {
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone after it.");
 }
 
-/// A member for each painted field, with a little above its largest value for sums of floats.
+/// Visits a member for each painted field. Its range ends a little above the field's, since sums of floats round.
 template <class V>
 void members(V& v, Visited<V, PaintedValues>& c) {
   static constexpr const char* words[] = {"Share of the coat's strands that grow.",

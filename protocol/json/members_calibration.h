@@ -1,4 +1,4 @@
-// A machine's calibration, as a file has it.
+// JSON members of a calibration file.
 #pragma once
 
 #include "protocol/commands/quality.h"
@@ -6,7 +6,7 @@
 
 namespace pelage::json_parts {
 
-inline constexpr int calibration_version = 5;  // of the default prices that `price` refers to
+inline constexpr int calibration_version = 5;  // version of the default prices that `price` multiplies
 inline constexpr Range price{1e-6, 1e6};
 
 template <class V>

@@ -1,4 +1,4 @@
-// What a frame request says, on the wire.
+// JSON members of a frame request.
 #pragma once
 
 #include "protocol/commands/frame.h"
@@ -8,7 +8,7 @@
 
 namespace pelage::json_parts {
 
-/// What is behind the fur: a word, or a colour.
+/// The background: a word or a colour.
 template <bool reads>
 struct Backdrop {
   std::conditional_t<reads, const Background, Background>& kind;

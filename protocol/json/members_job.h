@@ -1,4 +1,4 @@
-// What a job of pelage-render says, in its file.
+// JSON members of a job file of pelage-render.
 #pragma once
 
 #include "protocol/commands/job.h"

@@ -1,4 +1,4 @@
-// The JSON members of coats, bodies, looks and lights.
+// JSON members of coats, bodies, looks, lights and wind.
 #pragma once
 
 #include "protocol/commands/coat.h"
@@ -117,7 +117,7 @@ void members(V& v, Visited<V, Coat>& c) {
   v.seed("seed", c.seed, "Other seeds give other strands.");
 }
 
-// What is placed on a model, on the wire: eyes, curves and bare skin.
+// JSON members of what is placed on a model: eyes, curves and bare skin.
 
 template <class V>
 void members(V& v, Visited<V, Iris>& c) {
@@ -231,7 +231,7 @@ void members(V& v, Visited<V, SkinRegion>& c) {
   v.object("bumps", c.bumps);
 }
 
-// How a scene is shaded and lit, on the wire.
+// JSON members of how a scene is shaded and lit.
 
 template <class V>
 void members(V& v, Visited<V, FibreOptics>& c) {

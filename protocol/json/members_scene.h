@@ -1,4 +1,4 @@
-// Requests about whole scenes and their history, on the wire.
+// JSON members of requests about whole scenes: models, history, recipes, picks, exports and maps.
 #pragma once
 
 #include "protocol/commands/guides.h"
@@ -260,7 +260,7 @@ void members(V& v, Visited<V, EnvironmentUpload>& c) {
          "names for the server. Linear with the primaries of Rec. 709 when absent.");
 }
 
-/// What requests for maps and uploads of maps have in common.
+/// Visits the members that map requests and map uploads have in common.
 template <class V, class Map>
 void map_members(V& v, Map& c, const char* scale_words) {
   v.name(required("field"), c.field, json_names::fields, "Field that is drawn or read.");

@@ -1,4 +1,4 @@
-// Commands that set what is about a model, on the wire.
+// JSON members of commands that change settings, and of the settings of a scene.
 #pragma once
 
 #include "protocol/commands/command.h"

@@ -1,4 +1,4 @@
-// Where tools work, on the wire: views, strokes and the brush.
+// JSON members of cameras, views, strokes, symmetries and brushes.
 #pragma once
 
 #include "protocol/commands/stroke.h"

@@ -1,4 +1,4 @@
-// Commands on the wire.
+// JSON members of the tools.
 #pragma once
 
 #include "protocol/commands/command.h"
@@ -6,7 +6,7 @@
 
 namespace pelage::json_parts {
 
-/// The edit layer that keeps what a tool changes.
+/// Visits the members that say which edit layer stores a tool's change, and which coats it changes.
 template <class V, class Tool>
 void layer_member(V& v, Tool& c) {
   v.text(sparse("edit_layer"), c.edit_layer,
@@ -14,7 +14,7 @@ void layer_member(V& v, Tool& c) {
   v.texts(sparse("coats"), c.coats, "Coats that it works on; all that are not muted unless named.");
 }
 
-/// Where a tool works.
+/// Visits the members that say where a tool works and what stores its change.
 template <class V, class Tool>
 void place_members(V& v, Tool& c) {
   v.object(NeedsStroke<Tool> ? required("stroke") : "stroke", c.stroke);

@@ -1,4 +1,4 @@
-// Enumerations that have a schema of their own in the contract, to which all members that take their words refer.
+// Enumerations that have a schema of their own in the contract. Members that take their words refer to it.
 #pragma once
 
 #include "protocol/commands/frame.h"
@@ -8,7 +8,7 @@
 namespace pelage::json_parts {
 
 struct NamedWords {
-  const char *name = nullptr, *meaning = "";  // no name: members list the words themselves
+  const char *name = nullptr, *meaning = "";  // null: members list the words themselves
 };
 
 template <class E>

@@ -1,4 +1,4 @@
-// The words of the contract for each enumeration; decoding and encoding share them.
+// The words of the contract for each enumerator; decoding and encoding share them.
 #pragma once
 
 #include <array>
@@ -74,7 +74,7 @@ inline constexpr std::array<Name<MapFormat>, 5> map_formats{{{"png", MapFormat::
                                                              {"exr", MapFormat::exr},
                                                              {"exr_half", MapFormat::exr_half},
                                                              {"npy", MapFormat::npy}}};
-/// The fields by their names, from the table of their shapes.
+/// The names of the fields, from the table of their shapes.
 constexpr std::array<Name<Field>, field_count> make_field_names() {
   std::array<Name<Field>, field_count> names{};
   for (std::size_t f = 0; f < field_count; ++f) names[f] = {shape_of(field_at(f)).name, field_at(f)};
@@ -149,7 +149,7 @@ inline constexpr std::array<Name<PlanEnd>, 5> plan_ends{{{"asked", PlanEnd::aske
                                                          {"error", PlanEnd::error},
                                                          {"best", PlanEnd::best},
                                                          {"cheapest", PlanEnd::cheapest}}};
-/// What the error of a FrameEstimate is measured against: one of them, which the struct does not say.
+/// What the error of a FrameEstimate is measured against. There is only one choice, so the struct has no member for it.
 inline constexpr std::array<Name<std::size_t>, 1> error_references{{{"traced_strands", 0}}};
 inline constexpr std::array<Name<ShellPolicy>, 2> shell_policies{
     {{"uniform", ShellPolicy::uniform}, {"adaptive", ShellPolicy::adaptive}}};
@@ -223,7 +223,7 @@ inline constexpr std::array<Name<Axis>, 6> axes{{{"x", Axis::plus_x},
                                                  {"z", Axis::plus_z},
                                                  {"-z", Axis::minus_z}}};
 
-/// All words of an enumeration.
+/// Returns all words of an enumeration.
 template <class E, std::size_t N>
 std::vector<std::string_view> texts_of(const std::array<Name<E>, N>& names) {
   std::vector<std::string_view> texts;
@@ -231,7 +231,7 @@ std::vector<std::string_view> texts_of(const std::array<Name<E>, N>& names) {
   return texts;
 }
 
-/// The word of a value; every value of an enumeration that goes on the wire has one.
+/// Returns the word of a value; every value that goes on the wire has one.
 template <class Names, class E>
 constexpr std::string_view text_of(const Names& names, E value) {
   for (const auto& name : names) {
@@ -241,7 +241,7 @@ constexpr std::string_view text_of(const Names& names, E value) {
   return {};
 }
 
-/// The same, as a text of its own.
+/// The same as std::string.
 template <class Names, class E>
 std::string word_of(const Names& names, E value) {
   return std::string(text_of(names, value));

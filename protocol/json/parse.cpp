@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Builds the tree while the text is parsed, so that a duplicate key or a level too many is noticed at once.
+/// Builds the tree while the text is parsed, to notice duplicate keys and too deep nesting at once.
 class TreeBuilder {
  public:
   json take_root() { return std::move(root_); }
@@ -73,7 +73,7 @@ class TreeBuilder {
     return true;
   }
 
-  /// The step from the innermost open value to the one that comes now.
+  /// Returns the JSON pointer step from the innermost open value to the value that comes next.
   std::string step() const {
     if (open_.empty()) return {};
     return open_.back()->is_object() ? pointer_step(key_) : "/" + std::to_string(open_.back()->size());
@@ -87,7 +87,7 @@ class TreeBuilder {
 
   json root_;
   std::vector<json*> open_;         // the innermost is last; a parent does not move while a child is open
-  std::vector<std::string> steps_;  // how each open value is reached
+  std::vector<std::string> steps_;  // the JSON pointer step to each open value
   std::string key_;
   Status failure_;
 };

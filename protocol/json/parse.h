@@ -1,4 +1,4 @@
-// JSON text to a tree, with the refusals that the parser itself does not make.
+// Parses JSON text to a tree, with refusals that the library itself does not make.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,10 +13,10 @@ namespace pelage {
 /// that overflow a double.
 Result<nlohmann::json> parse_json(std::string_view text);
 
-/// How JSON writes a number that people write as ".5", "5." or "+1". Any other text comes back as it is.
+/// Converts a number such as ".5", "5." or "+1" to JSON's form; returns any other text as it is.
 std::string as_json_number(std::string_view text);
 
-/// `key` as one step of a JSON pointer (RFC 6901).
+/// Returns `key` as one step of a JSON pointer (RFC 6901).
 std::string pointer_step(std::string_view key);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Refusals as RFC 9457 problem documents, and back.
+// Converts refusals to RFC 9457 problem documents, and back.
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/write.h"
@@ -33,7 +33,7 @@ const ProblemType& type_of(Code code) {
   return types[0];
 }
 
-/// Returns the title of a refusal that HTTP itself makes, which has no type but its status; else null.
+/// Returns the title of a refusal at the level of HTTP, whose type is about:blank; null for any other status.
 const char* http_title(int http_status) {
   switch (http_status) {
     case 401: return "Unauthorized";

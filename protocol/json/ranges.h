@@ -14,18 +14,19 @@ namespace pelage {
 struct Range {
   double low, high;
   const char* unit = "";                                                    // `x-unit` of the contract
-  constexpr Range in(const char* what) const { return {low, high, what}; }  // the same interval of another unit
+  constexpr Range in(const char* what) const { return {low, high, what}; }  // the same interval with another unit
   std::string text() const;                                                 // "[0, 1]"
 };
 
-/// How many members a list has.
+/// The allowed number of members of a list.
 struct Count {
   std::size_t min, max;
 };
 
 namespace json_parts {
 
-// The largest model has a size of about 3.5e20, and commands reach 1e6 sizes; the scene checks the sizes exactly.
+// The largest model has a size of about 3.5e20, and commands reach 1e6 sizes: no valid coordinate is outside. The scene
+// checks the exact limits.
 inline constexpr Range coordinate{-1e27, 1e27, "model units"};
 inline constexpr Range length_in_units{0, 1e27, "as `units`"};
 inline constexpr Range width_in_units{1e-27, 1e27, "as `units`"};
@@ -33,7 +34,7 @@ inline constexpr Range map_scale{1e-27, 1e27, "as `units`"};
 inline constexpr Range direction_part{-1e6, 1e6, "any length"};
 inline constexpr Range share{0, 1, "share"};
 inline constexpr Range whole_number{0, 4294967295.0};
-inline constexpr Range screen_coordinate{-1e6, 1e6, "pixels"};  // pixels
+inline constexpr Range screen_coordinate{-1e6, 1e6, "pixels"};
 inline constexpr Range metres{1e-9, 1e9, "metres"};
 inline constexpr Range half_circle{0, 180, "degrees"};
 inline constexpr Range edit_layer_weight{-4, 4, "factor"};

@@ -23,7 +23,7 @@ void get(const Value& value, Backdrop<false> out) {
   if (out.kind == Background::colour) out.colour = value.colour();
 }
 
-/// A tier's name, or knobs that start from the interactive tier.
+/// Reads a tier's name, or knobs whose other members are those of the interactive tier.
 void get(const Value& value, Knobs& out) {
   out = value.tree().is_object() ? read<Knobs>(value) : knobs_of(value.name_of(json_names::tiers));
 }
@@ -125,13 +125,13 @@ class MemberReader {
       if (!hash) v.refuse("This is no hash.", "32 hex digits in lower case");
     });
   }
-  /// Any JSON, as text.
+  /// Keeps any JSON, as text.
   void json(MemberName name, std::string& out, const char* = "") {
     member(name, [&](const Value& v) { out = v.tree().dump(); });
   }
-  /// The same that is no object.
+  /// The same for JSON that is no object; the schema says so.
   void any(MemberName name, std::string& out, const char* words = "") { json(name, out, words); }
-  /// A T as its text, for others to read.
+  /// Keeps a T as JSON text, for others to decode.
   template <class T>
   void document(MemberName name, std::string& out, const char* words = "") {
     json(name, out, words);
@@ -234,12 +234,12 @@ class MemberReader {
       out = std::move(chosen), count_alternative(list);
     });
   }
-  /// Reads a member that has a form of its own, by get().
+  /// Reads a member with a JSON form of its own, by an overload of get().
   template <class T>
   void special(MemberName name, T&& out, const char* = "") {
     member(name, [&](const Value& v) { get(v, out); });
   }
-  /// One of several, without an object of its own.
+  /// Reads the place of a sample: one of three forms, whose members belong to the sample itself.
   void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
     int places = 0;
     member("position", [&](const Value& v) { out = PositionSample{v.triple(coordinate)}, ++places; });
@@ -261,7 +261,7 @@ class MemberReader {
   }
 
   Object& object_;
-  bool all_required_ = false;  // but what is sparse
+  bool all_required_ = false;  // of an answer: all members except sparse and bare ones
   int alternatives_ = 0;
 };
 

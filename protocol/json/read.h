@@ -1,4 +1,4 @@
-// A JSON tree to any struct that has a list of members.
+// Decodes JSON to any struct that has a list of members.
 #pragma once
 
 #include "protocol/commands/command.h"
@@ -16,9 +16,9 @@ T read(const Value& value);
 template <>
 Command read(const Value& value);
 
-// JSON text to any struct that has a list of members.
+// Decoding of whole documents.
 
-/// The first refusal, where there is one.
+/// Returns the struct, or the first refusal.
 template <class T>
 Result<T> decode_tree(const nlohmann::json& tree, Reading reading = Reading::strict) {
   Status first_failure;

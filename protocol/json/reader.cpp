@@ -49,9 +49,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t shown_bytes = 80;  // of a user's word in a message
+constexpr std::size_t shown_bytes = 80;  // largest part of a user's word that a message quotes
 
-/// "9000" and not "9000.0".
+/// Formats a number; a whole one as "9000", not "9000.0".
 std::string short_number(double value) {
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
   return whole ? std::to_string(static_cast<long long>(value)) : json(value).dump();

@@ -1,4 +1,5 @@
-// Reading values of a JSON tree: a refusal has the JSON pointer and, for a typing mistake, the nearest known name.
+// Readers of the values of a JSON tree. A refusal has the JSON pointer and, for a misspelled name, the nearest known
+// one.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +15,17 @@
 
 namespace pelage {
 
-/// The word among `known` with the smallest edit distance to `word` (its first 80 bytes), the first of several.
+/// Returns the word of `known` with the smallest edit distance to `word` (its first 80 bytes), the first of several.
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& known);
 bool has_control_character(std::string_view text);
 bool is_utf8(std::string_view text);
 
-// Reading a JSON tree into structs: every refusal names its pointer, the limit it broke and the nearest known name.
-
-/// How strictly a document is read. strict: it has to follow the contract to the word. tolerant: it comes from a server
-/// that may know more, so that unknown members and words are ignored, and limits may have grown.
+/// How strictly a document is read. strict: it has to follow the contract exactly. tolerant: it comes from a server
+/// that may be newer, so unknown members and words are ignored, and limits may have grown.
 enum class Reading { strict, tolerant };
 
-/// One value of the tree, and the pointer to it. The first refusal is kept in the status that all readers of a
-/// document share; after it readers go on with defaults, and the caller looks at the status once, at the end.
+/// A value of the tree, and its JSON pointer. All values of a document share a status, which keeps the first refusal;
+/// after it readers return defaults, and the caller checks the status once, at the end.
 class Value {
  public:
   Value(const nlohmann::json& value, std::string pointer, Status& first_failure, Reading reading = Reading::strict)
@@ -36,14 +35,14 @@ class Value {
         tolerant_(reading == Reading::tolerant) {}
 
   void refuse(std::string message, std::string limit = {}, std::string nearest = {}) const;
-  /// Refuses what lies below this value; `path` is a JSON pointer without its first slash.
+  /// Refuses a value below this one; `path` is a JSON pointer without its first slash.
   void refuse_below(const std::string& path, std::string message, std::string limit = {}) const;
 
-  /// Returns whether nothing of the document was refused so far.
+  /// Returns whether nothing in the document has been refused so far.
   bool fine() const { return failure_->ok(); }
   const nlohmann::json& tree() const { return *json_; }
   bool tolerant() const { return tolerant_; }
-  /// A member that is there.
+  /// Returns a member that exists.
   Value member(std::string_view name) const;
 
   double number(Range range) const;
@@ -60,7 +59,7 @@ class Value {
   /// Returns a text that is one of `known`; if tolerant, any text.
   std::string word_of(const std::vector<std::string_view>& known) const;
   template <class E, std::size_t N>
-  E name_of(const std::array<json_names::Name<E>, N>& names) const;  // the first unless it is one of them
+  E name_of(const std::array<json_names::Name<E>, N>& names) const;  // the first if it is none of them
 
  private:
   const nlohmann::json* json_;
@@ -69,18 +68,18 @@ class Value {
   bool tolerant_;
 };
 
-/// A JSON object. The names that are asked for are the known ones; finish() refuses all others.
+/// A JSON object. Names that were asked for are known; finish() refuses all others.
 class Object {
  public:
   explicit Object(const Value& value);
 
   bool has(std::string_view name);
-  /// Calls `read(Value)` when the member is there.
+  /// Calls `read(Value)` if the member exists.
   template <class Read>
   void optional(std::string_view name, Read read) {
     if (has(name)) read(value_.member(name));
   }
-  /// As optional, but refuses when it is missing.
+  /// As optional, but refuses a missing member.
   template <class Read>
   void required(std::string_view name, Read read) {
     if (has(name))
@@ -101,7 +100,7 @@ class Object {
   }
 
   const Value& value() const { return value_; }
-  /// Refuses members that nobody asked for. Call it last.
+  /// Refuses members that were not asked for. Call it last.
   void finish() const;
 
  private:

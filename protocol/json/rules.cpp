@@ -33,7 +33,7 @@ void check_past(const Value& value, const FrameRequest& request) {
     value.refuse_below("progressive", "Only the present revision has progressive pictures.", "without revision");
 }
 
-/// Refuses more than one choice of the knobs: by name, by what they may cost, or by their error.
+/// Refuses more than one way to choose the knobs: by quality, by budget and by error.
 void check_dial(const Value& value, const FrameRequest& request) {
   const bool two_goals = request.budget_ms && request.max_error;
   if (two_goals || (request.plans() && given(value, "quality"))) {
@@ -267,11 +267,11 @@ void check(const Value& value, const ExportRequest& wanted) {
     value.refuse_below("metres_per_unit", "The format says no unit.", "format usda, shells, cards or fields");
 }
 
-// Which members of a command go together.
+// Rules between the members of commands.
 
 namespace {
 
-/// A tool that changes what it touches works under a stroke, or everywhere, and not both.
+/// Refuses a tool that can flood, unless it has either a stroke or a flood.
 template <class Tool>
 void check_reach(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.flood; }) {
@@ -297,7 +297,7 @@ bool are_colours(const std::vector<Field>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), is_colour);
 }
 
-/// Returns whether the tool changes colours alone: only they differ from root to tip.
+/// Returns whether the tool changes colours only; no other field differs from root to tip.
 template <class Tool>
 bool changes_colours_only(const Tool& tool) {
   if constexpr (requires { tool.field; }) return is_colour(tool.field);
@@ -311,7 +311,7 @@ bool changes_colours_only(const Unify& unify) {
 bool names_mask(Field field) { return field == Field::mask; }
 bool names_mask(const std::vector<Field>& fields) { return std::count(fields.begin(), fields.end(), Field::mask) > 0; }
 
-/// Refuses an edit layer where the mask is changed, which belongs to no edit layer.
+/// Refuses an edit layer if the mask is changed, which belongs to no edit layer.
 template <class Tool>
 void check_layer(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.edit_layer; }) {
@@ -324,7 +324,7 @@ void check_layer(const Value& value, const Tool& tool) {
   }
 }
 
-/// Refuses a list of coats that names one twice.
+/// Refuses a list of coats with duplicates or too many names.
 template <class Tool>
 void check_coats(const Value& value, const Tool& tool) {
   if constexpr (requires { tool.edit_layer; }) {

@@ -1,5 +1,5 @@
-// What the list of a struct's members does not say: which of them go together. A rule refuses the value that it was
-// read from; structs without rules pass.
+// Rules about which members of a struct go together, which its list of members does not state. A rule refuses the value
+// that the struct was read from; structs without rules pass.
 #pragma once
 
 #include "protocol/commands/command.h"
@@ -14,7 +14,7 @@
 
 namespace pelage::json_parts {
 
-/// Fills in what follows from the members that were given.
+/// Sets members whose default depends on the members that were given.
 template <class T>
 void settle(const Value&, T&) {}
 void settle(const Value& value, Camera& camera);
@@ -40,7 +40,7 @@ void check(const Value& value, const RenderJob& job);
 
 void check_command(const Value& value, const Command& command);
 
-/// Refuses a number that no UDIM tile has, and any of a list of vertices.
+/// Refuses a number that is no UDIM tile, and any tile of a list of vertices.
 void refuse_tile(const Value& value, int tile, MapEncoding encoding);
 
 /// Refuses a map of the field in an encoding that cannot hold it.

@@ -23,7 +23,7 @@ using json_names::text_of;
 
 Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
 
-/// Whole numbers without a point, floats with the digits that they were written with.
+/// Writes whole numbers without a point, and floats with the fewest digits that identify them.
 Json plain(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
   return value;
@@ -63,7 +63,7 @@ Json list_schema(Json items, Count count) {
   schema["minItems"] = count.min, schema["maxItems"] = count.max;
   return schema;
 }
-/// A tool that can flood takes a stroke or floods, never both.
+/// The rule that a tool takes either a stroke or a flood.
 Json stroke_or_flood() {
   const Json stroke = {{"required", {"stroke"}}, {"properties", {{"flood", {{"const", false}}}}}};
   const Json flood = {{"required", {"flood"}}, {"properties", {{"flood", {{"const", true}}}, {"stroke", false}}}};
@@ -115,7 +115,7 @@ Json describe(Json& all);
 template <>
 Json describe<Command>(Json& all);
 
-/// A struct in each form that it takes on the wire.
+/// Returns a default struct in each form that it has on the wire.
 template <class T>
 std::vector<T> forms() {
   return {T{}};
@@ -134,8 +134,8 @@ std::vector<PickAnswer> forms() {
   return {PickAnswer{}, PickAnswer{.hit = true}};
 }
 
-/// Collects the properties of a struct, and what its members refer to into `all`. The struct that it visits is a
-/// default one: its values are the defaults.
+/// Collects the properties of a struct, and adds the schemas that its members refer to to `all`. The struct that it
+/// visits holds the default values.
 class MemberSchemas {
  public:
   static constexpr bool reads = true;
@@ -143,7 +143,7 @@ class MemberSchemas {
 
   void type(const char* name, const char* words = "") { name_ = name, words_ = words; }
   void answer(const char* name, const char* words = "") { type(name, words), answer_ = true; }
-  bool takes(bool condition) { return condition || !one_form_; }  // else conditions are rules of openapi.yaml
+  bool takes(bool condition) { return condition || !one_form_; }  // otherwise openapi.yaml has the rules
   bool shows(bool) { return true; }
   bool has(const char*, bool condition) { return condition; }
 
@@ -302,7 +302,7 @@ class MemberSchemas {
     add("barycentric", reference("Barycentric"), {}, "");
   }
 
-  /// The schema of the struct; of a command with the word that it has as `op`.
+  /// Returns the schema of the struct; that of a command also has its `op`.
   Json finish(const char* op = nullptr) {
     Json schema = {{"type", "object"}}, required = std::move(required_), properties = std::move(properties_);
     if (op) properties["op"] = {{"const", op}, {"description", "Name of the command."}}, required.push_back("op");
@@ -315,7 +315,7 @@ class MemberSchemas {
   }
   /// Ends a form of the struct; the next one begins with no members.
   void end_form(const char* op = nullptr) { forms_.push_back(finish(op)); }
-  /// Adds the schema of all forms under the struct's name, and refers to it.
+  /// Adds the schema of all forms to `all` under the struct's name, and returns a reference to it.
   Json named() {
     all_[name_] = described(forms_.size() > 1 ? Json{{"oneOf", forms_}} : forms_[0], words_);
     return reference(name_);
@@ -340,8 +340,8 @@ class MemberSchemas {
   }
 
   Json& all_;
-  bool one_form_;        // of several forms, each with a schema
-  bool answer_ = false;  // all members are there, except sparse ones
+  bool one_form_;        // the struct has several forms, each with a schema
+  bool answer_ = false;  // all members are required, except sparse and bare ones
   const char *name_ = "", *words_ = "";
   Json forms_ = Json::array(), properties_ = Json::object(), required_ = Json::array();
 };
@@ -398,7 +398,7 @@ nlohmann::ordered_json schemas() {
   describe<StepsBody>(all), describe<RevisionBody>(all), describe<Subdivide>(all), describe<TurnModel>(all),
       describe<SceneName>(all);
   describe<FrameRequest>(all), describe<PickRequest>(all), describe<RecipeRequest>(all);
-  describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // in the address
+  describe<ImportOptions>(all), describe<EnvironmentUpload>(all), describe<Revisions>(all);  // query parameters
   describe<AtRevision>(all), describe<MapRequest>(all), describe<MapUpload>(all), describe<MeshRequest>(all);
   describe<GuideUpload>(all);
   describe<ExportRequest>(all), describe<ExportAnswer>(all);
@@ -406,7 +406,7 @@ nlohmann::ordered_json schemas() {
   describe<SettingsAnswer>(all);
   describe<Log>(all), describe<SceneEvent>(all), describe<ChangeEvent>(all);
   describe<PickAnswer>(all), describe<RecipeAnswer>(all), describe<PictureAnswer>(all), describe<Problem>(all);
-  describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // in headers
+  describe<FrameEstimate>(all), describe<FrameCounters>(all), describe<TraceReport>(all);  // response headers
   describe<FrameCost>(all), describe<FrameProgressList>(all);
   describe<MapAnswer>(all);
   return all;

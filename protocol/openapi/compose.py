@@ -1,4 +1,4 @@
-"""Puts the schemas of requests and answers and the examples into the contract, as one line of JSON in each folder:
+"""Adds the schemas of requests and answers and the examples to the contract, and writes it as one line of JSON to each folder:
 compose.py CONTRACT.yaml EXAMPLES.yaml SCHEMAS.json FOLDER..."""
 
 import json
@@ -9,7 +9,7 @@ import yaml
 
 
 def merged(contract, schemas):
-    """What the contract says of a made schema is added to it, and may repeat nothing."""
+    """Merges the generated schemas into those of the contract, which may not repeat any of their keys."""
     written = contract["components"]["schemas"]
     for name, schema in schemas.items():
         twice = schema.keys() & written.get(name, {}).keys()
@@ -20,7 +20,7 @@ def merged(contract, schemas):
 
 
 def parameters_of(contract, entry):
-    """Query parameters for the members of a schema: {members: NAME, but: [those that the address has elsewhere]}."""
+    """Query parameters for the members of a schema. `entry`: {members: NAME, but: [members to leave out]}."""
     schema = contract["components"]["schemas"][entry["members"]]
     for name in schema["properties"]:
         if name not in entry.get("but", []):
@@ -50,7 +50,7 @@ def first_sentence(text):
 
 
 def with_examples(contract, examples):
-    """Commands get theirs as examples of the request that runs them, other schemas and requests their own."""
+    """Adds the examples: of commands to the request that runs them, of other schemas and requests to these themselves."""
     schemas, operations = contract["components"]["schemas"], examples["operations"]
     commands = {name.rsplit("/", 1)[1]: op for op, name in schemas["Command"]["discriminator"]["mapping"].items()}
     operations["runCommands"]["commands"] = {}
@@ -82,7 +82,7 @@ def add_example(operation, parameters, example):
         elif "body" in example:
             media["example"] = example["body"]
         elif "file" in example:
-            # Not `externalValue`, which programs that bundle contracts look for in their own file system.
+            # Not `externalValue`: programs that bundle contracts would look for that file in their own file system.
             address = f"/docs/{example['file']}"
             media["examples"] = {"file": {"summary": f"A small file that the server has at {address}.", "value": f"(the bytes of {address})", "x-file": address}}
 

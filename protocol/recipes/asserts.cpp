@@ -26,7 +26,7 @@ Result<TouchLimits> limits_in(const json& value) {
   return limits;
 }
 
-/// Takes the assert of a command, if it has one.
+/// Moves the assert of a command, if it has one, to `asserts`.
 Status take_assert(json& command, std::size_t number, const std::string& pointer, std::vector<TouchLimits>& asserts) {
   if (!command.is_object() || !command.contains("assert")) return {};
   Result<TouchLimits> limits = limits_in(command["assert"]);

@@ -1,4 +1,4 @@
-// What a recipe says that its commands have to touch.
+// The asserts of a recipe: how many vertices its commands have to touch.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,8 @@
 
 namespace pelage::json_parts {
 
-/// Takes {"assert": {"min_vertices": 1, "max_vertices": 900}} from the step, or from each command of its batch. Refused
-/// (invalid, the pointer within the step) where it is no such thing.
+/// Removes {"assert": {"min_vertices": 1, "max_vertices": 900}} from the step, or from each command of its batch, and
+/// returns the limits. Refuses (invalid, the pointer within the step) a malformed assert.
 Result<std::vector<TouchLimits>> take_asserts(nlohmann::json& step);
 
 }  // namespace pelage::json_parts

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* step_kinds = "op | commands | use | pick | for | comment";
 
-/// The step without its comment, which is not sent.
+/// Returns the step without its comment, which is not sent.
 json without_comment(const json& step) {
   json rest = json::object();
   for (const auto& [name, member] : step.items())
@@ -79,7 +79,7 @@ void Expander::loop(const json& step, Scope& scope, const std::string& pointer) 
 }
 
 void Expander::run_loop(const json& lists, const json& steps, Scope& scope, const std::string& pointer) {
-  json hidden = json::object();  // values of the same names outside the loop
+  json hidden = json::object();  // values that the loop's variables hide
   for (const auto& [name, list] : lists.items())
     if (scope.given.contains(name)) hidden[name] = scope.given[name];
   for (std::size_t k = 0; k < lists.front().size() && filler_.status().ok(); ++k) {
@@ -142,7 +142,7 @@ void Expander::use(const json& step, Scope& scope, const std::string& pointer) {
   --uses_;
 }
 
-/// Returns whether the file that is used has every variable that is given.
+/// Returns whether the used file has every variable that is given; refuses one that it lacks.
 bool Expander::knows_all(const Scope& inner, const Scope& outer, const std::string& pointer) {
   for (const auto& item : inner.given.items()) {
     if (inner.file.variables.contains(item.key())) continue;

@@ -1,4 +1,4 @@
-// From the steps of a recipe, which may be loops, picks and uses of other files, to the steps that are sent.
+// Expands the steps of a recipe, which may be loops, picks and uses of other files, to the steps that are sent.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace pelage::json_parts {
 
-/// Goes through the steps of a file and of those that it uses, in their order. Picks are made as they come.
+/// Expands the steps of a file and of the files that it uses, in order. Picks are made as they come.
 class Expander {
  public:
-  /// `places` by their names, as shares of the box.
+  /// `places`: positions by name, as shares of the model's box, and sizes by name.
   Expander(const RecipeScene& scene, const nlohmann::json& places)
       : scene_(scene), places_(places), filler_(scene.box) {}
 
@@ -27,7 +27,7 @@ class Expander {
   Result<nlohmann::json> picked(const nlohmann::json& request);
   void use(const nlohmann::json& step, Scope& scope, const std::string& pointer);
   bool knows_all(const Scope& inner, const Scope& outer, const std::string& pointer);
-  /// Refuses members of a step that are not of these names and types.
+  /// Returns whether the step has just these members, of these types (a comment is allowed); refuses it otherwise.
   bool has_only(const nlohmann::json& step, const std::map<std::string, nlohmann::json::value_t>& known,
                 const std::string& message, const Scope& scope, const std::string& pointer);
 
@@ -35,7 +35,7 @@ class Expander {
   const nlohmann::json& places_;
   Filler filler_;
   std::size_t count_ = 0, picks_ = 0;
-  int uses_ = 0;  // that are open
+  int uses_ = 0;  // depth of nested uses
   std::vector<FilledStep> steps_;
 };
 

@@ -79,7 +79,7 @@ class Parser {
     return value ? *value : 0;
   }
 
-  /// The next character that is no blank; 0 at the end and after a refusal.
+  /// Skips blanks and returns the next character; 0 at the end and after a refusal.
   char next() {
     if (!status_.ok()) rest_ = {};
     rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));

@@ -1,4 +1,4 @@
-// Sums and products of numbers, as recipes write them: "fur * 0.5", "-(a + b) / 2".
+// Arithmetic expressions in recipes: "fur * 0.5", "-(a + b) / 2".
 #pragma once
 
 #include <functional>
@@ -12,8 +12,9 @@ namespace pelage {
 /// Returns whether a text is an expression, and not the name of a variable.
 bool is_expression(std::string_view text);
 
-/// + - * / and parentheses over numbers and names: letters, digits, _ and dots. Refused (invalid, without a pointer)
-/// where it is no such thing, deeper than 32 or not finite, and as `value_of` refuses.
+/// Evaluates + - * / and parentheses over numbers and names, which are of letters, digits, _ and dots. Refuses
+/// (invalid, without a pointer) anything else, nesting deeper than 32 and results that are not finite, and what
+/// `value_of` refuses.
 Result<double> evaluate(std::string_view text, const std::function<Result<double>(const std::string& name)>& value_of);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t bytes_per_value = 16;             // of a text
+constexpr std::size_t bytes_per_value = 16;             // bytes of text that count as one value
 constexpr double max_exact_integer = 9007199254740992;  // 2^53
 
 /// {"at": [...]} or {"at": [...], "by": [...]}. A colour ramp has an `at` too, which is a number.
@@ -123,7 +123,7 @@ json Filler::expression(const std::string& text, const Scope& scope, const std::
                 "+ - * / ( ) of numbers and variables");
 }
 
-/// A value that is filled in already counts as often as it is copied.
+/// Counts a value that is filled in already, each time that it is copied.
 json Filler::count(const json& value, const Scope& scope, const std::string& pointer) {
   values_ += 1 + (value.is_primitive() && !value.is_string()
                       ? 0

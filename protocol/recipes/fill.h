@@ -1,4 +1,4 @@
-// Variables, expressions and places of a recipe's steps, filled in.
+// Fills in the variables, expressions and places of a recipe's steps.
 #pragma once
 
 #include <map>
@@ -19,8 +19,8 @@ struct Scope {
 
 std::string dumped(const nlohmann::json& value);
 
-/// A copy of values with variables and places filled in; places are shares of `box`. The first refusal is kept; after
-/// it copies are empty.
+/// Copies values with variables and places filled in; places are shares of `box`. Keeps the first refusal; after it
+/// copies are empty.
 class Filler {
  public:
   explicit Filler(const Bounds& box) : box_(box) {}
@@ -31,10 +31,10 @@ class Filler {
   /// Refuses what stands at the pointer within the scope's file.
   nlohmann::json refuse(const Scope& scope, const std::string& message, const std::string& pointer, std::string limit,
                         std::string nearest = {});
-  /// The same for the reason that the scene or the decoder gave.
+  /// The same with the refusal of the scene or the decoder.
   void refuse(const Scope& scope, const std::string& pointer, const Status& why);
 
-  /// Model coordinates of shares of the box, and back.
+  /// Converts shares of the box to model coordinates, and back.
   nlohmann::json position_at(const nlohmann::json& shares) const;
   nlohmann::json shares_of(const nlohmann::json& position) const;
 

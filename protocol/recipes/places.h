@@ -8,11 +8,11 @@
 
 namespace pelage::json_parts {
 
-/// [x, y, z]
+/// Returns whether the value is a list of three numbers.
 bool is_triple(const nlohmann::json& value);
 
-/// Refuses (invalid) what is no object of places, three shares of the model's box, and sizes, numbers. `pointer` leads
-/// to the object.
+/// Refuses (invalid) anything but an object of places (three shares of the model's box) and sizes (numbers). `pointer`
+/// leads to the object.
 Status check_places(const nlohmann::json& places, const std::string& pointer);
 
 }  // namespace pelage::json_parts

@@ -17,7 +17,7 @@ using json_parts::RecipeFile;
 using json_parts::Scope;
 using nlohmann::json;
 
-/// An object of the request; without one, an empty object.
+/// Parses an object of the request; an empty text is an empty object.
 Result<json> object_in(const std::string& text, const std::string& pointer) {
   if (text.empty()) return json(json::object());
   Result<json> tree = parse_json(text);
@@ -25,7 +25,7 @@ Result<json> object_in(const std::string& text, const std::string& pointer) {
   return failure(Code::invalid, "It is no object.", pointer, "object");
 }
 
-/// Puts the values that the request gives in the place of the recipe's own.
+/// Puts the values of the request in place of the recipe's own.
 Status set_variables(const json& variables, Scope& scope) {
   for (const auto& [name, value] : variables.items()) {
     if (!scope.file.variables.contains(name))
@@ -37,7 +37,7 @@ Status set_variables(const json& variables, Scope& scope) {
   return {};
 }
 
-/// The commands of a step, as POST commands takes them.
+/// Decodes the commands of a step as POST commands does.
 Result<std::vector<Command>> commands_of(const FilledStep& step) {
   if (step.text.size() <= limits::command_body_bytes) return decode_commands(step.text);
   return failure(Code::too_large, "The step has " + std::to_string(step.text.size()) + " bytes.", "",

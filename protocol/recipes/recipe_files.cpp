@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Members that a recipe may have, each of its type.
+/// Refuses members that a recipe does not have or that are of another type, and a recipe without steps.
 Status check_members(const RecipeFile& file, const json& tree) {
   if (!tree.is_object()) return refused_in(file, "A recipe is a JSON object.", "", "object");
   static const std::map<std::string, json::value_t> known = {{"description", json::value_t::string},

@@ -12,24 +12,24 @@
 namespace pelage::json_parts {
 
 struct RecipeFile {
-  std::string name;     // as in refusals
-  std::string pointer;  // to it, within the request
+  std::string name;     // name in refusals
+  std::string pointer;  // JSON pointer to the file, within the request
   nlohmann::json variables = nlohmann::json::object();
   nlohmann::json steps = nlohmann::json::array();
-  std::map<std::string, const RecipeFile*> includes;  // by what `use` calls them
+  std::map<std::string, const RecipeFile*> includes;  // by the names that `use` has for them
 };
 
-/// A refusal that names the file; `pointer` is one within the file.
+/// Returns a refusal that names the file; `pointer` is one within the file.
 Status refused_in(const RecipeFile& file, const std::string& message, const std::string& pointer,
                   std::string limit = {}, std::string nearest = {});
 
-/// The name of a file that another one includes, from the folder of the one.
+/// Returns the name of a file that `file` includes, from the name that is relative to its folder.
 std::string beside(const std::string& file, const std::string& included);
 
-/// The names of an object's members, valid as long as it.
+/// Returns the names of an object's members, valid as long as the object.
 std::vector<std::string_view> names_of(const nlohmann::json& object);
 
-/// Reads a recipe and all that it includes, each file once. Keeps what it read. `files` are documents by name.
+/// Reads a recipe and all that it includes, each file once, and keeps what it has read. `files` are documents by name.
 class RecipeReader {
  public:
   explicit RecipeReader(const nlohmann::json& files) : documents_(files) {}
@@ -45,8 +45,8 @@ class RecipeReader {
   Result<const RecipeFile*> included(const RecipeFile& from, const std::string& name, const std::string& pointer);
 
   const nlohmann::json& documents_;
-  std::deque<RecipeFile> files_;                      // references stay
-  std::map<std::string, const RecipeFile*> by_name_;  // those that are read to their end
+  std::deque<RecipeFile> files_;                      // a deque, so that references stay valid
+  std::map<std::string, const RecipeFile*> by_name_;  // files that have been read completely
   std::vector<std::string> open_;                     // the files that are being read, each including the next
 };
 

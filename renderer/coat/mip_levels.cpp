@@ -29,14 +29,14 @@ std::size_t at(int x, int y, int texels) {
 /// Returns the opacity of an optical depth at 60 degrees to the stack.
 float opacity(float depth) { return depth > 0 ? -std::expm1(-2 * depth) : 0.0f; }
 
-/// Returns how much of the light in a coarse texel is the mean with its gaps, which are brighter than its strands: of
-/// tight clumps, such as wet ones, one sees the outside.
+/// Returns the weight of the plain mean in the light of a coarse texel (light_of). It includes the gaps, which are
+/// brighter than the strands: of tight clumps, such as wet ones, mostly the outside is visible.
 float seen_from_outside(const Coat& coat) {
   return static_cast<float>(0.6 * glm::mix(coat.clump, 1.0, water_gathers * coat.wetness));
 }
 
-/// Returns the light of four texels: a mix of their mean weighted by strands and of their plain mean, which is what is
-/// seen of clumps from outside.
+/// Returns the light of four texels: a mix of their mean weighted by opacity and, with the weight `outside`, their
+/// plain mean.
 float light_of(const std::array<const SliceTexel*, 4>& parts, float outside) {
   const float first = parts[0]->light;
   if (std::all_of(parts.begin(), parts.end(), [&](const SliceTexel* part) { return part->light == first; }))
@@ -50,11 +50,11 @@ float light_of(const std::array<const SliceTexel*, 4>& parts, float outside) {
 }
 
 constexpr double slants[] = {0, 1.7320508, 0.57735027, 3.7320508};  // tangents of the angles of depth_scale
-constexpr int rays_of_tile = 64;                                    // on a side, at most
-constexpr double min_let_through = 0.002;                           // of rays: less says nothing about a slice
-constexpr float opaque_depth = 12;                                  // of a slice; more is not told apart
+constexpr int rays_of_tile = 64;                                    // rays along a side of the tile, at most
+constexpr double min_let_through = 0.002;                           // share of rays below which a slice is not matched
+constexpr float opaque_depth = 12;                                  // optical depth of a slice that counts as opaque
 
-/// Finds the factor at which a falling function has the value `wanted`, by bisection in its logarithm (base 2), from
+/// Finds the factor at which a decreasing function has the value `wanted`, by bisection of its base-2 logarithm from
 /// `low` to `high`.
 template <typename Falling>
 double bisect(double low, double high, int steps, double wanted, const Falling& value) {
@@ -65,11 +65,11 @@ double bisect(double low, double high, int steps, double wanted, const Falling& 
   return std::exp2((low + high) / 2);
 }
 
-/// Factors on the depths of each slice: a stack is matched without being copied.
+/// Factors on the depths of each slice; they avoid copies of the stack.
 using Factors = std::vector<float>;
 
-/// Where a ray passes between four texels: pixels lie anywhere on them, so the k-th of the rays is k steps further, by
-/// fractions that fill the square evenly (Roberts 2018, R2 sequence).
+/// Returns the offset of ray k within its texel, in [0, 1)^2. Pixels lie anywhere on texels, so the offsets fill the
+/// square evenly (R2 sequence, Roberts 2018).
 glm::dvec2 between_texels(std::size_t k) {
   const auto part = [&](double step) {
     const double far = 0.5 + step * static_cast<double>(k);
@@ -78,8 +78,8 @@ glm::dvec2 between_texels(std::size_t k) {
   return {part(0.7548776662466927), part(0.5698402909980532)};
 }
 
-/// Returns the optical depth as the filter of the shader reads it: thin strands are spread over four texels, and so
-/// occlude more.
+/// Returns the optical depth at a position, in texels, as the shader's bilinear filter reads it: thin strands are
+/// spread over four texels, and so occlude more.
 double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dvec2 place) {
   const glm::ivec2 low(glm::floor(place));
   const glm::dvec2 part = place - glm::dvec2(low);
@@ -87,7 +87,7 @@ double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dve
   return glm::mix(glm::mix(depth(0, 0), depth(1, 0), part.x), glm::mix(depth(0, 1), depth(1, 1), part.x), part.y);
 }
 
-/// Rays by their number and their place on the tile, texels.
+/// Calls `use` with the number and the tile position, in texels, of each ray.
 template <typename Use>
 void for_rays(int texels, const Use& use) {
   const int stride = std::max(1, texels / rays_of_tile);
@@ -109,8 +109,8 @@ std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors
   return depths;
 }
 
-/// Returns the scale at which the whole stack has the mean transmittance `wanted`; bisection in the logarithm, as it is
-/// monotone.
+/// Returns the scale at which the whole stack has the mean transmittance `wanted`. Bisection works, because
+/// transmittance falls with the scale.
 double matching_scale(const Stack& stack, const Factors& factors, int texels, double wanted) {
   const std::vector<double> depths = depths_of_columns(stack, factors, texels);
   return bisect(-12, 6, 24, wanted, [&](double scale) {
@@ -120,7 +120,7 @@ double matching_scale(const Stack& stack, const Factors& factors, int texels, do
   });
 }
 
-/// Depths of one slice along rays that enter it `shift` texels further for each slice above the first.
+/// Returns the optical depths of one slice along rays that move by `shift` texels from slice to slice.
 std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texels, double shift, std::size_t index) {
   const int parts = std::clamp(static_cast<int>(std::ceil(shift)), 1, 4);
   std::vector<double> depths;
@@ -135,8 +135,7 @@ std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texel
   return depths;
 }
 
-/// Rays on their path down the stack, at 60 degrees: the optical depth that they have passed, and that of a slice along
-/// them.
+/// Rays on their way down the stack at 60 degrees: the optical depth behind them, and that of the current slice.
 struct SlantedRays {
   std::vector<double> reached, here;
 
@@ -148,8 +147,8 @@ struct SlantedRays {
     return sum / static_cast<double>(here.size());
   }
 
-  /// The uncertainty for this number of rays: half of their standard error, because evenly spread rays err less than
-  /// random ones.
+  /// Returns the uncertainty of let_through for this number of rays: half of their standard error, because evenly
+  /// spread rays have less error than random ones.
   double uncertainty(double factor) const {
     const double mean = let_through(factor);
     double squares = 0;
@@ -157,9 +156,9 @@ struct SlantedRays {
     return 0.5 * std::sqrt(squares) / static_cast<double>(here.size());
   }
 
-  /// Returns the factor within an octave of `last` (any for the first slice that holds something) at which about the
-  /// share `wanted` of the rays gets past. It differs from `last` only as far as the uncertainty of the rays allows:
-  /// deep in wide strands most are stopped already, and the factor that the others need would swing from slice to
+  /// Returns the factor at which about the share `wanted` of the rays gets past; within a factor of 2 of `last`, or any
+  /// for the first slice with strands. It differs from `last` only if the rays' uncertainty cannot explain the
+  /// difference: deep in fur of wide strands few rays are left, and an exact factor for them would swing from slice to
   /// slice.
   double match(double wanted, std::optional<double> last) const {
     const double as_last = let_through(last.value_or(1)), unknown = last ? uncertainty(*last) : 0;
@@ -171,9 +170,9 @@ struct SlantedRays {
   }
 };
 
-/// Returns factors at which, at 60 degrees, as many rays get past each slice, and all that lie above, as get past the
-/// strands. A mean over the whole stack would not do: in dense fur it is the mean of the widest gaps alone, and a stack
-/// that keeps it is far too thin at the tips, which are what one sees.
+/// Returns factors at which, at 60 degrees, the transmittance of each slice and all slices above it matches that of the
+/// strands. Matching only the mean over the whole stack fails: in dense fur that mean comes from the widest gaps alone,
+/// and a stack that preserves it is far too transparent at the tips, which are the visible part.
 Factors match_slices(const Stack& stack, int texels, double shift, const std::array<double, slice_count>& wanted) {
   SlantedRays rays;
   std::optional<double> factor;
@@ -189,8 +188,8 @@ Factors match_slices(const Stack& stack, int texels, double shift, const std::ar
   return factors;
 }
 
-/// Returns the scale on the depths of matched slices at which slanted rays reach as deep on average as between the
-/// strands: their transmittance, averaged over the slices, is `wanted`.
+/// Returns the scale on the depths of matched slices at which the transmittance of slanted rays, averaged over the
+/// slices, is `wanted`: they reach as deep as between the strands.
 double reaching_scale(const Stack& stack, const Factors& factors, int texels, double shift, double wanted) {
   std::vector<std::vector<double>> depths;
   for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -221,7 +220,7 @@ double fit_to_bytes(const Stack& stack, Factors& factors) {
 
 std::uint8_t byte(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5); }
 
-/// What a texel's strand looks like, whatever light and depth it has.
+/// The slope and colour of a texel in stored form.
 struct Look {
   std::array<std::uint8_t, 2> slope;
   std::array<std::uint8_t, 4> colour;
@@ -266,7 +265,7 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   return level;
 }
 
-using LetThrough = std::array<std::array<double, slice_count>, 4>;  // by slants
+using LetThrough = std::array<std::array<double, slice_count>, 4>;  // for each of `slants`, then for each slice
 
 /// Returns a slice of `texels` a side at half the resolution.
 std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
@@ -295,7 +294,7 @@ Stack halved_stack(const Coat& coat, const Stack& stack, int texels) {
 
 SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
   const double across =
-      nominal_length / slice_count / coat.tile * texels;  // for each slice of a ray at 45 degrees, in texels
+      nominal_length / slice_count / coat.tile * texels;  // texels that a ray at 45 degrees moves for each slice
   Factors factors = match_slices(stack, texels, slants[1] * across, open[1]);
   const double scale = fit_to_bytes(stack, factors);
   SliceLevel level = pack(stack, factors, texels);
@@ -316,8 +315,8 @@ StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands
   for (std::size_t i = slice_count; i-- > 0;) {
     for (std::size_t k = 0; k < above.size(); ++k) above[k] += 0.5 * crossings[i][k];
     const double mean = mean_of(above);
-    // Light comes from all sides, so a place between clumps lies half under what is straight above it and half under
-    // the mean.
+    // Light comes from all sides, so a position between clumps is half under the strands straight above it and half
+    // under the mean.
     for (const double here : above)
       result.cells[i].push_back(static_cast<float>(std::exp(-(0.5 * mean + 0.5 * here) / stored_light)));
     result.depth_above[i] = static_cast<float>(mean);

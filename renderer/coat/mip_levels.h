@@ -1,4 +1,4 @@
-// From a stack of full-size slices to all levels, ready for the GPU.
+// Builds all mip levels of a coat's slices from the full-size ones, ready for the GPU.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// A texel while baking. Slope and colour are weighted by depth, so that sums and means are right.
+/// A texel during baking. Slope and colour are premultiplied by depth, so that sums and means of texels are correct.
 struct SliceTexel {
   float depth = 0;
   glm::vec2 slope{0};
@@ -19,7 +19,7 @@ struct SliceTexel {
   float light = 0;
 
   void add(const SliceTexel& other) {
-    if (other.depth > depth * 0.5f) number = other.number;  // the number cannot be mixed: the thickest strand keeps it
+    if (other.depth > depth * 0.5f) number = other.number;  // numbers cannot be averaged: the thickest strand's wins
     depth += other.depth;
     slope += other.slope;
     colour += other.colour;
@@ -27,14 +27,14 @@ struct SliceTexel {
   }
 };
 
-/// Light from above on the cells of each slice, and the strands above it (Slices::depth_above).
+/// Light from above on the cells of each slice, and the number of strands above it (Slices::depth_above).
 struct StackLight {
   std::array<std::vector<float>, slice_count> cells;  // crossing_cells^2, x fastest
   std::array<float, slice_count> depth_above{};
 };
 StackLight light_from_above(const Coat& coat, const std::vector<Strand>& strands);
 
-/// Puts it into the texels of a full-size slice.
+/// Writes the light of one slice's cells into the texels of the full-size slice.
 void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice);
 
 /// Builds all levels. `stack` has slice_count full-size slices of these strands.

@@ -14,10 +14,10 @@ namespace pelage {
 
 namespace {
 
-// Mean number of discs over each texel at which a slice is opaque: each adds a depth of 5.8, and no more than
+// Mean number of discs over each texel at which a slice counts as opaque: each adds a depth of 5.8, and no more than
 // stored_depth is stored.
 constexpr double opaque_cover = 16;
-const double max_depth = -std::log1p(-0.997);  // of one disc
+const double max_depth = -std::log1p(-0.997);  // optical depth of one disc
 
 /// One strand's cross-section at a slice's height.
 struct Sprite {
@@ -30,7 +30,7 @@ struct Sprite {
 
 int wrap(int i) { return i & (slice_texels - 1); }
 
-/// The share of a texel that a disc covers, falling softly from the rim; thinner than a texel it keeps its area.
+/// Returns the share of a texel that a disc covers, with a soft rim; a disc thinner than a texel keeps its area.
 double coverage(double distance, double radius) {
   const double reach = std::max(radius, 0.5);
   const double share = std::min(1.0, (radius * radius) / (reach * reach));
@@ -57,17 +57,17 @@ Sprite cross_section(const Coat& coat, const Strand& strand, double s) {
   const auto slope_of = [&](auto offset) {
     return (offset(coat, strand, high) - offset(coat, strand, low)) / ((high - low) * strand.length_share);
   };
-  // A film of water shines along the clump as a whole, whichever way its strands went to join it.
+  // A film of water shines along the clump as a whole, not along the strands that bend towards it.
   const glm::dvec2 slope = glm::mix(slope_of(strand_offset), slope_of(free_offset), coat.wetness);
   const double to_texels = slice_texels / coat.tile;
   const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
   return {(strand.root + strand_offset(coat, strand, q)) * to_texels,
-          std::min(radius * to_texels, double{slice_texels}),  // then it covers the whole tile
+          std::min(radius * to_texels, double{slice_texels}),  // at this radius it covers the whole tile
           glm::vec2(slope), strand_colour(coat, strand, q), static_cast<float>(strand.number)};
 }
 
-/// Bakes a slice. It stops at opaque_cover: any first part of the strands covers the tile evenly (strand_tile.cpp), and
-/// all of the widest strands would take days.
+/// Bakes a slice. Stops at opaque_cover: any prefix of the strands covers the tile evenly (strand_tile.cpp), and all of
+/// the widest strands would take days.
 std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& strands, int index) {
   std::vector<SliceTexel> slice(slice_texels * slice_texels);
   const double s = (index + 0.5) / slice_count;
@@ -75,7 +75,7 @@ std::vector<SliceTexel> bake_slice(const Coat& coat, const std::vector<Strand>& 
   for (const Strand& strand : strands) {
     if (cover > opaque_cover) break;
     const double inside =
-        (strand.length_share - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
+        (strand.length_share - s) * slice_count + 0.5;  // part of the slab that the strand reaches into
     if (inside <= 0) continue;
     Sprite sprite = cross_section(coat, strand, s);
     sprite.radius *= std::min(1.0, inside);
@@ -91,8 +91,8 @@ Slices bake_slices(const Coat& coat, const std::function<bool()>& go_on) {
   const std::vector<Strand> strands = make_strands(coat);
   const StackLight light = light_from_above(coat, strands);
   std::vector<std::vector<SliceTexel>> stack(slice_count);
-  std::atomic<bool> stopped = false;  // whatever `go_on` says later: a slice is missing then
-  // Slices do not depend on each other, so the split changes no bit. Two threads: others draw meanwhile.
+  std::atomic<bool> stopped = false;  // stays true whatever `go_on` returns later, because a slice is missing
+  // Slices are independent, so the number of threads changes no bit. Two threads leave the other cores to drawing.
   for_each_in_parallel(
       slice_count,
       [&](std::uint32_t i) {
@@ -116,7 +116,7 @@ std::shared_ptr<const Slices> bake_here(const Coat& coat) { return std::make_sha
 
 namespace {
 
-/// Texels of all slices of the first levels.
+/// Returns the number of texels of all slices of the first levels.
 std::size_t texels_of(int levels) {
   std::size_t texels = 0;
   for (std::size_t level = 0, side = slice_texels; level < static_cast<std::size_t>(levels); ++level, side /= 2)

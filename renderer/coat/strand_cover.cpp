@@ -10,14 +10,14 @@ namespace pelage {
 namespace {
 
 constexpr int ray_side = 512;      // rays on a side of the tile; a power of 2
-constexpr int parts_of_slice = 2;  // of one radius each
+constexpr int parts_of_slice = 2;  // each with a constant radius
 constexpr double crossed_slice = nominal_length / slice_count;
 
 double radius_at(const Coat& coat, const Strand& strand, double q) {
   return 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
 }
 
-/// A strand's offset from its root between two heights.
+/// The part of a strand in a slice, by the offsets from its root.
 struct Stretch {
   double low = 0, high = 0;  // along the strand, [0, 1]
   glm::dvec2 from{0}, to{0};
@@ -31,13 +31,13 @@ Stretch stretch_of(const Coat& coat, const Strand& strand, int slice) {
   return {low, high, strand_offset(coat, strand, low), strand_offset(coat, strand, high)};
 }
 
-/// Rays by their place on the tile at the height 0, and how many of them nothing has stopped.
+/// Rays, indexed by their tile position at the height 0: 1 for those that nothing has stopped, and their number.
 struct Rays {
   std::vector<std::uint8_t> open = std::vector<std::uint8_t>(ray_side * ray_side, 1);
   int left = ray_side * ray_side;
 
-  /// Stops the rays that a disc hits as it moves from one position to another: slanted rays would pass between the
-  /// discs of thin strands that stand still.
+  /// Stops the rays that a disc hits while it moves from one position to another: slanted rays would slip between the
+  /// fixed discs of thin strands.
   void stop(glm::dvec2 from, glm::dvec2 to, double radius) {
     const glm::dvec2 way = to - from;
     const double square = std::max(glm::dot(way, way), 1e-12);
@@ -61,7 +61,7 @@ void cut_slice(const Coat& coat, const std::vector<Strand>& strands, int slice, 
   for (const Strand& strand : strands) {
     if (rays.left == 0) return;
     const Stretch stretch = stretch_of(coat, strand, slice);
-    const auto among_rays = [&](double at) {  // how far into the slice, [0, 1]
+    const auto among_rays = [&](double at) {  // `at`: height within the slice, [0, 1]
       const double s = (slice + at) / slice_count, q = s / strand.length_share;
       return (strand.root + stretch.at(q) - glm::dvec2(tangent * nominal_length * s, 0)) * to_rays;
     };

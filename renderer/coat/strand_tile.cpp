@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-/// `cell` and the clump's centre are counted in cells.
+/// Makes the clump of a cell. `cell` is in cells, `cell_side` and the clump's centre are in sizes.
 StrandClump make_clump(glm::dvec2 cell, double cell_side, Random& random) {
   const glm::dvec2 jitter(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
   const double angle = random.uniform(0, 2 * std::numbers::pi), reach = random.uniform();
@@ -77,15 +77,15 @@ constexpr double turn = 2 * std::numbers::pi;
 
 glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Returns a root's position. Roots lie evenly but not regularly for any count: the R2 low-discrepancy sequence
-/// (Roberts 2018), which fits a torus, with jitter.
+/// Returns a root's position. Roots are evenly but not regularly spread for any count: the R2 low-discrepancy sequence
+/// (Roberts 2018), which is periodic as the tile is, with jitter.
 glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
   const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
   const glm::dvec2 jitter(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
   return glm::fract(step * (index + 1.0) + jitter / std::sqrt(static_cast<double>(coat.count))) * coat.tile;
 }
 
-/// Clumps of the coat: what is not used is not made. Water draws strands together.
+/// The clump grids of a coat; unused ones are not made. Water gathers strands.
 struct Clumps {
   explicit Clumps(const Coat& coat)
       : gather(glm::mix(coat.clump, 1.0, water_gathers * coat.wetness)),
@@ -99,8 +99,8 @@ struct Clumps {
   std::optional<ClumpGrid> fine, lodged;
 };
 
-/// The tangent of the angle from the normal to which the lodged patch around `place` presses its strands: full in the
-/// patch's middle, 0 at its edge. A third of the patches stand upright.
+/// Returns the tangent of the angle from the normal by which the lodged patch around `place` presses its strands: full
+/// in the patch's middle, 0 at its edge. A third of the patches stand upright.
 glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
   const StrandClump patch = patches.nearest(place);
   const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
@@ -108,22 +108,23 @@ glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place)
   return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (1.8 * coat.lodge * weight);
 }
 
-/// Heading, wave and extra bow of one strand. They have random numbers of their own, so that strands without them stay.
+/// Adds heading, wave and extra bow to a strand. They have their own random numbers, so that strands without them do
+/// not change.
 void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump, Random& random, Strand& strand) {
   const double straggle = random.uniform(0, turn), bow = random.uniform(0, turn), amount = random.uniform(0.2, 1);
   glm::dvec2 tangent = unit(straggle) * (coat.mess * amount);
   if (clumps.lodged) tangent += lodging(coat, *clumps.lodged, strand.root);
-  const double upright = 1 / std::sqrt(1 + glm::dot(tangent, tangent));  // cosine: what leans reaches less high
+  const double upright = 1 / std::sqrt(1 + glm::dot(tangent, tangent));  // cosine; leaning strands reach less high
   strand.heading = tangent * (nominal_length * upright);
   strand.bow += unit(bow) * (coat.mess * amount * nominal_length);
   strand.length_share = std::max(0.02, strand.length_share * upright);
-  // The strands of a tuft swing nearly together, or waves would not be seen.
+  // The strands of a clump wave nearly in phase, or waves would not be visible.
   const double swing = std::atan2(clump.bow.y, clump.bow.x) + random.uniform(-0.35, 0.35);
   strand.wave = unit(swing) * (coat.wave * nominal_length * random.uniform(0.8, 1.2));
   strand.wave_phase = turn * clump.lightness + random.uniform(-0.5, 0.5);
 }
 
-/// Makes a strand one of the undercoat or an odd hair, by chance.
+/// Makes a strand part of the undercoat or of the ticking, by chance.
 void add_kind(const Coat& coat, Random& random, Strand& strand) {
   const bool under = random.uniform() < coat.undercoat.share, odd = random.uniform() < coat.ticking.share;
   if (under) {
@@ -150,7 +151,7 @@ std::vector<Strand> make_strands(const Coat& coat) {
     Strand strand;
     strand.root = root_place(coat, i, random);
     const StrandClump lock = clumps.fine ? clumps.fine->nearest(strand.root) : StrandClump{.centre = strand.root};
-    const StrandClump clump = clumps.coarse.nearest(lock.centre);  // a lock goes as a whole to one clump
+    const StrandClump clump = clumps.coarse.nearest(lock.centre);  // a whole lock belongs to one clump
     const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = clumps.gather;
     strand.fine_clump = lock.centre - strand.root;
     strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);
@@ -189,7 +190,7 @@ double winding(const Coat& coat) {
 
 glm::dvec2 strand_offset(const Coat& coat, const Strand& strand, double q) {
   const double rise = q * std::sqrt(q);
-  // Wet strands meet early and then go on together.
+  // Wet strands join close to the root and then run together.
   const double early = glm::mix(rise, q * (2 - q), 0.35 * coat.wetness);
   const double gather = glm::mix(coat.clump, 1.0, water_gathers * coat.wetness) * early;
   const glm::dvec2 to_lock = strand.fine_clump * (coat.fine_clump * rise);

@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-/// Linear RGB to XYZ over the XYZ of white: each row sums to 1. GLM wants columns.
+/// Returns the matrix from linear RGB to XYZ relative to white: each row sums to 1. GLM stores columns.
 glm::dmat3 white_relative() {
   const glm::dmat3 rows(glm::dvec3(10135552, 8788810, 4435075) / 24577794.0,
                         glm::dvec3(2613072, 8788810, 887015) / 12288897.0,
@@ -65,7 +65,7 @@ Mask mask_of(const FloatImage& image, Inside inside) {
   return mask;
 }
 
-/// For each pixel how far along its row the nearest pixel of this side is; `far` where there is none within reach.
+/// Returns for each pixel the distance along its row to the nearest pixel of this side, at most `far`.
 std::vector<int> row_distances(const Mask& mask, std::uint8_t side, int far) {
   std::vector<int> distances(mask.inside.size());
   const std::size_t width = static_cast<std::size_t>(mask.width);
@@ -89,7 +89,7 @@ std::vector<int> row_distances(const Mask& mask, std::uint8_t side, int far) {
 std::size_t Mask::count() const { return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), 1)); }
 
 Mask alpha_mask(const FloatImage& image) {
-  constexpr float min = 0.999f / 255;  // a rounded 1/255 counts
+  constexpr float min = 0.999f / 255;  // includes a rounded 1/255
   return mask_of(image, [](const float* rgba) { return rgba[3] >= min; });
 }
 
@@ -128,7 +128,7 @@ Mask silhouette_band(const Mask& mask, double pixels) {
 
 namespace {
 
-/// sRGB at tenths: a least squares fit of straight lines to magma.
+/// sRGB at steps of a tenth: a least-squares fit of line segments to magma.
 constexpr std::array<std::array<double, 3>, 11> ramp = {{{0.000, 0.000, 0.004},
                                                          {0.073, 0.061, 0.215},
                                                          {0.231, 0.059, 0.450},
@@ -237,7 +237,7 @@ void measure_light(PictureFigures& figures, const FloatImage& reference, const F
   figures.reference_luminance = bright / count;
 }
 
-/// None where the mask is empty.
+/// Returns the FLIP figures over a mask; none if the mask is empty.
 std::optional<FlipFigures> figures_over(const std::vector<float>& flip, const Mask& mask) {
   std::vector<float> errors;
   double sum = 0;

@@ -37,7 +37,7 @@ Kernel gaussian(double b, double factor, int radius, double pixels_per_degree) {
   return kernel;
 }
 
-/// The square root, because the product of two of these is the filter in the plane.
+/// Returns the square root of the factor, because the product of two of these kernels is the filter in the plane.
 double square_root_factor(double a, double b) { return std::sqrt(a * std::sqrt(pi / b)); }
 
 void balance(Kernel& kernel) {
@@ -89,7 +89,7 @@ namespace {
 
 constexpr int strip_rows = 64;
 
-/// A table of numbers, row after row.
+/// An array of numbers, row by row.
 struct Plane {
   Plane(int columns, int lines)
       : width(columns), height(lines), values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines)) {}
@@ -106,7 +106,7 @@ void add_scaled(double* sum, const double* from, double weight, int count) {
   for (int x = 0; x < count; ++x) sum[x] += weight * from[x];
 }
 
-/// Along the rows. `padded` has `reach` columns more on each side than what comes out.
+/// Filters along the rows. `padded` has `reach` more columns on each side than the result.
 Plane filter_across(const Plane& padded, const Kernel& kernel, int reach) {
   Plane filtered(padded.width - 2 * reach, padded.height);
   const int first = reach - radius_of(kernel);
@@ -118,7 +118,7 @@ Plane filter_across(const Plane& padded, const Kernel& kernel, int reach) {
   return filtered;
 }
 
-/// Along the columns, added to `sum`; `padded` has `reach` rows more above and below.
+/// Filters along the columns and adds the result to `sum`; `padded` has `reach` more rows above and below.
 void add_filtered_down(Plane& sum, const Plane& padded, const Kernel& kernel, int reach) {
   const int first = reach - radius_of(kernel);
   for (int y = 0; y < sum.height; ++y) {
@@ -161,7 +161,7 @@ Opponent opponent_of(const FloatImage& picture, int begin, int end, int reach) {
   return strip;
 }
 
-/// What the eye makes of a strip: colours after its contrast sensitivity, and the strength of edges and points.
+/// A strip as perceived: colours after the filters of contrast sensitivity, and the strength of edges and points.
 struct Seen {
   std::vector<glm::dvec3> lab;
   std::vector<double> edge, point;
@@ -205,12 +205,13 @@ Seen see(const FloatImage& picture, int begin, int end, const FlipKernels& kerne
 
 constexpr double colour_exponent = 0.7;  // q_c of the paper
 
-/// The largest difference that there is, between green and blue, raised to q_c.
+/// Returns the largest possible colour difference, between green and blue, raised to q_c.
 double largest_colour_difference() {
   return std::pow(hyab(hunt_lab_from_linear({0, 1, 0}), hunt_lab_from_linear({0, 0, 1})), colour_exponent);
 }
 
-/// Raises to q_c and maps to [0, 1]: what is over p_c of the largest gets no more than the last 1 - p_t (eq. 6).
+/// Raises a difference to q_c and maps it to [0, 1]: differences above p_c of the largest are compressed into the last
+/// 1 - p_t (eq. 6).
 double redistribute(double difference, double largest) {
   constexpr double p_c = 0.4, p_t = 0.95;
   const double raised = std::pow(difference, colour_exponent), knee = p_c * largest;
@@ -218,7 +219,7 @@ double redistribute(double difference, double largest) {
   return p_t + (raised - knee) / (largest - knee) * (1 - p_t);
 }
 
-/// Features make a difference of colour weigh more: colour^(1 - feature) (eq. 8 and 9).
+/// Writes the errors of a strip. Feature differences amplify colour differences: colour^(1 - feature) (eq. 8 and 9).
 void write_errors(const Seen& reference, const Seen& test, float* errors) {
   const double largest = largest_colour_difference();
   for (std::size_t i = 0; i < reference.lab.size(); ++i) {

@@ -24,9 +24,9 @@ glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t) {
 namespace {
 
 constexpr std::size_t places_of_curve = curve_segments + 1;
-constexpr double max_turn = std::numbers::pi / 6, max_growth = 0.5;  // of filled curves at a spread of 1
+constexpr double max_turn = std::numbers::pi / 6, max_growth = 0.5;  // limits for filled curves at a spread of 1
 
-/// A guide evaluated, or a mix of two.
+/// An evaluated guide, or a mix of two.
 struct Curve {
   std::vector<glm::dvec3> places;
   glm::dvec3 normal;
@@ -47,13 +47,13 @@ Curve mixed(const Curve& a, const Curve& b, double at) {
   return curve;
 }
 
-/// Turned by `angle` around a unit axis (Rodrigues).
+/// Returns a vector rotated by `angle`, radians, about a unit axis (Rodrigues).
 glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
   const double c = std::cos(angle);
   return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
 
-/// Longer or shorter and turned around its root, which stays.
+/// Varies a curve's length and rotates it about its root, which stays.
 void stray(Curve& curve, double spread, Random& random) {
   const double growth = 1 + max_growth * spread * random.uniform(-1, 1), angle = max_turn * spread * random.uniform();
   const glm::dvec3 any(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));

@@ -1,4 +1,4 @@
-// Smooth curves through points (Catmull and Rom 1974), and the strips of triangles that draw them.
+// Smooth curves through points (Catmull and Rom 1974), and groups of guided curves as points for drawing.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,18 +9,19 @@
 
 namespace pelage {
 
-/// The place at `t` in [0, 1], evenly from point to point: at t = i / (n - 1) exactly points[i]. Needs n of 2 or more.
-/// Beyond its ends the curve goes on as it came, so two points give a straight line. Finite for points that coincide.
+/// Returns the position at `t` in [0, 1], uniform in the index of points: at t = i / (n - 1) exactly points[i].
+/// Requires n >= 2. The end points are extrapolated linearly, so two points give a straight line. Finite for points
+/// that coincide.
 glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t);
 
-// Groups of guided curves as lines of points: guides are evaluated and others filled in between them.
+// Groups of guided curves as polylines: guides are evaluated, and other curves are filled in between them.
 
 inline constexpr int curve_segments = 48;
 
-/// What a curve looks like.
+/// The look of a curve.
 struct CurveStyle {
-  glm::vec4 root{0}, tip{0};  // colour, linear; width, sizes
-  glm::vec4 normal{0};        // of the skin at the root, unit; a random number in [0, 1)
+  glm::vec4 root{0}, tip{0};  // linear colour; width, sizes
+  glm::vec4 normal{0};        // unit normal of the skin at the root; w: random number in [0, 1)
   bool operator==(const CurveStyle&) const = default;
 };
 static_assert(sizeof(CurveStyle) == 48);
@@ -30,9 +31,9 @@ struct CurveStrips {
   std::vector<CurveStyle> styles;  // for each curve
 };
 
-/// In the order of the groups and their guides. Guides are taken as they are; what is filled in between two of them is
-/// their mix, and strays by the group's spread in place (half of the way to the next curve), length (by a half) and
-/// direction (30 degrees around its root). Deterministic.
+/// Returns the curves in the order of the groups and their guides. Guides are used as they are. A filled curve is a mix
+/// of the two guides around it, varied by the group's spread in position (up to half the distance to the next curve),
+/// length (up to a half) and direction (up to 30 degrees about its root). Deterministic.
 CurveStrips make_strips(std::span<const FurCurves> groups);
 
 }  // namespace pelage

@@ -17,7 +17,7 @@ double lattice(int x, int y, int period, std::uint64_t seed) {
   return static_cast<double>(mix_bits(key) >> 11) * 0x1p-53;
 }
 
-/// Smooth noise in [0, 1] with `period` cells around the axis and `rows` cells along a radius.
+/// Returns smooth noise in [0, 1] with `period` cells around the axis and `rows` cells along a radius.
 double noise(double around, double along, int period, double rows, std::uint64_t seed) {
   const double x = around * period, y = along * rows;
   const double i = std::floor(x), j = std::floor(y);
@@ -27,7 +27,7 @@ double noise(double around, double along, int period, double rows, std::uint64_t
                   glm::mix(lattice(a, b + 1, period, seed), lattice(a + 1, b + 1, period, seed), u), v);
 }
 
-/// Bright lines along the radius that wander a little: 1 on a line, 0 between lines.
+/// Returns lines along the radius that wander a little: 1 on a line, 0 between lines.
 double fibres(double around, double along, int period, double wander, std::uint64_t seed) {
   const double bent = around + wander * (noise(around, along, period / 4, 3, seed + 1) - 0.5) / period;
   const double ridge = 1 - std::abs(2 * noise(bent, along, period, 2.5, seed) - 1);
@@ -38,8 +38,8 @@ struct Tissue {
   double scattering, height, inner;
 };
 
-/// Stroma in two storeys of fibres with crypts between them, the raised collarette, furrows where the iris folds as the
-/// pupil opens, and a dark margin on both sides.
+/// Returns the tissue at a position: stroma of coarse and fine fibres with crypts between them, the raised collarette,
+/// furrows where the iris folds as the pupil opens, and a dark margin on both sides.
 Tissue tissue(double around, double along) {
   const double edge = 0.30 + 0.10 * (noise(around, 0, 24, 1, 11) - 0.5) + 0.04 * (noise(around, 0, 90, 1, 12) - 0.5);
   const double outside = glm::smoothstep(-0.03, 0.03, along - edge);
@@ -61,7 +61,7 @@ Tissue tissue(double around, double along) {
   return made;
 }
 
-/// Thin branching lines that run towards the iris and fade before it.
+/// Returns thin branching lines that run towards the iris and fade out before it.
 double vessels(double around, double along) {
   const auto line = [&](int period, double wander, double width, std::uint64_t seed) {
     const double bent = around + wander * (noise(around, along, period, 7, seed) - 0.5) / period;

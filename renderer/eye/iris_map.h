@@ -1,4 +1,4 @@
-// The tissue of an iris, grey, and the vessels of a sclera; made once, tinted when drawn.
+// A grey map of an iris's tissue and of the vessels of a sclera; made once and tinted when drawn.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// RGBA, 8 bits. Red: how much light the tissue scatters. Green: its height. Blue: how much of the inner colour it has.
-/// Alpha: vessels in the sclera, rows from the limbus to the back of the eye. Deterministic.
+/// Returns an RGBA map of 8 bits. Red: scattering of the tissue. Green: its height. Blue: share of the inner colour.
+/// Alpha: vessels in the sclera, in rows from the limbus to the back of the eye. Deterministic.
 std::vector<std::uint8_t> make_iris_map();
 
 }  // namespace pelage

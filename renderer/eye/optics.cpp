@@ -18,8 +18,7 @@ std::optional<glm::dvec3> refract_into(glm::dvec3 along, glm::dvec3 normal, doub
 }
 
 double fresnel(double cosine, double index) {
-  return index == 1 ? 0
-                    : fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), index);  // no surface at all reflects nothing
+  return index == 1 ? 0 : fresnel_dielectric(std::clamp(cosine, 0.0, 1.0), index);  // index 1 reflects nothing
 }
 
 double pupil_size(double luminance) {
@@ -30,9 +29,9 @@ double pupil_size(double luminance) {
 
 namespace {
 
-constexpr double white_light = 1000;  // candela per square metre, a bright room
+constexpr double white_light = 1000;  // candela per square metre; a bright room
 
-/// What a light brings to a surface at the eye that faces where it looks.
+/// Returns the irradiance of a light on a surface at the eye's position whose normal is the eye's view direction.
 double brought_by(const FurLight& light, const FurEye& eye) {
   glm::dvec3 to_light = -glm::dvec3(light.direction);
   double share = 1;
@@ -59,14 +58,14 @@ EyeShape shape_of(const FurEye& eye) {
   const double square = shape.cornea_radius * shape.cornea_radius - eye.iris.size * eye.iris.size;
   shape.cornea_centre = shape.limbus - std::sqrt(std::max(square, 0.0));
   shape.iris_plane = shape.limbus - eye.iris.depth;
-  shape.relief = std::min(eye.iris.relief, eye.iris.depth);  // no fibre reaches through the limbus
+  shape.relief = std::min(eye.iris.relief, eye.iris.depth);  // fibres do not extend beyond the limbus
   shape.refraction = eye.refraction;
   return shape;
 }
 
 PupilAxes pupil_axes(PupilShape shape, double size) {
   if (shape == PupilShape::round) return {size, size};
-  // Narrow in bright light and nearly as high as the iris; round once it is dilated.
+  // In bright light a slit is narrow and a little more than half as high as the iris; it is round once it is dilated.
   const double narrow = std::clamp(1.6 * size - 0.12, 0.0, 1.0);
   const double width = glm::mix(narrow, size, size), height = glm::mix(0.50 * std::min(1.0, 12 * size), 1.0, size);
   return {width, height};
@@ -80,9 +79,9 @@ double luminance_at(const FurEye& eye, const FurFrame& frame) {
 
 namespace {
 
-constexpr int rays_across = 160;  // of the light's beam
+constexpr int rays_across = 160;  // rays along a side of the light's beam
 
-/// Shares a ray's flux among the four texels around the place, both in [0, caustic_texels].
+/// Splats a ray's flux onto the four texels around a position; x and y in [0, caustic_texels].
 void splat(float* map, double x, double y, double flux) {
   constexpr double last = caustic_texels - 1;
   x = std::clamp(x - 0.5, 0.0, last), y = std::clamp(y - 0.5, 0.0, last);
@@ -96,7 +95,7 @@ void splat(float* map, double x, double y, double flux) {
   texel[caustic_texels + 1] += static_cast<float>(flux * u * v);
 }
 
-/// Sends a beam of parallel light through the cornea.
+/// Traces a beam of parallel light through the cornea and adds its flux to the map.
 void gather(const EyeShape& shape, double angle, float* map) {
   const glm::dvec3 to_light(std::sin(angle), 0, std::cos(angle)), across(std::cos(angle), 0, -std::sin(angle));
   const glm::dvec3 centre(0, 0, shape.cornea_centre);

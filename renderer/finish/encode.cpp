@@ -12,9 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-using std::floor;  // of what is the same in all lanes
+using std::floor;  // for values that are the same in all lanes
 
-/// How a picture is encoded, under the name that the shared code has for it.
+/// The encoding of a picture, under the name that the shared code uses.
 struct Encoder {
   const Encoding& encoding;
 

@@ -1,4 +1,4 @@
-// From premultiplied linear light to the picture: size, exposure, tone map, background, sRGB, overlay.
+// Turns premultiplied linear light into the final picture: size, exposure, tone mapping, background, sRGB, overlay.
 #pragma once
 
 #include "base/parallel.h"
@@ -9,22 +9,22 @@
 
 namespace pelage {
 
-/// What finishing needs beside the frame. Light of another height is enlarged or averaged to the frame's; it has its
-/// aspect ratio.
+/// The inputs besides the frame. Light of another height is enlarged or averaged to the frame's size; its aspect ratio
+/// must be the frame's.
 struct FinishInput {
   const FloatImage& light;
-  const FloatImage* overlay = nullptr;  // of the frame's size: sRGB with straight alpha; null for none
-  int threads = default_threads();      // the same bits for any number
+  const FloatImage* overlay = nullptr;  // sRGB with straight alpha, of the frame's size; null for none
+  int threads = default_threads();      // does not change the result
 };
 
-/// How a frame's picture is encoded, in numbers up to `largest`.
+/// Returns the encoding of a frame's picture, in numbers up to `largest`.
 Encoding encoding_of(const FurFrame& frame, std::int32_t largest);
 
-/// A picture of the frame's size; of one with a crop, rows outside it stay 0.
+/// Returns a picture of the frame's size; with a crop, rows outside of it stay 0.
 Image finish_picture(const FurFrame& frame, const FinishInput& input);
 Image16 finish_picture_deep(const FurFrame& frame, const FinishInput& input);
 
-/// The rows [top, bottom) of finish_picture, into a picture of the frame's size whose others stay.
+/// Writes the rows [top, bottom) of finish_picture into a picture of the frame's size, and leaves the others.
 void finish_rows(const FurFrame& frame, const FinishInput& input, int top, int bottom, Image& picture);
 
 }  // namespace pelage

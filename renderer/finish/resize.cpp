@@ -30,8 +30,8 @@ glm::vec4 ResizedLight::texel(int x, int y) const {
   return {from[0], from[1], from[2], from[3]};
 }
 
-/// Catmull-Rom without the four corners, whose weights are at most 1/256, held between the four nearest, so that it
-/// does not ring.
+/// Catmull-Rom interpolation without the four corners, whose weights are at most 1/256. The result is clamped to the
+/// range of the four nearest pixels, so that it does not ring.
 glm::vec4 ResizedLight::enlarged(const Taps& across, const Taps& down) const {
   const std::array<int, 4>&x = across.at, &y = down.at;
   const std::array<float, 4>&v = across.weights, &w = down.weights;
@@ -46,7 +46,7 @@ glm::vec4 ResizedLight::enlarged(const Taps& across, const Taps& down) const {
   return glm::clamp(sum / (1 - (v[0] + v[3]) * (w[0] + w[3])), low, high);
 }
 
-/// Of the light that a picture's pixel covers.
+/// Returns the mean of the light that a pixel of the picture covers.
 glm::vec4 ResizedLight::mean(int x, int y) const {
   const glm::vec2 low = glm::vec2(x, y) * scale_, high = low + scale_;
   const glm::ivec2 begin(glm::floor(low)), end(glm::ceil(high));

@@ -1,4 +1,4 @@
-// Light of one size at the pixels of a picture of another.
+// Resizes a picture of light.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@ namespace pelage {
 
 class ResizedLight {
  public:
-  /// `light` outlives this. Its height over the picture's is the scale of both directions.
+  /// `light` must outlive this. Its height over the picture's is the scale in both directions.
   ResizedLight(const FloatImage& light, int width, int height);
 
-  /// A row of the picture, four numbers a pixel.
+  /// Writes a row of the picture, four numbers a pixel.
   void row(int y, float* rgba) const;
 
  private:
-  /// What one pixel takes along one direction.
+  /// The taps of one pixel along one direction.
   struct Taps {
-    std::array<int, 4> at{};         // of the light, held inside it
-    std::array<float, 4> weights{};  // the cubic of Catmull and Rom 1974
+    std::array<int, 4> at{};         // pixels of `light`, clamped to its size
+    std::array<float, 4> weights{};  // of the cubic of Catmull and Rom 1974
   };
   Taps taps(int pixel, int size) const;
   glm::vec4 texel(int x, int y) const;
@@ -30,11 +30,11 @@ class ResizedLight {
 
   const FloatImage& light_;
   int width_ = 0;
-  float scale_ = 1;  // size of the light over that of the picture
+  float scale_ = 1;  // height of the light over that of the picture
   std::vector<Taps> columns_;
 };
 
-/// All rows of it. The same bits for any number of threads.
+/// Returns the resized light. The same bits for any number of threads.
 FloatImage resized_light(const FloatImage& light, int width, int height, int threads);
 
 }  // namespace pelage

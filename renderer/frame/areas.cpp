@@ -7,8 +7,8 @@ namespace pelage {
 
 namespace {
 
-/// Where a range of pixels lies among `to` in place of `from`, with what resizing reads beside it: the cubic of Catmull
-/// and Rom two pixels of the light to each side.
+/// Returns where a range of pixels lies after resizing from `from` to `to` pixels, as [begin, end), with a margin for
+/// the filter: the cubic of Catmull and Rom reads two pixels of the light to each side.
 glm::ivec2 resized_range(int begin, int length, int from, int to) {
   const double scale = static_cast<double>(to) / from, beside = 2 * std::max(scale, 1.0);
   return {std::max(0, static_cast<int>(std::floor(begin * scale - beside)) - 1),

@@ -1,4 +1,4 @@
-// Which pixels of a frame's light, which has a size of its own, belong to which of its picture.
+// Maps areas between a frame's light and its finished picture, which may have different sizes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,13 +8,13 @@
 
 namespace pelage {
 
-/// The pixels of a finished picture that an area of its light touches.
+/// Returns the pixels of a finished picture that depend on an area of its light.
 Area finished_area(const Area& area, glm::ivec2 light, glm::ivec2 picture);
 
-/// The pixels of a frame's light that its picture is made of: all, or those that its crop reads.
+/// Returns the pixels of a frame's light from which its picture is made: all, or those that its crop reads.
 Area drawn_area(const FurFrame& frame, glm::ivec2 light);
 
-/// The intersection of two areas; it has no pixels if they do not overlap.
+/// Returns the intersection of two areas; it has no pixels if they do not overlap.
 Area common_area(const Area& a, const Area& b);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Times of a drawing.
+// Measures the time that a drawing takes.
 #pragma once
 
 #include <time.h>
@@ -8,14 +8,14 @@
 
 namespace pelage {
 
-/// Milliseconds of a frame's stages, and what it asked of the GL.
+/// What drawing a frame took: milliseconds, and counts of GL calls.
 struct DrawTimes {
-  double draw = 0;
-  double cpu = 0;  // of all threads of the process while that passed
+  double draw = 0;  // elapsed time
+  double cpu = 0;   // CPU time of all threads of the process meanwhile
   FrameCounters counters;
 };
 
-/// CPU time of all threads of the process: what a software GL draws with.
+/// CPU time of all threads of the process, which includes the threads of a software GL.
 class CpuStopwatch {
  public:
   double milliseconds() const { return now() - start_; }
@@ -29,7 +29,7 @@ class CpuStopwatch {
   double start_ = now();
 };
 
-/// Adds the time that it lives to a frame's.
+/// Adds the time from its construction to its destruction to a frame's times.
 class DrawClock {
  public:
   explicit DrawClock(DrawTimes& times) : times_(times) {}

@@ -29,7 +29,7 @@ RasterOutput output_of(Aov aov) {
 
 namespace {
 
-/// Where a pixel's ray is at a distance along the view.
+/// Returns the point on a pixel's ray at a distance along the view.
 glm::vec3 place_at(const FurFrame& frame, int x, int y, float distance) {
   const FurCamera& camera = frame.camera;
   const float over = 2 * camera.tan_half_fov / static_cast<float>(frame.height);
@@ -37,7 +37,7 @@ glm::vec3 place_at(const FurFrame& frame, int x, int y, float distance) {
   return camera.position + distance * (camera.forward + off.x * camera.right - off.y * camera.up);
 }
 
-/// What an AOV has of the mean of a pixel.
+/// Returns the value of an AOV in a pixel, from the premultiplied mean of its output.
 glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   const float alpha = std::clamp(mean.a, 0.0f, 1.0f);
   const glm::vec3 rgb(mean);
@@ -52,8 +52,8 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   }
 }
 
-/// Resamples values that cannot be interpolated, by the value at the middle of each pixel: between two surfaces or two
-/// strands there is no value in between.
+/// Resamples values that cannot be interpolated, such as strand numbers or a depth: takes the value at the middle of
+/// each pixel.
 FloatImage picked(const FloatImage& drawn, int width, int height) {
   auto picture = empty_picture<FloatImage>(width, height);
   const auto nearest = [](int at, int to, int from) { return std::min((2 * at + 1) * from / (2 * to), from - 1); };
@@ -72,7 +72,7 @@ FloatImage picked(const FloatImage& drawn, int width, int height) {
 /// Replaces the strand numbers in a picture by the root positions of those strands; alpha is 0 where there is no
 /// strand.
 void to_roots(std::span<const GrownPart> parts, FloatImage& picture) {
-  std::vector<std::size_t> ends;  // numbers of the last strands
+  std::vector<std::size_t> ends;  // number of the last strand of each part
   for (const GrownPart& part : parts) ends.push_back((ends.empty() ? 0 : ends.back()) + part.strands->count());
   for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
     const auto number = static_cast<std::size_t>(picture.rgba[at]);

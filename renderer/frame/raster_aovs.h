@@ -1,4 +1,4 @@
-// AOVs of rasterized frames: what is drawn for each, and what it is made of the drawing.
+// AOVs of rasterized frames: which output is rasterized for each, and how the AOV is made from it.
 #pragma once
 
 #include <span>
@@ -11,10 +11,11 @@
 
 namespace pelage {
 
+/// Returns the output from which an AOV is made.
 RasterOutput output_of(Aov aov);
 
-/// The AOV at the frame's size; `drawn` has output_of(aov) at the size of the frame's light, and `parts` the strands
-/// that it was drawn from.
+/// Returns the AOV at the frame's size. `drawn` is output_of(aov) at the size of the frame's light, and `parts` has the
+/// strands from which it was drawn.
 FloatImage aov_picture(const FurFrame& frame, Aov aov, const FloatImage& drawn, std::span<const GrownPart> parts,
                        int threads);
 

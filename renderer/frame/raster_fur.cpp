@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double max_strands = 2e6;  // that grow of all coats; fewer are wider
+constexpr double max_strands = 2e6;  // number of strands over all coats; if it is exceeded, fewer and wider ones grow
 
 }  // namespace
 

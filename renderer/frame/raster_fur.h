@@ -1,4 +1,4 @@
-// Fur that has grown, kept for each model, so that a stroke grows its part alone.
+// Caches grown fur for each model, so that after a stroke only the parts that it changed grow again.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace pelage {
 
-/// The share of a coat that is enough for drafts which keep no more of it: it grows in a third of the time.
+/// Share of a coat that grows for drafts that draw no more of it; it takes a third of the time.
 inline constexpr double thin_share = 0.34;
 
-/// A model's fur as it stood when it was drawn last, or a share of its strands.
+/// A model's fur as it was last drawn, with all of its strands or a share of them.
 struct RasterFur {
   RasterFur(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
       : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, room)) {}
@@ -25,33 +25,34 @@ struct RasterFur {
   double share_of_coat;
   GrownFur fur;
   std::unique_ptr<Raster> raster;
-  // What the fur was grown of:
-  std::vector<GrowRecipe> recipes;  // of each coat; empty before the first
-  std::uint64_t changes = 0;
+  // From what the fur was grown:
+  std::vector<GrowRecipe> recipes;  // for each coat; empty if nothing has grown
+  std::uint64_t changes = 0;        // ModelCopy::changes
   std::vector<FurCurves> curves;
   Bending bending = Bending::left;
 
-  /// Grows what is not as it was.
+  /// Grows what has changed since the last call.
   void grow(std::vector<GrowRecipe> wanted, std::span<const FurCurves> with, Bending how, int threads);
+  /// Frees the fur and the shadow cells.
   void drop(int threads, const std::shared_ptr<RasterRoom>& room);
   std::size_t bytes() const { return fur.bytes() + raster->bytes(); }
 };
 
-/// What is kept of a model.
+/// What is cached for a model.
 struct RasterModel {
   RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads, const std::shared_ptr<RasterRoom>& room);
 
   ModelCopy copy;
-  double fur_area;  // of the model
-  std::uint64_t used = 0;
+  double fur_area;         // pelage::fur_area of the model, sizes^2
+  std::uint64_t used = 0;  // when it was last used: RasterRenderer::uses_ then
   RasterFur whole, thin;
 
   std::vector<GrowRecipe> recipes_for(const FurFrame& frame) const;
-  /// Of each vertex what the frame's overlay shows.
+  /// Returns for each vertex what the frame's overlay shows, which has to be a field.
   std::vector<glm::vec3> field_of(const FurFrame& frame) const;
   bool is_grown() const { return !whole.recipes.empty() || !thin.recipes.empty(); }
   void drop(int threads, const std::shared_ptr<RasterRoom>& room);
-  /// That a drop would free.
+  /// Returns the bytes that drop() would free.
   std::size_t grown_bytes() const { return whole.bytes() + thin.bytes(); }
 };
 

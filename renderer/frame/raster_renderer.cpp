@@ -24,9 +24,9 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_bytes = 512u << 20;  // that is grown of all models together, but for the drawn one
+constexpr std::size_t max_bytes = 512u << 20;  // bytes of cached fur of all models but the one being drawn
 
-/// The frame as it is drawn, before its light is resized.
+/// Returns the frame at the size of its light, before that is resized to the picture.
 FurFrame scaled(const FurFrame& frame) {
   const auto pixels = [&](int asked) { return std::max(1, static_cast<int>(std::lround(asked * frame.knobs.scale))); };
   FurFrame drawn = frame;
@@ -36,16 +36,16 @@ FurFrame scaled(const FurFrame& frame) {
   return drawn;
 }
 
-/// What of a frame is drawn.
+/// Returns the crop of a frame, or all of it without one.
 Area whole_area(const FurFrame& frame) {
   if (!frame.crop) return {0, 0, frame.width, frame.height};
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
 
-/// Returns whether a frame is a draft for which the thin share of its coats is enough (keep_strands): by where the
-/// model's middle is, from outside of it.
+/// Returns whether a frame is a draft that draws at most the thin share of each of its coats (keep_strands). Estimated
+/// at the distance of the model's centre, for cameras outside the model only.
 bool keeps_thin_share(const FurFrame& frame) {
-  constexpr double outside = 0.75, of_draft = 0.5;  // sizes, and strands a pixel
+  constexpr double outside = 0.75, of_draft = 0.5;  // distance, sizes; strands a pixel
   const double distance = -double{glm::dot(frame.camera.position, frame.camera.forward)};
   const double pixel = 2 * distance * double{frame.camera.tan_half_fov} / frame.height;
   return distance > outside && std::ranges::all_of(frame.coats, [&](const NamedCoat& one) {
@@ -57,7 +57,7 @@ bool keeps_thin_share(const FurFrame& frame) {
          });
 }
 
-/// The looks of skin between the strands, of each piece.
+/// Returns the look of the skin between the strands at the corners of each triangle of the model.
 std::vector<std::array<SkinLook, 3>> skin_of(const RasterModel& own, const FurFrame& frame, int threads) {
   const FurModel& model = own.copy.model();
   const std::vector<FurFields> fields = own.copy.fields();
@@ -77,10 +77,9 @@ std::vector<std::array<SkinLook, 3>> skin_of(const RasterModel& own, const FurFr
   return skin;
 }
 
-/// The frame as its bare skin and eyes are drawn under traced strands: twice the size where that is at most 2048 a
-/// side.
+/// Returns the frame as its backplate is drawn: with twice the size if that is at most 2048 pixels a side.
 FurFrame plate_of(const FurFrame& frame) {
-  constexpr int max_pixels = 2048;  // along a side, of a picture that is larger than its frame
+  constexpr int max_pixels = 2048;  // along a side of a plate that is larger than its frame
   const int factor = 2 * std::max(frame.width, frame.height) <= max_pixels ? 2 : 1;
   FurFrame plate = frame;
   plate.width *= factor, plate.height *= factor, plate.knobs.scale = factor, plate.crop.reset();
@@ -108,7 +107,8 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
     const RasterFur& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
     return gpu_->can_draw(standing.copy.model(), standing.fur);
   };
-  const bool as_it_was = standing_for(frame, growth).bending == Bending::left;  // so that nothing is bent twice
+  // Asks about the fur as it is first, so that it does not grow again for nothing.
+  const bool as_it_was = standing_for(frame, growth).bending == Bending::left;
   return can(as_it_was) && can(true);
 }
 
@@ -123,7 +123,7 @@ std::size_t RasterRenderer::update(std::uint64_t model, EachCoat<FurFields> fiel
 }
 
 void RasterRenderer::forget(std::uint64_t original) {
-  views_.give_back();  // of a model that comes again nobody knows what has changed
+  views_.give_back();  // if a model comes again, it is not known what has changed
   if (gpu_) gpu_->forget();
   std::erase_if(models_, [&](const auto& entry) { return entry.second->copy.original() == original; });
 }
@@ -175,7 +175,7 @@ void RasterRenderer::keep_within_bounds(const RasterModel& own) {
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
     bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
     if (gpu_) gpu_->forget();
-    views_.clear_shown();  // what has changed since then is not known any more
+    views_.clear_shown();  // it is no longer known what has changed since they were drawn
   }
 }
 
@@ -211,13 +211,13 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
-    RasterFur& standing = grown(frame, wanted);  // in the pause others may have drawn it in another coat
+    RasterFur& standing = grown(frame, wanted);  // during the pause it may have grown for another frame
     const RasterScene scene = scene_of(standing, frame, wanted);
     if (!wanted.by_gpu) {
       standing.raster->draw_box(scene, boxes[i], picture, counts);
       continue;
     }
-    if (!gpu_) return failure(Code::unavailable, "the GL has gone");  // others lost it in the pause
+    if (!gpu_) return failure(Code::unavailable, "the GL has gone");  // another drawing lost it during the pause
     if (Status drawn = gpu_->draw_box(scene, boxes[i], picture, counts); !drawn.ok()) return drawn;
   }
   return {};
@@ -227,7 +227,7 @@ Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, Wanted want
                                               const Pause& pause) {
   wanted.by_gpu = wanted.shown != RasterOutput::objects && draws_on_gpu(frame, wanted.growth, times);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
-  if (wanted.first_object >= first_coat_object + frame.coats.size()) return picture;  // there are none
+  if (wanted.first_object >= first_coat_object + frame.coats.size()) return picture;  // the frame has no such objects
   if (Status drawn = draw_area(frame, whole_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
   const DrawClock clock(times);
   if (!wanted.by_gpu) darken(frame, grown(frame, wanted), wanted, picture);
@@ -241,7 +241,7 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
   const Growth growth = numbered ? Growth::all : Growth::as_kept;
   std::vector<FloatImage> pictures;
   try {
-    std::map<RasterOutput, FloatImage> drawn_before;  // that several AOVs read
+    std::map<RasterOutput, FloatImage> drawn_before;  // outputs that several AOVs share
     for (const Aov aov : aovs) {
       const RasterOutput shown = output_of(aov);
       const auto before = drawn_before.find(shown);
@@ -333,7 +333,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   CachedView view = views_.take(frame, format);
   std::optional<ShownFrame> shown = std::exchange(view.shown, {});
   Wanted wanted{RasterOutput::light, {}, nullptr, Growth::as_kept, draws_on_gpu(drawn, Growth::as_kept, times)};
-  if (wanted.by_gpu) shown.reset();  // the whole is drawn in less than it takes to find what has changed
+  if (wanted.by_gpu) shown.reset();  // drawing all takes less time than finding what has changed
   if (!shown) view.light = empty_picture<FloatImage>(drawn.width, drawn.height);
   Area area = whole_area(drawn);
   std::optional<TileMask> tiles;
@@ -348,7 +348,7 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
   RasterFur& standing = grown(drawn, wanted);
-  const bool ground = frame.ground && area.pixels() > 0;  // its shadow lies anywhere
+  const bool ground = frame.ground && area.pixels() > 0;  // its shadow may change anywhere
   view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
   FloatImage light;
   const bool darkens = frame.ground && !wanted.by_gpu;

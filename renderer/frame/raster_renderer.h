@@ -1,5 +1,5 @@
-// Frames of rasterized strands. What a coat grows is kept for each model, and the last views are, so that a stroke
-// grows its part alone and draws the part of a picture that it may change.
+// Draws frames of rasterized strands. Grown fur is cached for each model, and so are the last views, so that after a
+// stroke only the parts that it changed grow, and only the part of the picture that it may change is drawn.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@
 
 namespace pelage {
 
-// Long drawings let others in.
+// Long drawings can be interrupted.
 
-/// Asked between two boxes of a drawing. It may draw other frames with the same renderer meanwhile; false gives the
-/// drawing up. The drawing's model has to be as it was when it answers true.
+/// Called between two boxes of a drawing. It may draw other frames with the same renderer. Returns false to give the
+/// drawing up; if it returns true, the drawing's model has to be as it was before.
 using Pause = std::function<bool()>;
 
 inline Status drawing_given_up() { return failure(Code::conflict, "the drawing was given up"); }
@@ -39,84 +39,87 @@ struct SkinLook;
 struct PixelBox;
 class TileMask;
 
-/// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
+/// Belongs to one thread; draws on up to `threads` threads, with the same bits for any number.
 class RasterRenderer {
  public:
   explicit RasterRenderer(int threads);
   ~RasterRenderer();
-  /// Draws by compute shaders of a GL from here on, which outlives that; by the CPU where it is null, cannot build
-  /// them, or has no room for a frame's strands.
+  /// From here on draws by compute shaders of a GL, which must outlive their use. The CPU draws if `gl` is null or
+  /// cannot build the shaders, and frames whose strands do not fit into the GL's memory.
   void take_gl(const Gl* gl);
   bool has_gl() const { return gpu_ != nullptr; }
-  /// Returns whether the GL that draws was reset.
+  /// Returns whether the GL that draws strands was reset.
   bool lost_gl() const;
 
   bool has(std::uint64_t model) const { return models_.contains(model); }
-  /// Both give the bytes that were taken over.
+  /// Both return the number of bytes that were copied.
   std::size_t add(const FurModel& model, EachCoat<FurFields> fields);
   std::size_t update(std::uint64_t model, EachCoat<FurFields> fields);
   void forget(std::uint64_t original);
   void forget_all();
-  /// Of all copies of a model (FurModel::original), with their strands; not what a GPU has of them.
+  /// Returns the bytes of all copies of a model (FurModel::original) with their strands, without those on a GPU.
   std::size_t bytes_of(std::uint64_t original) const;
 
-  /// Grows what the frame shows and has changed, which drawing it else does first.
+  /// Grows what the frame shows and has changed; otherwise, drawing the frame does that first.
   void grow(const FurFrame& frame);
 
-  // As Renderer has them, but that with a crop what lies outside it is not drawn; `overlay` is of the frame's size,
-  // null for none. The pause is called between boxes: of about a million pixels on the CPU, of 16 on a GPU.
+  // As in Renderer, but pictures always have the frame's size: with a crop, what lies outside it is not drawn.
+  // `overlay` has the frame's size, null for none. The pause is called between boxes, of about a million pixels on the
+  // CPU and 16 million on a GPU.
   Result<Image> draw(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
   Result<Image16> draw_deep(const FurFrame& frame, const FloatImage* overlay, DrawTimes& times, const Pause& pause);
   Result<std::vector<FloatImage>> draw_aovs(const FurFrame& frame, std::span<const Aov> aovs, DrawTimes& times,
                                             const Pause& pause);
-  /// FurFrame::overlay, which is a field, on the fur itself, at the frame's size: sRGB with straight alpha.
+  /// Draws FurFrame::overlay, which has to be a field, on the fur itself: at the frame's size, sRGB with straight
+  /// alpha.
   Result<FloatImage> field_overlay(const FurFrame& frame, DrawTimes& times, const Pause& pause);
-  /// The same of what is the shape of the model.
+  /// The same for an overlay that shows the shape of the model.
   Result<FloatImage> shape_overlay(const FurFrame& frame, DrawTimes& times);
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes& times);
   void clear_view_cache() { views_.clear_shown(); }
 
  private:
-  /// Which strands of a coat grow: all where they are numbered, else no more than the frame keeps.
+  /// Which strands of a coat grow: all, for outputs that number them, or no more than the frame keeps.
   enum class Growth { all, as_kept };
-  /// What of a frame is drawn.
+  /// What is drawn of a frame, and how.
   struct Wanted {
     RasterOutput shown;
-    std::span<const glm::vec3> field = {};  // of each vertex, where that is shown
-    const TileMask* tiles = nullptr;        // null for all
+    std::span<const glm::vec3> field = {};  // for each vertex; RasterOutput::field alone
+    const TileMask* tiles = nullptr;        // tiles to draw; null for all
     Growth growth = Growth::as_kept;
     bool by_gpu = false;
-    std::size_t first_object = 0;  // of those that are shown
+    std::size_t first_object = 0;  // RasterScene::first_object
   };
+  /// Returns the fur of the frame's model from which it is drawn: all strands, or the thin share.
   RasterFur& standing_for(const FurFrame& frame, Growth growth);
-  /// Grows what has changed, as `wanted` asks. Drops what is cached of other models if all of it takes too much memory,
-  /// the longest unused first.
+  /// Grows what has changed, as `wanted` asks. Evicts what is cached of other models if it takes too much memory, least
+  /// recently used first.
   RasterFur& grown(const FurFrame& frame, const Wanted& wanted);
   void keep_within_bounds(const RasterModel& own);
   RasterScene scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const;
-  /// Draws an area of a frame that has the size of its light into a picture: by the GPU, with its ground, where it is
-  /// wanted and can, which `wanted` says afterwards. Fails with conflict when it is given up, and with unavailable when
-  /// the GL was lost.
+  /// Draws an area of a frame into a picture; the frame has the size of its light. With wanted.by_gpu the GPU draws,
+  /// and darkens the ground; if it fails, the CPU draws, without the ground, and by_gpu becomes false. Fails with
+  /// conflict if the pause gives up, and with unavailable if the GL was lost.
   Status draw_area(const FurFrame& frame, const Area& area, Wanted& wanted, DrawTimes& times, const Pause& pause,
                    FloatImage& picture);
   Status draw_boxes(const FurFrame& frame, std::span<const PixelBox> boxes, const Wanted& wanted, DrawTimes& times,
                     const Pause& pause, FloatImage& picture);
   /// Returns whether the CPU can make up for a failure of the GPU. A GPU that cannot build a shader draws nothing more.
   bool cpu_goes_on(const Status& failed);
-  /// Returns whether the GPU draws a frame's strands, which are grown first.
+  /// Grows a frame's strands. Returns whether the GPU can draw them.
   bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
-  /// Draws a whole picture without an overlay and finishes it on the GPU; empty if draws_on_gpu is false or memory is
-  /// short.
+  /// Draws a whole picture without an overlay and finishes it on the GPU. Returns none if draws_on_gpu is false or
+  /// memory is short.
   Result<std::optional<Image>> draw_on_gpu(const FurFrame& frame, DrawTimes& times);
-  /// What the ground is seen of, where there is one.
+  /// Darkens the visible ground, if the frame has one and light is shown.
   void darken(const FurFrame& frame, RasterFur& standing, const Wanted& wanted, FloatImage& picture) const;
   Result<FloatImage> draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);
-  /// The skin and the eyes alone, in light that nothing stands in the way of.
+  /// Draws the skin and the eyes alone, in unshadowed light.
   FloatImage draw_bare(RasterModel& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                        RasterOutput shown) const;
-  /// What of a view's light is not as it was when it was shown.
+  /// Returns the tiles whose light may have changed since a view was shown.
   TileMask changed_tiles(const FurFrame& frame, const ShownFrame& shown);
-  /// finish(view, light, area that was drawn).
+  /// Draws a frame's light, reusing what is cached of its view, and returns finish(view, light, area that was drawn).
   template <class Picture, class Finish>
   Result<Picture> draw_finished(const FurFrame& frame, int format, DrawTimes& times, const Pause& pause,
                                 const Finish& finish);

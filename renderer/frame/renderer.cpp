@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-/// A frame's crop of a picture of the frame's size; all of it without one.
+/// Returns a frame's crop of a picture of the frame's size, or all of it without a crop.
 template <class Picture>
 Picture crop_of(const FurFrame& frame, Picture whole) {
   if (!frame.crop) return whole;
@@ -21,7 +21,7 @@ Picture crop_of(const FurFrame& frame, Picture whole) {
 
 bool is_layered(const FurFrame& frame) { return frame.knobs.method == Method::shells; }
 
-/// Light at the size of the frame's picture.
+/// Returns light resized to the frame's picture.
 FloatImage fitted(const FurFrame& frame, FloatImage light, int threads) {
   if (light.width == frame.width && light.height == frame.height) return light;
   return resized_light(light, frame.width, frame.height, threads);
@@ -119,7 +119,7 @@ Result<std::vector<FloatImage>> Renderer::draw_aovs(const FurFrame& frame, std::
                                                     const Pause& pause) {
   DrawTimes taken;
   Result<std::vector<FloatImage>> images = std::vector<FloatImage>();
-  if (is_layered(frame)) {  // which has beauty and alpha alone
+  if (is_layered(frame)) {  // shells have beauty and alpha only
     Result<FloatImage> light = draw_shells(frame, taken);
     if (!light) return light.status();
     images->assign(aovs.size(), fitted(frame, std::move(light).value(), options_.threads));

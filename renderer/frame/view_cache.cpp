@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Without what is done to the light once it is drawn.
+/// Returns a frame without the settings that only affect how its light is finished.
 FurFrame light_of(const FurFrame& frame) {
   FurFrame light = frame;
   const FurFrame rest;
@@ -21,10 +21,10 @@ FurFrame light_of(const FurFrame& frame) {
   return light;
 }
 
-/// Returns whether both have the same light but for the fields.
+/// Returns whether two frames have the same light, up to the model's fields.
 bool same_light(const FurFrame& a, const FurFrame& b) { return light_of(a) == light_of(b); }
 
-/// Returns whether light is made a picture the same way.
+/// Returns whether two frames finish their light in the same way.
 bool same_finish(const FurFrame& a, const FurFrame& b) {
   return a.background == b.background && a.background_colour == b.background_colour && a.exposure == b.exposure &&
          a.tone_map == b.tone_map;
@@ -70,7 +70,7 @@ void ViewCache::keep(CachedView view) {
   while (views_.size() > max_views || pixels > max_pixels) pixels -= take_out(victim()).pixels();
 }
 
-// The last view is kept: two that are asked for in turn would push each other out before they come back.
+// Spares the latest view: otherwise two views that are requested in turn would evict each other before they come back.
 ViewCache::Views::iterator ViewCache::victim() {
   assert(!views_.empty());
   const auto oldest = [&](auto first, auto unwanted) {

@@ -1,6 +1,5 @@
-// The last views that were drawn on the CPU. A stroke changes a part of the body: when a view is drawn again, the same
-// but for the fields of some vertices and what stands on them, only the part of the picture that these may reach is
-// drawn.
+// Caches the last views that were drawn on the CPU. If a view is drawn again and only fields of some vertices have
+// changed, as after a stroke, only the part of the picture that they can affect is drawn.
 #pragma once
 
 #include <cstddef>
@@ -16,31 +15,33 @@
 
 namespace pelage {
 
+/// The frame that a cached view shows.
 struct ShownFrame {
   FurFrame frame;
-  int format = 0;             // of the finished picture, 0 where it is not this frame's
-  std::uint64_t changes = 0;  // of the model when it was drawn, as its drawer counts them
+  int format = 0;             // kept_format of the finished picture, 0 if that is not of this frame
+  std::uint64_t changes = 0;  // Raster::version when it was drawn
 };
 
-/// A picture that was drawn, to be drawn into again.
+/// A view that was drawn, with its buffers for the next drawing.
 struct CachedView {
   FloatImage light;
-  Image picture;                    // finished, of 8 bits
-  std::optional<ShownFrame> shown;  // that it shows; none: it is to be used again
-  bool came_back = false;           // asked for more than once
+  Image picture;                    // finished, 8 bits
+  std::optional<ShownFrame> shown;  // what it shows; none if only its buffers are of use
+  bool came_back = false;           // it was requested more than once
 
   std::int64_t pixels() const { return light.width * static_cast<std::int64_t>(light.height); }
 };
 
-/// The views that were drawn last, kept so that several clients who groom, or look from several sides, do not cost each
-/// other whole frames.
+/// Caches several views, so that clients who groom at the same time, or from several sides, do not make each other's
+/// frames be drawn as a whole.
 class ViewCache {
  public:
-  /// The view that shows the frame's light: this frame but for changes of the model's fields. Its picture is lost where
-  /// it is of another format, or finished otherwise. If there is none, one that may be drawn over.
+  /// Takes out the view that shows the frame's light, up to changes of the model's fields. Its finished picture counts
+  /// as lost if it has another format or was finished differently. If there is no such view, returns one without
+  /// `shown`.
   CachedView take(const FurFrame& frame, int format);
-  /// Keeps a view, and evicts views that are too many or too large: first those that show nothing, then those that were
-  /// requested once, as an orbit requests each of its frames, then the oldest.
+  /// Puts a view into the cache, and evicts views while there are too many or they are too large: first those that show
+  /// nothing, then those that were requested once, as each frame of an orbit is, then the oldest.
   void keep(CachedView view);
   void clear_shown() {
     for (CachedView& view : views_) view.shown.reset();
@@ -49,9 +50,10 @@ class ViewCache {
 
  private:
   static constexpr std::size_t max_views = 4;
-  static constexpr std::int64_t max_pixels = 2048 * 2048;  // of all views together
+  static constexpr std::int64_t max_pixels = 2048 * 2048;  // over all views
 
-  using Views = std::list<CachedView>;  // the last one first
+  using Views = std::list<CachedView>;  // most recently used first
+  /// Returns the view to evict.
   Views::iterator victim();
   CachedView take_out(Views::iterator view);
 
@@ -59,10 +61,11 @@ class ViewCache {
 };
 
 /// Finishes a view's light as a picture of 8 bits. If the view has that picture already, only the area `changed`, whose
-/// light is new, is finished again; a picture under an overlay is not stored. The input's light is the view's own, or
-/// that with the ground.
+/// light is new, is finished again. A picture with an overlay is not stored. The input's light is the view's own, or
+/// that with the ground darkened.
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
-/// ShownFrame::format of such a picture.
+/// Returns ShownFrame::format for a frame: the bits of its finished picture, or 0 if an overlay keeps that from being
+/// stored.
 int kept_format(const FurFrame& frame);
 
 }  // namespace pelage

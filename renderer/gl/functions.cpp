@@ -23,12 +23,12 @@ std::size_t stored_bytes(GLenum format) {
   }
 }
 
-/// Returns the number of texels, without mip levels, which add a third or less.
+/// Returns the number of texels of one mip level.
 std::size_t volume(GLsizei width, GLsizei height, GLsizei depth) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
 }
 
-/// Returns the bytes of a whole chain of levels, each half as wide and high.
+/// Returns the bytes of all mip levels, each half as wide and high as the last. `depth` stays the same, as in arrays.
 std::size_t texture_bytes(GLsizei levels, GLenum format, GLsizei width, GLsizei height, GLsizei depth) {
   std::size_t bytes = 0;
   for (GLsizei level = 0; level < levels; ++level) {
@@ -122,7 +122,7 @@ void Gl::TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei
 void Gl::TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
                           GLsizei depth) const {
   counts_.allocated += volume(width, height, depth) * stored_bytes(format);
-  // Arrays keep their layers at each level. A volume with levels is none of ours.
+  // Right for texture arrays, whose depth is the same at all levels; no 3D texture with mip levels is used.
   note_storage({Kind::texture, texture}, texture_bytes(levels, format, width, height, depth));
   counted_.TextureStorage3D(texture, levels, format, width, height, depth);
 }

@@ -11,16 +11,16 @@
 
 namespace pelage {
 
-/// Looks a function up by name; null where the context has none.
+/// Looks up a function by name; returns null if the context lacks it.
 using LoadFunction = std::function<void*(const char*)>;
 
-/// What was asked of the GL; bytes are those of buffers and textures that came from the CPU, `allocated` those of the
-/// storage that was asked for, and objects those that were made.
+/// Counts of GL calls. `bytes`: sent from the CPU to buffers and textures. `allocated`: bytes of storage that was
+/// allocated, without a texture's smaller mip levels, which add a third or less. `objects`: objects that were created.
 struct GlCounts {
   std::size_t programs = 0, draws = 0, textures = 0, bytes = 0, allocated = 0, objects = 0;
 };
 
-/// A table of functions, valid for one context on one thread. Calls that frames are measured by are counted.
+/// A table of functions, valid for one context on one thread. Calls that appear in GlCounts are counted.
 struct Gl {
   PFNGLATTACHSHADERPROC AttachShader = nullptr;
   PFNGLBEGINQUERYPROC BeginQuery = nullptr;
@@ -108,29 +108,30 @@ struct Gl {
   void TextureStorage2D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height) const;
   void TextureStorage3D(GLuint texture, GLsizei levels, GLenum format, GLsizei width, GLsizei height,
                         GLsizei depth) const;
-  /// Of 1, 2 or 4 channels (GL_RED, GL_RG, GL_RGBA) in bytes or floats.
+  /// `format` is GL_RED, GL_RG or GL_RGBA, and `type` bytes or floats.
   void TextureSubImage2D(GLuint texture, GLint level, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                          GLenum type, const void* pixels) const;
   void TextureSubImage3D(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width, GLsizei height,
                          GLsizei depth, GLenum format, GLenum type, const void* pixels) const;
   void UseProgram(GLuint program) const;
 
-  /// Called by all that make an object (handles.h).
+  /// Counts an object; called by whoever creates one (handles.h).
   void count_object() const { ++counts_.objects; }
-  /// What was counted since the last call.
+  /// Returns the counts since the last call.
   GlCounts take_counts() const { return std::exchange(counts_, {}); }
 
-  /// Bytes of storage that buffers, textures and renderbuffers have now; of one of them, 0 where it has none.
+  /// Return the bytes of storage of all buffers, textures and renderbuffers, and of one of them (0 without storage).
   std::size_t held_bytes() const { return held_bytes_; }
   std::size_t bytes_of_buffer(GLuint buffer) const { return bytes_of({Kind::buffer, buffer}); }
   std::size_t bytes_of_texture(GLuint texture) const { return bytes_of({Kind::texture, texture}); }
 
-  /// Returns whether the CPU draws, as Mesa's software drivers have it.
+  /// Returns whether the GL draws on the CPU, as Mesa's software drivers do.
   bool is_software() const;
-  /// Loads every function. Returns the first name that the context lacks, or "".
+  /// Loads all functions. Returns the name of the first one that the context lacks, or "".
   std::string load(const LoadFunction& find);
 
  private:
+  /// The functions behind those that count.
   struct Counted {
     PFNGLBINDTEXTUREUNITPROC BindTextureUnit = nullptr;
     PFNGLDELETEBUFFERSPROC DeleteBuffers = nullptr;
@@ -148,7 +149,7 @@ struct Gl {
     PFNGLTEXTURESUBIMAGE3DPROC TextureSubImage3D = nullptr;
     PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   };
-  enum class Kind { buffer, texture, renderbuffer };  // whose names are told apart
+  enum class Kind { buffer, texture, renderbuffer };  // names are unique within a kind
   using Name = std::pair<Kind, GLuint>;
 
   std::size_t bytes_of(Name name) const;
@@ -156,9 +157,9 @@ struct Gl {
   void forget_storage(Kind kind, GLsizei count, const GLuint* names) const;
 
   Counted counted_;
-  // Counting changes nothing that a user of the table sees.
+  // Mutable: counting does not change how the functions behave.
   mutable GlCounts counts_;
-  mutable std::map<Name, std::size_t> held_;  // bytes of storage
+  mutable std::map<Name, std::size_t> held_;  // bytes of storage of each object
   mutable std::size_t held_bytes_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// Move-only owners of GL objects; 0 when moved from. They must die before the context and on its thread.
+// Move-only owners of GL objects; their id is 0 when moved from. They must be destroyed before the context, on its
+// thread.
 #pragma once
 
 #include <utility>
@@ -7,7 +8,7 @@
 
 namespace pelage {
 
-/// Owns one object; `Kind` knows how it is made and destroyed.
+/// Owns one object. `Kind` creates and destroys it.
 template <class Kind>
 class Handle {
  public:
@@ -96,13 +97,14 @@ using VertexArray = Handle<VertexArrayKind>;
 using Framebuffer = Handle<FramebufferKind>;
 using Renderbuffer = Handle<RenderbufferKind>;
 
-/// A colour texture, with a 32-bit float depth buffer where asked for.
+/// A framebuffer with a colour texture and, if asked for, a 32-bit float depth buffer.
 class RenderTarget {
  public:
   RenderTarget() = default;
   RenderTarget(const Gl& gl, GLenum colour, int width, int height, bool depth);
 
   bool has_depth() const { return static_cast<bool>(depth_buffer_); }
+  /// Returns whether the GL had memory for it and can draw to it.
   bool complete() const { return complete_; }
   bool matches(GLenum colour, int width, int height) const {
     return complete_ && colour == colour_ && width == width_ && height == height_;

@@ -8,12 +8,12 @@
 
 namespace pelage {
 
-/// A linked vertex and fragment shader, or a compute shader. Sources were checked by the build, so a failure here is a
-/// broken driver: the program is then empty and `log` says why.
+/// A linked vertex and fragment shader, or a compute shader. The build has checked the sources, so a failure here means
+/// a broken driver; the program is then empty (id 0) and log() says why.
 class Program {
  public:
   Program() = default;
-  /// `defines` are lines such as "#define SHADOW_MAPS\n", put after the version of both sources.
+  /// `defines`: lines such as "#define SHADOW_MAPS\n", which are inserted after the #version line of both sources.
   Program(const Gl& gl, const char* vertex, const char* fragment, const std::string& defines = {});
   static Program of_compute(const Gl& gl, const char* source, const std::string& defines = {});
 

@@ -1,4 +1,4 @@
-// Queries to the GL about its drawing: a counter of drawn fragments, and a wait until the GL has finished.
+// A counter of drawn fragments, and a wait until the GL has finished.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// Runs of the fragment shader where the GL counts them (4.6 or ARB_pipeline_statistics_query; helpers that a driver
-/// runs to fill a block may be among them), else samples that were drawn.
+/// Counts invocations of the fragment shader if the GL can (4.6 or ARB_pipeline_statistics_query; helper invocations
+/// may be included), else samples that passed the depth test.
 class FragmentCounter {
  public:
   explicit FragmentCounter(const Gl& gl);
@@ -26,7 +26,7 @@ class FragmentCounter {
   QueryObject query_;
 };
 
-/// Waits until all that was asked for so far is done. Fails with unavailable when that takes longer than a minute.
+/// Waits until the GL has done all commands so far. Fails with unavailable if that takes longer than a minute.
 Status wait_for(const Gl& gl);
 
 }  // namespace pelage

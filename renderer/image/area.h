@@ -1,9 +1,9 @@
-// A part of a picture.
+// A rectangle of a picture.
 #pragma once
 
 namespace pelage {
 
-/// Pixels, from the left and the top.
+/// A rectangle in pixels, from the left and the top.
 struct Area {
   int left = 0, top = 0, width = 0, height = 0;
 

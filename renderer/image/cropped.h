@@ -1,4 +1,4 @@
-// Parts of pictures.
+// Cropping of pictures, and its inverse.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace pelage {
 
-/// The pixels of a picture in memory (Image, Image16, FloatImage) from the left and the top; all of them are inside.
+/// Returns a rectangle of a picture in memory (Image, Image16, FloatImage), by pixels from the left and the top; it
+/// must lie inside of the picture.
 template <class Picture>
 Picture cropped(const Picture& whole, int left, int top, int width, int height) {
   assert(left >= 0 && top >= 0 && left + width <= whole.width && top + height <= whole.height);
@@ -23,7 +24,7 @@ Picture cropped(const Picture& whole, int left, int top, int width, int height) 
   return part;
 }
 
-/// The other way round: a picture of that size that is 0 outside the part.
+/// Returns a picture of that size that has `part` at a position and is 0 elsewhere.
 template <class Picture>
 Picture placed(const Picture& part, int left, int top, int width, int height) {
   assert(left >= 0 && top >= 0 && left + part.width <= width && top + part.height <= height);

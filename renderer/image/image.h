@@ -1,4 +1,4 @@
-// 8-bit and 16-bit pictures in memory, and their PNG.
+// 8-bit and 16-bit pictures in memory, and their PNG encoding.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-/// The same with 16 bits.
+/// 16-bit sRGB, straight alpha, rows from the top, 4 * width * height numbers.
 struct Image16 {
   int width = 0, height = 0;
   std::vector<std::uint16_t> rgba;
@@ -28,21 +28,21 @@ struct ImageText {
   std::string key, value;  // stored as PNG text or as an attribute of an EXR
 };
 
-/// Whether a PNG's numbers are colours, marked as sRGB, or data without a mark.
+/// The meaning of a PNG's numbers: colours, marked as sRGB, or data, which are not marked.
 enum class PngNumbers { srgb, data };
 
-/// PNG with the fast settings (zlib level 1, sub filter); RGB when every alpha is at its largest and
-/// `keep_alpha` is false. The same bytes on any number of threads.
+/// Encodes a PNG with fast settings (zlib level 1, sub filter); as RGB if all alpha is at its largest value and
+/// `keep_alpha` is false. The same bytes for any number of threads.
 std::string encode_png(const Image& image, bool keep_alpha, std::span<const ImageText> texts = {},
                        PngNumbers numbers = PngNumbers::srgb, int threads = default_threads());
 std::string encode_png(const Image16& image, bool keep_alpha, std::span<const ImageText> texts = {},
                        PngNumbers numbers = PngNumbers::srgb, int threads = default_threads());
 
-/// An `invalid` Status: "The picture cannot be read: REASON".
+/// Returns an `invalid` Status: "The picture cannot be read: REASON".
 inline constexpr std::string_view unreadable_picture = "The picture cannot be read: ";
 Status unreadable(const std::string& reason);
 
-/// A picture of zeros: Image, Image16 or FloatImage.
+/// Returns a picture of zeros: Image, Image16 or FloatImage.
 template <class Picture>
 Picture empty_picture(int width, int height) {
   Picture picture;

@@ -16,7 +16,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::string_view magic("\x93NUMPY", 6);
-constexpr std::size_t alignment = 64;  // of the numbers, from the beginning of the file
+constexpr std::size_t alignment = 64;  // of the numbers from the beginning of the file, bytes
 
 template <class Number>
 std::string encode(std::span<const std::size_t> shape, std::span<const Number> values, const char* type) {
@@ -34,14 +34,14 @@ std::string encode(std::span<const std::size_t> shape, std::span<const Number> v
   return file.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
 }
 
-/// What the header says.
+/// The contents of the header.
 struct Layout {
   std::string_view type;           // "<f4"
   std::vector<std::size_t> shape;  // 1 to 3 numbers
   std::string_view numbers;        // the rest of the file
 };
 
-/// The text behind `key` in the header's dictionary.
+/// Returns the text after `key` in the header's dictionary.
 std::string_view member(std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};
@@ -79,7 +79,7 @@ Result<Layout> layout_of(std::string_view bytes) {
                 shape_of_text(member(header, "'shape'")), bytes.substr(prefix + length)};
 }
 
-/// A picture of no pixels yet, and how many numbers each has in the file.
+/// A picture whose pixels are not read yet, and the number of channels in the file.
 struct Pixels {
   DataImage image;
   std::size_t channels = 1;
@@ -97,7 +97,7 @@ Result<Pixels> pixels_of(const std::vector<std::size_t>& shape, std::size_t max_
   return Pixels{{static_cast<int>(width), static_cast<int>(height), 32, {}, {}}, channels};
 }
 
-/// The numbers of one type, as floats over `whole`.
+/// Reads numbers of one type as floats, divided by `whole`.
 template <class Number>
 Result<DataImage> read_numbers(Pixels pixels, std::string_view numbers, int bits, float whole) {
   const std::size_t count =

@@ -1,9 +1,9 @@
-// Pixels of a picture, for all who draw.
+// A box of pixels, for all drawing code.
 #pragma once
 
 namespace pelage {
 
-/// Half-open, from the left and the top, pixels.
+/// A half-open box in pixels, from the left and the top.
 struct PixelBox {
   int left = 0, top = 0, right = 0, bottom = 0;
 };

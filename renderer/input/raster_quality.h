@@ -1,4 +1,4 @@
-// Which strands are drawn, and how closely.
+// The density and the lighting rate of rasterized strands.
 #pragma once
 
 #include <algorithm>
@@ -9,21 +9,22 @@
 namespace pelage {
 
 struct RasterQuality {
-  double strands_a_pixel = 1;  // that are kept of those that stand on a pixel of skin seen from above, above 0
-  int lit_of = 1;              // strands share the light of one of so many, [1, 8]
+  double strands_a_pixel = 1;  // strands to draw for each pixel of skin seen from above, above 0
+  int lit_of = 1;              // one strand of this many is lit, and the others share its light, [1, 8]
 
-  /// Pixels that strands are widened to for those that are left out: beyond it more are kept. Wider ones look like
-  /// wires, which passes in a draft alone.
+  /// Returns the width in pixels up to which strands are widened to replace those that are left out; to stay below it
+  /// more strands are drawn. Wider ones would look like wires, which is acceptable only in drafts.
   double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, 2.0); }
 
-  /// Of the strands, where so many stand on a pixel and are so many pixels wide: (0, 1].
+  /// Returns the share of strands to draw, (0, 1], for `on_a_pixel` strands on a pixel and a strand `width` in pixels.
   double kept_share(double on_a_pixel, double width) const {
     return std::min(std::max(strands_a_pixel / std::max(on_a_pixel, 1e-12), width / widest()), 1.0);
   }
 };
 
-/// `winding`: the way along a strand over its length, 1 or more. A curled one covers so many times as much: by its
-/// root, halfway between as many strands as straight fur has and as many as cover what those do.
+/// `winding`: length along a strand over its straight length, at least 1. A curled strand covers that many times as
+/// much. The number of strands is divided by its square root: halfway between the number for straight fur and the
+/// number with the same coverage.
 inline RasterQuality quality_of(const Knobs& knobs, double winding) {
   return {knobs.raster.strands / std::sqrt(winding), knobs.raster.light_of};
 }

@@ -14,16 +14,16 @@ namespace pelage {
 
 namespace {
 
-/// The gradient from the ground over the horizon to the sky, +y up: mixed by w = sqrt |y|, whose moments on the half
-/// sphere are 2 / 3, 2 / 5 and 2 / 7 for the powers 0, 1 and 2 of |y|. The same all around +y, so x^2 and z^2 are (1 -
-/// y^2) / 2 on average.
+/// Projects the gradient from the ground over the horizon to the sky, +y up. It is interpolated by w = sqrt |y|, whose
+/// moments over the half sphere are 2 / 3, 2 / 5 and 2 / 7 for the powers 0, 1 and 2 of |y|. It is symmetric about +y,
+/// so x^2 and z^2 are (1 - y^2) / 2 on average.
 SphericalHarmonics project_gradient(const Environment& environment) {
   const glm::dvec3 sky(environment.sky), horizon(environment.horizon), ground(environment.ground);
   const double around = 2 * std::numbers::pi;
   const glm::dvec3 even = sky + ground - 2.0 * horizon;
   const glm::dvec3 whole = around * (2.0 * horizon + 2.0 / 3 * even);       // integral of the radiance
-  const glm::dvec3 upward = around * (2.0 / 5 * (sky - ground));            // of it times y
-  const glm::dvec3 square = around * (2.0 / 3 * horizon + 2.0 / 7 * even);  // of it times y^2
+  const glm::dvec3 upward = around * (2.0 / 5 * (sky - ground));            // integral of radiance times y
+  const glm::dvec3 square = around * (2.0 / 3 * horizon + 2.0 / 7 * even);  // integral of radiance times y^2
   SphericalHarmonics result{};
   result[0] = harmonic_scale::constant * whole;
   result[1] = harmonic_scale::linear * upward;
@@ -48,7 +48,7 @@ std::array<double, 9> harmonics_basis(glm::dvec3 d) {
 }
 
 SphericalHarmonics irradiance_of(const SphericalHarmonics& radiance) {
-  SphericalHarmonics result = radiance;  // the clamped cosine's factors over pi: 1, 2/3, 1/4
+  SphericalHarmonics result = radiance;  // factors of the clamped cosine over pi: 1, 2/3, 1/4
   for (std::size_t i = 1; i < 4; ++i) result[i] *= 2.0 / 3.0;
   for (std::size_t i = 4; i < 9; ++i) result[i] *= 0.25;
   return result;
@@ -69,7 +69,8 @@ SphericalHarmonics turned(const SphericalHarmonics& from, double radians) {
   to[3] = c * from[3] + s * from[2];
   to[4] = c * from[4] + s * from[5];
   to[5] = c * from[5] - s * from[4];
-  // 3z^2 - 1 and x^2 - y^2 in terms of 3y^2 - 1, which stays, and z^2 - x^2, which turns with xz at twice the angle.
+  // 3z^2 - 1 and x^2 - y^2 are expressed by 3y^2 - 1, which is invariant, and z^2 - x^2, which rotates with xz at twice
+  // the angle.
   const glm::dvec3 stays = -0.5 * from[6] - half_root * from[8];
   const glm::dvec3 turns = half_root * from[6] - 0.5 * from[8];
   const glm::dvec3 after = c2 * turns - s2 * from[7];
@@ -89,15 +90,15 @@ SphericalHarmonics harmonics_of(const Environment& environment) {
 
 namespace {
 
-// A direction is (h X, y, h Z): h and y are the sine and the cosine of the polar angle, X and Z belong to the
-// longitude. Every basis function is a sum of products of both, and so are its integrals over a pixel.
+// A direction is (h X, y, h Z), where h and y are the sine and the cosine of the polar angle, and X and Z depend on the
+// longitude alone. Every basis function is a sum of products of both, and so are its integrals over a pixel.
 
 /// Integrals over the longitudes of a column.
 struct ColumnMoments {
   double one = 0, x = 0, z = 0, xx = 0, zz = 0, xz = 0;
 };
 
-/// Integrals over the polar angles of a row; each with the sine of the area.
+/// Integrals over the polar angles of a row; each includes the sine of the area element.
 struct RowMoments {
   double one = 0, y = 0, h = 0, hy = 0, hh = 0, yy = 0;
 };
@@ -113,7 +114,7 @@ struct RowSums {
   }
 };
 
-/// Antiderivatives with X = sin a and Z = -cos a.
+/// Returns the antiderivatives at the longitude a, with X = sin a and Z = -cos a.
 ColumnMoments column_up_to(double a) {
   const double s = std::sin(a), c = std::cos(a);
   return {a, -c, -s, (a - s * c) / 2, (a + s * c) / 2, c * c / 2};

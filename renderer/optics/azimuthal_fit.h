@@ -1,5 +1,5 @@
-// The azimuthal part of the fibre models in a form that takes few reads: a polynomial in the absorption for each node
-// of the other two axes.
+// The azimuthal part of the fibre models in a form that needs few memory reads: a polynomial in the absorption for each
+// node of the other two axes.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace pelage {
 
-/// R does not depend on the absorption. Each other lobe is t (c1 + c2 t + c3 t^2) of the absorption coordinate t, by
-/// least squares over the table's nodes: within 2% of the root mean square of TT, 5% of the others, which are a fifth
-/// of it.
+/// R does not depend on the absorption. Each other lobe is t (c1 + c2 t + c3 t^2) in the absorption coordinate t, a
+/// least-squares fit to the table's nodes. Errors are within 2% of the root mean square for TT, and 5% for the others,
+/// which are a fifth as large.
 struct AzimuthalFit {
-  static constexpr int words = 5;   // of a node: R and TT c1; TT c2, c3; TRT c1, c2; TRT c3 and rest c1; rest c2, c3
-  static constexpr int beyond = 2;  // words behind the last node, which reads of four at a time touch
+  static constexpr int words = 5;   // of a node: R, TT c1; TT c2, c3; TRT c1, c2; TRT c3, residual c1; residual c2, c3
+  static constexpr int beyond = 2;  // padding words after the last node, touched by reads of four at a time
   int azimuths = 0, inclinations = 0;
-  std::vector<std::int32_t> nodes;  // words of node (i, j) at (j azimuths + i) words: two bfloat16, the first lower
+  std::vector<std::int32_t> nodes;  // node (i, j) begins at (j azimuths + i) words; two bfloat16 a word, low one first
 };
 
-/// Empty for an empty table.
+/// Returns the fit; empty for an empty table.
 AzimuthalFit fit_azimuthal(const ScatteringTable& table);
 
 }  // namespace pelage

@@ -24,7 +24,7 @@ void append(const ImageView& image, int width, int height, std::vector<std::int3
   }
 }
 
-/// The mean of four texels, in linear light.
+/// Returns the mean of four texels, computed in linear light.
 std::int32_t mean_of(const std::array<std::int32_t, 4>& texels, const std::array<float, 256>& linear) {
   std::int32_t mean = 0;
   for (int shift = 0; shift < 24; shift += 8) {

@@ -1,4 +1,4 @@
-// Colours out of words and images.
+// Reads colours from packed words and images.
 #if defined(PELAGE_OPTICS_COLOURS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_COLOURS_INL_H_
 #undef PELAGE_OPTICS_COLOURS_INL_H_
@@ -23,8 +23,8 @@ HWY_INLINE Int wrapped(Int at, Int side) {
   return hn::IfThenElse(hn::Lt(low, side), low, hn::Sub(low, side));
 }
 
-/// Returns the linear colour of an image at `uv` (v up), interpolated between four texels of a level: the one nearest
-/// to `pixel`, the share of the picture's side that a pixel sees.
+/// Returns the linear colour of an image at `uv` (v up), bilinear in the mip level nearest to `pixel`, the share of the
+/// picture's side that a pixel covers.
 HWY_INLINE Vec3 image_colour(const BaseImages& images, Vec3 uv, Real pixel) {
   const auto* numbers = reinterpret_cast<const std::int32_t*>(images.levels.data());
   const auto largest = static_cast<float>(std::max(images.levels[0].width, images.levels[0].height));

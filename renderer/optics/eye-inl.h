@@ -1,4 +1,4 @@
-// Eyes for several pixels at once: renderer/shaders/shared, which GLSL reads too, over lanes.
+// Eyes for several pixels at once: compiles renderer/shaders/shared, which is also GLSL, for SIMD lanes.
 #if defined(PELAGE_OPTICS_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_EYE_INL_H_
 #undef PELAGE_OPTICS_EYE_INL_H_
@@ -15,9 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-using std::asin, std::sin;  // of what is the same in all lanes
+using std::asin, std::sin;  // for values that are the same in all lanes
 
-/// Interpolates between the four texels about a position in [0, 1], each of them four bytes; the ends of a row join.
+/// Reads a level bilinearly at a position in [0, 1]^2; texels are four bytes; `around` wraps, `along` is clamped.
 HWY_INLINE Vec4 level_texel(const TissueLevels& tissues, Int level, Real around, Real along) {
   const Int width = hn::Shr(whole(iris_map_width), level), height = hn::Shr(whole(iris_map_height), level);
   const Int first = gather(tissues.first.data(), level), last_row = hn::Sub(height, whole(1));
@@ -33,17 +33,17 @@ HWY_INLINE Vec4 level_texel(const TissueLevels& tissues, Int level, Real around,
   return sum;
 }
 
-/// An eye of a frame and the light on it, under the names that the shared code has for them.
+/// An eye of a frame and the light on it, under the names that the shared code uses.
 struct EyeShading : FrameLight {
   const EyeEntry& eye;
   const glm::vec3& eye_viewer;
   const glm::vec4& surroundings;
   const TissueLevels& tissues;
   const float* caustics;
-  int eye_lights;  // of the frame's
+  int eye_lights;  // number of the frame's lights
   int eye_steps;
 
-  /// `optics` and `camera`, which is in the frame of that eye, outlive this.
+  /// `optics` and `camera` must outlive this; `camera` is in the frame of that eye.
   HWY_INLINE EyeShading(const FrameOptics& optics, const EyeCamera& camera, std::size_t number)
       : FrameLight(optics),
         eye(optics.eyes.block.eyes[number]),
@@ -57,13 +57,13 @@ struct EyeShading : FrameLight {
   HWY_INLINE Vec4 tissue_of_level(Real level, Real around, Real along) const {
     return level_texel(tissues, to_int(level), around, along);
   }
-  /// Returns the caustic that lies `beside` texels after a whole number.
+  /// Returns the caustic `beside` texels after a texel, which is an integer.
   HWY_INLINE Real caustic_at(Real texel, int beside) const { return gather(caustics + beside, to_int(texel)); }
 
 #define FUNCTION HWY_INLINE
 #define In(type) const type&
 #include "renderer/shaders/shared/iris.glsl"
-// It reads names of the iris, and so stands after it:
+// eye.glsl uses names of iris.glsl, so it comes second:
 #include "renderer/shaders/shared/eye.glsl"
 #undef In
 #undef FUNCTION

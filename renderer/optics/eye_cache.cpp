@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_shapes = 4 * max_eyes;
 
-/// The next level: the mean of two by two texels.
+/// Returns the next mip level: means of two by two texels.
 std::vector<std::uint8_t> halved(const std::vector<std::uint8_t>& texels, int width, int height) {
   std::vector<std::uint8_t> half;
   for (int y = 0; y < height / 2; ++y) {
@@ -43,7 +43,7 @@ TissueLevels tissue_levels() {
   return levels;
 }
 
-/// Pixels that the box around an eye may touch; all where it reaches the near plane.
+/// Returns the pixels that an eye's bounding box may touch; all pixels if it reaches the near plane.
 PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 size) {
   constexpr auto lids = static_cast<float>(lid_radius);
   const float side = 1.02f * lids, top = 1.02f * std::max(lids, eye.cornea.x + eye.cornea.y);

@@ -1,4 +1,4 @@
-// Eyes of a frame as they are drawn: what is kept between frames, made when the first one is drawn.
+// The optics of a frame's eyes, with data that is cached between frames and made when first needed.
 #pragma once
 
 #include <array>
@@ -12,43 +12,43 @@
 
 namespace pelage {
 
-/// The tissue of an iris and a sclera (make_iris_map) with its mip levels, four bytes a word.
+/// The tissue of an iris and a sclera (make_iris_map) with its mip levels; a texel is four bytes in a word.
 struct TissueLevels {
   std::vector<std::int32_t> words;
-  std::array<std::int32_t, iris_map_levels> first{};  // word of each level
+  std::array<std::int32_t, iris_map_levels> first{};  // first word of each level
 };
 static_assert(iris_map_height >> (iris_map_levels - 1) == 1);
 
-/// Views that outlive the frame's drawing.
+/// The views must outlive the drawing of the frame.
 struct EyeOptics {
   EyeBlock block;
-  int steps = 0;                          // into the iris: Knobs::eye_steps
-  const TissueLevels* tissues = nullptr;  // not null where there are eyes
+  int steps = 0;                          // steps of the march into the iris: Knobs::eye_steps
+  const TissueLevels* tissues = nullptr;  // not null if there are eyes
   std::span<const float> caustics;        // gather_caustics of each shape, one after the other
 };
 
 /// The camera in the frame of an eye.
 struct EyeCamera {
-  glm::vec3 viewer{0};   // radii of the eye
-  glm::vec3 forward{0};  // unit
-  PixelBox box;          // that the eye may touch
+  glm::vec3 viewer{0};   // position, radii of the eye
+  glm::vec3 forward{0};  // view direction, unit
+  PixelBox box;          // pixels that the eye may touch
 };
 
-/// On a picture of `size` pixels.
+/// Returns the camera for an eye, for a picture of `size` pixels.
 EyeCamera eye_camera(const EyeEntry& eye, const FurCamera& camera, const glm::mat4& world_to_clip, glm::ivec2 size);
 
 class EyeCache {
  public:
   EyeCache();
 
-  /// Of a frame's eyes, 1 to 8. Views into this object, until the next call.
+  /// Returns the optics of a frame's 1 to 8 eyes. Its views point into this object and are valid until the next call.
   EyeOptics of(const FurFrame& frame);
 
  private:
   int first_caustic_of(const EyeShape& shape);
 
   TissueLevels tissues_;
-  std::vector<EyeShape> shapes_;  // whose caustics are kept, in this order
+  std::vector<EyeShape> shapes_;  // the shapes whose caustics are cached, in this order
   std::vector<float> caustics_;
 };
 

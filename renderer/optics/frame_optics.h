@@ -1,4 +1,4 @@
-// What a frame's light and colours are made of, as plain numbers: what uniform blocks and textures hold for the GPU.
+// The light and colours of a frame on the CPU: the data that uniform blocks and textures hold on the GPU.
 #pragma once
 
 #include "renderer/optics/azimuthal_fit.h"
@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Views that outlive the frame's drawing.
+/// The views must outlive the drawing of the frame.
 struct FrameOptics {
   FrameBlock frame;
   ScatteringBlock scattering;
@@ -18,8 +18,8 @@ struct FrameOptics {
   int model = 0;                            // ShadingModel
   int lights = 0;
   bool far_lights = true;              // no light has a position
-  bool model_colours = false;          // whether fur takes the model's colours
-  const BaseImages* images = nullptr;  // the model's, where fur or skin takes them; null for none
+  bool model_colours = false;          // fur takes the model's colours
+  const BaseImages* images = nullptr;  // the model's images if fur or skin takes them; null for none
   float wetness = 0;                   // of the coat, [0, 1]
   EyeOptics eyes;
 };

@@ -1,5 +1,5 @@
-// Numbers of several pixels at once, and small vectors of them. Included once for each instruction set, as Highway has
-// it (hwy/foreach_target.h): what is here lies inside its namespace.
+// SIMD numbers, with one pixel for each lane, and small vectors of them. This file is included once for each
+// instruction set by Highway (hwy/foreach_target.h); everything lies inside the namespace of that set.
 #if defined(PELAGE_OPTICS_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_LANES_INL_H_
 #undef PELAGE_OPTICS_LANES_INL_H_
@@ -22,7 +22,7 @@ inline constexpr FloatTag float_tag;
 inline constexpr IntTag int_tag;
 inline constexpr int lane_count = static_cast<int>(HWY_LANES(float));
 
-/// One truth for each lane.
+/// A boolean for each lane.
 struct Mask {
   hn::Mask<FloatTag> m;
 };
@@ -33,7 +33,7 @@ HWY_INLINE bool any_lane(Mask a) { return any(a); }
 HWY_INLINE Mask both(Mask a, Mask b) { return a & b; }
 HWY_INLINE Mask either(Mask a, Mask b) { return a | b; }
 HWY_INLINE bool all(Mask a) { return hn::AllTrue(float_tag, a.m); }
-/// Lane i is bit i.
+/// Returns the mask as bits: lane i is bit i.
 HWY_INLINE std::uint32_t bits_of(Mask a) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(float_tag, a.m, bytes);
@@ -58,7 +58,7 @@ HWY_INLINE Mask operator<(Real a, Real b) { return {hn::Lt(a.v, b.v)}; }
 HWY_INLINE Mask operator>(Real a, Real b) { return {hn::Gt(a.v, b.v)}; }
 HWY_INLINE Mask operator<=(Real a, Real b) { return {hn::Le(a.v, b.v)}; }
 HWY_INLINE Mask operator>=(Real a, Real b) { return {hn::Ge(a.v, b.v)}; }
-/// a b + c, rounded once where the machine can.
+/// Returns a b + c, rounded once if the CPU has FMA.
 HWY_INLINE Real mul_add(Real a, Real b, Real c) { return hn::MulAdd(a.v, b.v, c.v); }
 HWY_INLINE Real min(Real a, Real b) { return hn::Min(a.v, b.v); }
 HWY_INLINE Real max(Real a, Real b) { return hn::Max(a.v, b.v); }
@@ -68,7 +68,7 @@ HWY_INLINE Real floor(Real a) { return hn::Floor(a.v); }
 HWY_INLINE Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 HWY_INLINE Real select(Mask mask, Real yes, Real no) { return hn::IfThenElse(mask.m, yes.v, no.v); }
 HWY_INLINE Real mix(Real a, Real b, Real share) { return mul_add(share, b - a, a); }
-/// Of what is the same in all lanes.
+/// For values that are the same in all lanes.
 HWY_INLINE float max(float a, float b) { return a > b ? a : b; }
 HWY_INLINE float clamp(float a, float low, float high) { return a < low ? low : a > high ? high : a; }
 HWY_INLINE Real load(const float* from) { return hn::LoadU(float_tag, from); }
@@ -78,20 +78,20 @@ HWY_INLINE Real smoothstep(Real low, Real high, Real x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
-/// Whole numbers, for places in arrays.
+/// Integers, for indices into arrays.
 using Int = hn::Vec<IntTag>;
-HWY_INLINE Int to_int(Real a) { return hn::ConvertTo(int_tag, a.v); }  // towards 0
+HWY_INLINE Int to_int(Real a) { return hn::ConvertTo(int_tag, a.v); }  // rounds towards 0
 HWY_INLINE Real to_real(Int a) { return hn::ConvertTo(float_tag, a); }
 HWY_INLINE Int whole(std::int32_t a) { return hn::Set(int_tag, a); }
 HWY_INLINE Real gather(const float* from, Int index) { return hn::GatherIndex(float_tag, from, index); }
 HWY_INLINE Int gather(const std::int32_t* from, Int index) { return hn::GatherIndex(int_tag, from, index); }
-/// Four words that lie side by side, of each lane: by loads and shuffles, which take less than four gathers.
+/// Four adjacent words for each lane, read by loads and shuffles, which are faster than four gathers.
 struct Quad {
   Int word[4];
   HWY_INLINE Real real(int k) const { return hn::BitCast(float_tag, word[k]); }
 };
 
-/// Four words of every fourth lane from the first one of `index` on, side by side.
+/// Loads the four words of every fourth lane, starting with the first one of `index`.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> load_every_fourth(Tag tag, const std::int32_t* from, const std::int32_t* index) {
   if constexpr (hn::MaxLanes(Tag()) == 4) {
@@ -103,11 +103,12 @@ HWY_INLINE hn::Vec<Tag> load_every_fourth(Tag tag, const std::int32_t* from, con
   }
 }
 
-/// Those from `index` on.
+/// Loads the four words from `index` on for each lane.
 HWY_INLINE Quad gather_quad(const std::int32_t* from, Int index) {
   HWY_ALIGN std::int32_t at[lane_count];
   hn::Store(index, int_tag, at);
-  // Of each block of four lanes the words of one lane. Written out: a loop stays one, and goes through memory.
+  // Each row has the words of one lane from each block of four lanes. Not a loop, because compilers keep it as one and
+  // go through memory.
   const Int row[4] = {load_every_fourth(int_tag, from, at), load_every_fourth(int_tag, from, at + 1),
                       load_every_fourth(int_tag, from, at + 2), load_every_fourth(int_tag, from, at + 3)};
   const hn::Repartition<std::int64_t, IntTag> pair_tag;
@@ -124,13 +125,14 @@ HWY_INLINE Quad gather_quad(const float* from, Int index) {
   return gather_quad(reinterpret_cast<const std::int32_t*>(from), index);
 }
 
-/// A byte of each lane, over 255.
+/// Returns a byte of each lane, over 255.
 template <int at>
 HWY_INLINE Real byte_of(Int word) {
   return to_real(hn::And(hn::ShiftRight<8 * at>(word), whole(255))) * (1.0f / 255);
 }
 
-/// 2^x; x below -126 gives 0, above 126 2^126. Relative error 2e-7: the fraction by a least squares polynomial.
+/// Returns 2^x; 0 for x below -126, 2^126 for x above 126. Relative error 2e-7: least-squares polynomial for the
+/// fraction.
 HWY_INLINE Real exp2(Real x) {
   const Real held = clamp(x, -127.0f, 126.0f);
   const Real below = floor(held), part = held - below;
@@ -145,7 +147,7 @@ HWY_INLINE Real exp2(Real x) {
 }
 HWY_INLINE Real exp(Real x) { return exp2(x * 1.44269504f); }
 
-/// log2 of x > 0, normal. Error 2e-7 absolute about 1: 2 atanh((m - 1) / (m + 1)) / ln 2 for the mantissa in
+/// Returns log2 of a normal x > 0. Absolute error 2e-7 near 1: 2 atanh((m - 1) / (m + 1)) / ln 2 for the mantissa in
 /// [.71, 1.41].
 HWY_INLINE Real log2(Real x) {
   const Int bits = hn::BitCast(int_tag, max(x, 1.1754944e-38f).v);
@@ -160,10 +162,10 @@ HWY_INLINE Real log2(Real x) {
   return mul_add(p, t, power);
 }
 HWY_INLINE Real log(Real x) { return log2(x) * 0.69314718f; }
-/// x^y for x >= 0.
+/// Returns x^y for x >= 0.
 HWY_INLINE Real pow(Real x, Real y) { return exp2(y * log2(x)); }
 
-/// Angles within 3e-8 radians (Abramowitz and Stegun 4.4.49 and 4.4.46).
+/// Angles with an error within 3e-8 radians (Abramowitz and Stegun 4.4.49 and 4.4.46).
 HWY_INLINE Real atan2(Real y, Real x) {
   const Real across = abs(x), up = abs(y), t = min(across, up) / max(max(across, up), 1e-30f), t2 = t * t;
   Real p = 0.0028662257f;
@@ -201,7 +203,7 @@ struct Vec3 {
   HWY_INLINE Vec3(Real a, Real b, Real c) : x(a), y(b), z(c) {}
   HWY_INLINE explicit Vec3(Real same) : x(same), y(same), z(same) {}
   HWY_INLINE Vec3(const glm::vec3& same) : x(same.x), y(same.y), z(same.z) {}           // NOLINT: the same in all lanes
-  HWY_INLINE explicit Vec3(const glm::vec4& same) : x(same.x), y(same.y), z(same.z) {}  // its fourth is left out
+  HWY_INLINE explicit Vec3(const glm::vec4& same) : x(same.x), y(same.y), z(same.z) {}  // drops w
 };
 HWY_INLINE Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 HWY_INLINE Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -215,7 +217,7 @@ HWY_INLINE Vec3& operator*=(Vec3& a, Vec3 b) { return a = a * b; }
 HWY_INLINE Real dot(Vec3 a, Vec3 b) { return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z)); }
 HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 HWY_INLINE Real length(Vec3 a) { return sqrt(dot(a, a)); }
-/// Unit, or 0 for what has no direction.
+/// Returns the unit vector, or 0 for a vector of length 0.
 HWY_INLINE Vec3 unit(Vec3 a) { return a * (1.0f / max(length(a), 1e-20f)); }
 HWY_INLINE Vec3 select(Mask mask, Vec3 yes, Vec3 no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
@@ -251,7 +253,7 @@ HWY_INLINE Vec4 mix(Vec4 a, Vec4 b, Real share) {
   return {mix(a.x, b.x, share), mix(a.y, b.y, share), mix(a.z, b.z, share), mix(a.w, b.w, share)};
 }
 
-/// The index of arrays in code of renderer/shaders/shared, which is compiled for lanes and as GLSL.
+/// The type of array indices in renderer/shaders/shared, which is compiled for SIMD lanes and as GLSL.
 using Index = std::size_t;
 
 }  // namespace pelage::HWY_NAMESPACE

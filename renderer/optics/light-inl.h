@@ -1,4 +1,5 @@
-// Light on fur and skin for several pixels at once: renderer/shaders/shared, which GLSL reads too, over lanes.
+// Light on fur and skin for several pixels at once: compiles renderer/shaders/shared, which is also GLSL, for SIMD
+// lanes.
 #if defined(PELAGE_OPTICS_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_LIGHT_INL_H_
 #undef PELAGE_OPTICS_LIGHT_INL_H_
@@ -13,14 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// Colour of the fur above a height over the colour there.
+/// Returns the colour of the fur above a height over the colour there.
 HWY_INLINE Vec3 colour_above(const FrameBlock& frame, Real height) {
   const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
   const Quad colour = gather_quad(&frame.colour_above[0].x, hn::ShiftLeft<2>(slice));
   return {colour.real(0), colour.real(1), colour.real(2)};
 }
 
-/// A point in each cell of whole numbers: pcg3d (Jarzynski and Olano 2020).
+/// Returns a random point in [0, 1]^3 for an integer cell: pcg3d (Jarzynski and Olano 2020).
 HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
   Int x = to_int(cell.x), y = to_int(cell.y), z = to_int(cell.z);
   const auto seeded = [](Int v) HWY_ATTR { return hn::Add(hn::Mul(v, whole(1664525)), whole(1013904223)); };
@@ -44,8 +45,8 @@ HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
 #include "renderer/shaders/shared/skin.glsl"
 #undef FUNCTION
 
-/// The blocks of a frame, under the names that the shared code has for them. Its functions change nothing, but GLSL has
-/// no word for that, so that objects are not const.
+/// The blocks of a frame, under the names that the shared code uses. Its functions change nothing, but they are not
+/// const, because GLSL has no such keyword; so objects cannot be const either.
 struct FrameLight {
   const FrameBlock& frame;
   const SkinBlock& bare_skin;

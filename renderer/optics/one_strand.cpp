@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// The same in all lanes.
+/// Returns the strand in all lanes.
 HWY_INLINE Fibre lanes_of(const StrandOptics& optics, const LitStrand& strand) {
   Fibre fibre{};
   fibre.tangent = Vec3(strand.tangent), fibre.normal = Vec3(strand.normal), fibre.to_camera = Vec3(strand.to_camera);

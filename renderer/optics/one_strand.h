@@ -1,5 +1,4 @@
-// Light on one strand, computed by the code that draws fur over lanes (scattering-inl.h): for rays, which hit strands
-// one at a time.
+// Light on one strand, for ray tracing: computed by the SIMD code that also draws fur (scattering-inl.h).
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +8,7 @@
 
 namespace pelage {
 
-/// A look's shading model as one strand needs it, made once for many.
+/// The shading model of a look for single strands, made once for many.
 struct StrandOptics {
   ScatteringBlock scattering;
   AzimuthalFit azimuthal;
@@ -22,22 +21,23 @@ struct StrandOptics {
 struct LitStrand {
   glm::vec3 tangent, normal, to_camera, to_light;
   glm::vec3 colour;   // linear, [0, 1]
-  float number = 0;   // of the strand, [0, 1]
+  float number = 0;   // random number of the strand, [0, 1]
   float wetness = 0;  // painted beyond the coat's own, [0, 1]
 };
 
-// Scattered to the camera for light of radiance 1, which a white matt surface would return as 1: three channels, finite
-// and not below 0. Shadow and ambient are the caller's. The same bits on one kind of CPU. Safe to share between
-// threads.
+// Functions return the light scattered to the camera for light of radiance 1, for which a white matt surface would
+// return 1: three channels, finite and >= 0. Shadow and ambient light are left to the caller. The same bits on one kind
+// of CPU. Safe to share between threads.
 
-/// Returns what the look's model scatters, light from behind the surface included (B of GPU fur eq 1).
+/// Returns what the look's model scatters, including the attenuation of light from behind the surface (B of GPU fur eq
+/// 1).
 glm::vec3 scatter_strand(const StrandOptics& optics, const LitStrand& strand);
 
-/// Returns what one fibre scatters, averaged over its width: pi times the sum of Mp Ap Np. The model has to be one of
-/// fibres.
+/// Returns what one fibre scatters, averaged over its width: pi times the sum of Mp Ap Np. Requires a fibre shading
+/// model.
 glm::vec3 scatter_once(const StrandOptics& optics, const LitStrand& strand);
 
-/// What a bundle of fibres sends back where one of them sends back `once`.
+/// Returns what a bundle of fibres scatters, given what one fibre scatters (`once`).
 glm::vec3 scatter_bundle(const StrandOptics& optics, const LitStrand& strand, glm::vec3 once);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Every shading model for several pixels at once: renderer/shaders/shared, which GLSL reads too, over lanes.
+// All shading models for several pixels at once: compiles renderer/shaders/shared, which is also GLSL, for SIMD lanes.
 #if defined(PELAGE_OPTICS_SCATTERING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_OPTICS_SCATTERING_INL_H_
 #undef PELAGE_OPTICS_SCATTERING_INL_H_
@@ -18,7 +18,8 @@ namespace pelage::HWY_NAMESPACE {
 #include "renderer/shaders/shared/strand.glsl"
 #undef FUNCTION
 
-/// Of a coat of that wetness, for water that is painted beyond it: wet_shine and wet_sharpness over the coat's own.
+/// Returns the factors for water painted beyond a coat's own wetness: wet_shine and wet_sharpness relative to the
+/// coat's own.
 HWY_INLINE Shine shine_of(float coat, Real painted) {
   const auto wetter = [=](double rise) HWY_ATTR {
     const auto by = static_cast<float>(rise);
@@ -27,7 +28,7 @@ HWY_INLINE Shine shine_of(float coat, Real painted) {
   return {wetter(water_shines), wetter(water_sharpens)};
 }
 
-/// One axis of a table: the node below and the share of the next.
+/// A position on one axis of a table: the node below it and the weight of the next.
 struct Node {
   Int first;
   Real share;
@@ -43,13 +44,13 @@ HWY_INLINE Real upper_bfloat(Int word) {
   return hn::BitCast(float_tag, hn::And(word, whole(static_cast<std::int32_t>(0xffff0000))));
 }
 
-/// Average over the fibre's width of Ap Np weighed by `along`, as a polynomial in the absorption.
+/// Average of Ap Np over the fibre's width, weighted by `along`, as a polynomial in the absorption.
 struct AbsorptionCurve {
   Real c0, c1, c2, c3;
   HWY_INLINE Real at(Real t) const { return mul_add(t, mul_add(t, mul_add(t, c3, c2), c1), c0); }
 };
 
-/// Adds the words of a node by their weight.
+/// Adds a node's polynomials with a weight.
 HWY_INLINE void add_node(const Int* word, Real weight, const Vec4& along, AbsorptionCurve& curve) {
   const Real tt = weight * along.y, trt = weight * along.z, rest = weight * along.w;
   curve.c0 = mul_add(weight * along.x, lower_bfloat(word[0]), curve.c0);
@@ -65,7 +66,7 @@ HWY_INLINE AbsorptionCurve azimuthal_curve(const AzimuthalFit& fit, const Vec4& 
   for (int row = 0; row < 2; ++row) {
     const Int j = hn::Add(inclination.first, whole(row));
     const Int node = hn::Mul(hn::Add(hn::Mul(j, whole(fit.azimuths)), azimuth.first), whole(AzimuthalFit::words));
-    Int word[12];  // of two nodes side by side, and two more
+    Int word[12];  // the words of two adjacent nodes, and two more
     for (int quad = 0; quad < 3; ++quad) {
       const Quad found = gather_quad(fit.nodes.data() + 4 * quad, node);
       for (int k = 0; k < 4; ++k) word[4 * quad + k] = found.word[k];

@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-/// Calls pixel(x, y), which gives sRGB with straight alpha.
+/// Makes an overlay of pixel(x, y), which returns sRGB with straight alpha.
 template <class Pixel>
 FloatImage plain_overlay(int width, int height, int threads, const Pixel& pixel) {
   auto image = empty_picture<FloatImage>(width, height);
@@ -30,12 +30,12 @@ FloatImage plain_overlay(int width, int height, int threads, const Pixel& pixel)
   return image;
 }
 
-constexpr float overlay_strength = 0.6f;  // of colours over the frame
+constexpr float overlay_strength = 0.6f;  // opacity of colours over the frame
 
 float fraction(float x) { return x - std::floor(x); }
 
-/// Where a direction points: red to the right, then yellow, green up, blue to the left and violet down; paler the
-/// shorter. sRGB.
+/// Returns the colour of a direction, sRGB: red to the right, then yellow, green up, blue to the left and violet down;
+/// paler if it is shorter.
 glm::vec3 hue_of(glm::vec2 direction) {
   const float length = std::min(glm::length(direction), 1.0f);
   const float turn = length > 1e-6f ? std::atan2(direction.y, direction.x) / 6.28318531f : 0.0f;
@@ -45,7 +45,8 @@ glm::vec3 hue_of(glm::vec2 direction) {
   return glm::mix(glm::vec3(1), glm::vec3(channel(1), channel(0.66666667f), channel(0.33333333f)), length);
 }
 
-/// Dark violet for 0, then blue, green and yellow for 1: lightness rises evenly (viridis in five steps). sRGB.
+/// Returns the colour of a number in [0, 1], sRGB: dark violet for 0, then blue, green and yellow for 1. Lightness
+/// rises evenly (viridis in five steps).
 glm::vec3 ramp_of(float share) {
   constexpr std::array<glm::vec3, 5> steps{glm::vec3(0.267f, 0.005f, 0.329f), glm::vec3(0.230f, 0.322f, 0.546f),
                                            glm::vec3(0.128f, 0.567f, 0.551f), glm::vec3(0.369f, 0.789f, 0.383f),
@@ -55,7 +56,8 @@ glm::vec3 ramp_of(float share) {
   return glm::mix(steps[low], steps[low + 1], at - static_cast<float>(low));
 }
 
-/// How the fur at a vertex leans on the picture: right and up, at most 1 where it lies across the view.
+/// Returns the lean of the fur at a vertex in the picture: to the right and up; length at most 1, for fur that lies
+/// across the view.
 glm::vec2 lean_on_picture(const FurFrame& frame, const glm::mat4& to_clip, const FieldVertex& vertex) {
   const glm::vec3 towards =
       vertex.tangent * vertex.direction.x + glm::cross(vertex.normal, vertex.tangent) * vertex.direction.y;
@@ -75,14 +77,14 @@ glm::vec3 colour_of(Overlay overlay, glm::vec2 value) {
   return ramp_of(value.x);
 }
 
-constexpr float cell = 10;  // pixels, with one stroke each
+constexpr float cell = 10;  // side of a cell with one stroke, pixels
 
 struct Stroke {
   bool there = false;
   glm::vec2 root{0}, along{0};  // pixels
 };
 
-/// One in each cell of the picture where there is fur.
+/// One stroke in each cell of the picture that shows fur.
 struct StrokeField {
   int across = 0, down = 0;  // cells
   std::vector<Stroke> strokes;
@@ -93,13 +95,13 @@ struct StrokeField {
   }
 };
 
-/// Cells are moved a little, so that rows do not catch the eye.
+/// Returns a small random offset of a cell's stroke, which hides the regular rows.
 glm::vec2 moved(glm::ivec2 at) {
   const auto part = [](int number) { return fraction(std::sin(static_cast<float>(number) * 0.37f) * 43.758f) - 0.5f; };
   return 0.3f * glm::vec2(part(at.x * 127 + at.y * 311), part(at.x * 269 + at.y * 183));
 }
 
-/// `lean_at(x, y)`: right, up, and 1 where there is fur, of a pixel.
+/// `lean_at(x, y)`: lean at a pixel, to the right and up, and 1 where there is fur.
 template <class LeanAt>
 StrokeField stroke_field(int width, int height, const LeanAt& lean_at) {
   constexpr float longest = 1.6f * cell;
@@ -119,7 +121,7 @@ StrokeField stroke_field(int width, int height, const LeanAt& lean_at) {
   return field;
 }
 
-/// Distance of a pixel's middle to a stroke's edge, pixels.
+/// Returns the distance of a pixel's centre to a stroke's edge, pixels.
 float distance_to(const Stroke& stroke, glm::vec2 pixel) {
   constexpr float root_width = 0.8f, tip_width = 0.2f, nowhere = 1e3f;  // half widths
   if (!stroke.there) return nowhere;
@@ -129,8 +131,8 @@ float distance_to(const Stroke& stroke, glm::vec2 pixel) {
   return glm::length(apart - share * stroke.along) - glm::mix(root_width, tip_width, share);
 }
 
-/// Short lines along the fur: one in each cell of the picture, thick at the root, thin at the tip; the longer the more
-/// the fur leans, and a dot where it stands upright or points at the eye.
+/// Returns the colour of a pixel with short lines along the fur: one in each cell, thick at the root and thin at the
+/// tip; longer where the fur leans more, and a dot where it stands upright or points at the camera.
 glm::vec4 stroke_at(const StrokeField& field, int x, int y) {
   constexpr float silhouette = 0.9f;  // pixels
   const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
@@ -164,7 +166,7 @@ FieldValues::FieldValues(const FurFrame& frame, float longest)
 }
 
 glm::vec3 FieldValues::of(const FieldVertex& vertex) const {
-  const bool shown = frame_.overlay != Overlay::strokes || vertex.length > 0;  // strokes lie along fur
+  const bool shown = frame_.overlay != Overlay::strokes || vertex.length > 0;  // strokes need fur
   return {number_of(vertex), shown ? 1.0f : 0.0f};
 }
 
@@ -222,7 +224,8 @@ struct Shape {
     return glm::mix(darkest, lightest, std::min(facing, 1.0f));
   }
 
-  /// The vertices of a piece in rising order: pieces of the skin overlap, and several have the same.
+  /// Returns the vertices of the piece at a pixel in ascending order: pieces of the skin overlap, and several have the
+  /// same vertices.
   std::array<std::uint32_t, 3> corners_at(int x, int y) const {
     const glm::uvec3 t = model.triangles[static_cast<std::size_t>(pieces.rgba[index(pieces, x, y)])];
     std::array<std::uint32_t, 3> corners{t.x, t.y, t.z};
@@ -230,7 +233,7 @@ struct Shape {
     return corners;
   }
 
-  /// Returns whether the pixel to the right or below shows another triangle.
+  /// Returns true if the pixel to the right or below shows another triangle.
   bool is_edge(int x, int y) const {
     const auto differs = [&](int beside_x, int beside_y) {
       if (beside_x >= frame.width || beside_y >= frame.height) return false;

@@ -1,4 +1,4 @@
-// Fields as colours over a frame, for inspection.
+// Overlays for inspection: fields as colours over a frame, and the bare shape of a model.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace pelage {
 
-/// Returns whether an overlay shows a field: one that is painted or combed, strokes along the fur, or the difference.
+/// Returns true if an overlay shows a field: a painted or combed one, strokes along the fur, or the difference.
 bool is_field(Overlay overlay);
 
-/// What fields say at a vertex.
+/// The values of fields at a vertex.
 struct FieldVertex {
   glm::vec3 position{0}, normal{0, 1, 0}, tangent{1, 0, 0};
   glm::vec2 direction{0};
   float length = 0;  // sizes
   float density = 1, wetness = 0, mask = 1;
-  std::uint32_t model_vertex = 0;  // of FurFrame::difference
+  std::uint32_t model_vertex = 0;  // index into FurFrame::difference
 };
 
-/// What a vertex is coloured by, for a frame whose overlay is a field: a lean on the picture, or one number, in the
-/// first two, and 1 where it is shown, else 0.
+/// Evaluates what a vertex shows, for a frame whose overlay is a field. x and y: lean in the picture, or one number in
+/// x. z: 1 if it is shown, else 0.
 class FieldValues {
  public:
-  /// `longest`: length of the longest fur of all, sizes.
+  /// `longest`: length of the longest fur, sizes.
   FieldValues(const FurFrame& frame, float longest);
   glm::vec3 of(const FieldVertex& vertex) const;
 
@@ -38,15 +38,15 @@ class FieldValues {
   float longest_;
 };
 
-/// The frame's overlay by what is seen at each pixel of a picture of its size, row by row: the value there, and how
-/// much of the pixel shows it. sRGB with straight alpha.
+/// Returns the frame's overlay, sRGB with straight alpha. `seen` has for each pixel, row by row, the value there, and
+/// the share of the pixel that shows it.
 FloatImage field_picture(const FurFrame& frame, const std::vector<glm::vec3>& seen, int threads);
 
-// The bare shape of a model in place of a frame, to find places on it.
+// The bare shape of a model, which replaces a frame, to find positions on the model.
 
-/// Overlay::bald or wire at the frame's size, which it hides: the skin in plain grey, lit from the camera, and for wire
-/// the edges of its triangles. Of each pixel, row by row, `normals` has the normal of the skin that is seen and 1, 0
-/// where there is none; the first number of `pieces` that of its piece of the model.
+/// Returns Overlay::bald or wire at the frame's size; opaque. It shows the skin in plain grey, lit from the camera, and
+/// for wire the edges of its triangles. For each pixel, row by row, `normals` has the normal of the visible skin and 1,
+/// or 0 where there is none; the first number of `pieces` is the index of the model's piece there.
 FloatImage shape_picture(const FurFrame& frame, const FurModel& model, const FloatImage& normals,
                          const FloatImage& pieces, int threads);
 

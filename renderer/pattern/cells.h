@@ -1,4 +1,5 @@
-// Cells of a grid side by side, so that loops over them become vectors: multiples of four, and no branch.
+// Grid cells as structures of arrays, so that loops over them are vectorized: counts are multiples of four, and there
+// are no branches.
 #pragma once
 
 #include <array>
@@ -12,13 +13,13 @@ struct Cells {
   std::array<std::uint32_t, count> x, y, z;
 };
 
-/// Three numbers in [0, 1) for each.
+/// Three numbers in [0, 1) for each cell.
 template <std::size_t count>
 struct CellNumbers {
   std::array<float, count> x, y, z;
 };
 
-/// The cells at the corners of a cube from `low` on, x fastest.
+/// Returns the eight cells of the cube whose lowest one is `low`, x fastest.
 inline Cells<8> corner_cells(glm::ivec3 low) {
   Cells<8> cells;
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -29,7 +30,7 @@ inline Cells<8> corner_cells(glm::ivec3 low) {
   return cells;
 }
 
-/// PCG3D (Jarzynski, Olano 2020): pure functions of cell, stream and seed, the same on CPU and GPU.
+/// Returns random numbers by PCG3D (Jarzynski, Olano 2020): pure functions of cell, stream and seed.
 template <std::size_t count>
 CellNumbers<count> numbers_of(Cells<count> cells, std::uint32_t stream, std::uint32_t seed) {
   const std::uint32_t key = seed * 0x9e3779b9u + stream * 0x85ebca6bu;

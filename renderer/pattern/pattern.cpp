@@ -48,13 +48,15 @@ float largest_wet_luminance(const Coat& coat) {
   return largest;
 }
 
-/// Of discs scattered about .8 to a unit square that cover this share of it; over .55 they would have to touch.
+/// Returns the radius of discs, about .8 scattered on a unit square, that cover a share of it; above .55 they would
+/// have to touch.
 double spot_radius(double coverage) {
   return std::min(0.5, std::sqrt(-std::log1p(-std::min(coverage, 0.95)) / (0.8 * std::numbers::pi)));
 }
 
-/// Below which the sum of both noises (standard deviations .19 and, by warp, .1) is with a chance of the coverage: the
-/// logistic curve close to the normal one. Beyond all values of noise for a coverage of 0 and 1.
+/// Returns the threshold below which the sum of both noises (standard deviations .19 and, by warp, .1) lies with a
+/// probability of the coverage, by a logistic curve close to the normal distribution. For a coverage of 0 and 1 it is
+/// beyond all values of noise.
 double patch_threshold(const Pattern& pattern) {
   const double coverage = std::clamp(pattern.coverage, 1e-9, 1 - 1e-9);
   const double deviation = 0.19 * std::hypot(1.0, 0.5 * pattern.warp);
@@ -87,7 +89,7 @@ bool has_pattern(const Coat& coat) {
 
 namespace {
 
-/// The block with its numbers by name, and the steps of pattern.glsl in the same order.
+/// Evaluates a block's pattern.
 class Evaluator {
  public:
   explicit Evaluator(const PatternBlock& block) : block_(block) {}
@@ -127,7 +129,8 @@ class Evaluator {
   const PatternBlock& block_;
 };
 
-/// Counts stripes along the axis; on legs and haunches they turn to lie around the leg, on haunches swept to the rump.
+/// Returns the number of stripes up to a position along the axis. On legs and haunches they bend to lie around the leg,
+/// on haunches swept to the rump.
 float Evaluator::stripe_count(glm::vec3 place) const {
   const float along = glm::dot(place, glm::vec3(block_.axis));
   const float haunch = 1 - glm::smoothstep(-0.25f, 0.0f, along);
@@ -136,7 +139,8 @@ float Evaluator::stripe_count(glm::vec3 place) const {
   return turned * per_size() + 2 * warp() * noise(0.4f * per_size() * place, 0);
 }
 
-/// 0 in the middle of a stripe, 1 between stripes. Noise drawn out along the stripes joins, splits and ends them.
+/// Returns 0 in the middle of a stripe and 1 between stripes. Noise stretched along the stripes joins, splits and ends
+/// them.
 float Evaluator::stripe(glm::vec3 place, float ragged) const {
   const float count = stripe_count(place);
   const glm::vec3 axis(block_.axis);
@@ -158,14 +162,14 @@ glm::vec2 Evaluator::tabby(glm::vec3 place, glm::vec3 normal) const {
   return {glm::max(below(broken, coverage(), soft()), spine), glm::smoothstep(0.7f, 0.9f, broken)};
 }
 
-/// Distance from the middle of a spot: 1 at its edge, which noise makes uneven.
+/// Returns the distance from the middle of a spot: 1 at its edge, which noise makes uneven.
 float Evaluator::spot(glm::vec3 place, glm::vec3 normal) const {
   const glm::vec3 at = place * per_size();
   const float uneven = 1 + 0.9f * warp() * noise(2.0f * at, 4);
   return cell_distance(at, normal, 3, block_.head.y) * uneven / glm::max(block_.derived.y, 1e-4f);
 }
 
-/// Rings that are broken in places; on the legs they are filled, and smaller.
+/// Returns rosettes: rings that are broken in places; on the legs they are filled, and smaller.
 glm::vec2 Evaluator::rosettes(glm::vec3 place, glm::vec3 normal) const {
   const float legs = on_legs(place), half_width = 0.5f * softness() + 1e-3f;
   const float at = spot(place, normal) * (1 + 0.5f * legs);
@@ -193,7 +197,7 @@ glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
   return glm::vec2(0);
 }
 
-/// 1 on what is turned down and low, 0 on the back; `reach` in [0, 1] is how far up it goes.
+/// Returns 1 on downward and low skin, 0 on the back; `reach` in [0, 1] is how far up it extends.
 float Evaluator::under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const {
   const float down = -0.9f * normal.y - 0.5f * place.y + 0.25f * noise(9.0f * place, 10);
   const float threshold = glm::mix(1.4f, -1.4f, reach);

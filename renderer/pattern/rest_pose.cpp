@@ -6,7 +6,8 @@ namespace pelage {
 
 namespace {
 
-/// Columns: along the first side, across it in the triangle's plane, its normal.
+/// Returns the local frame of a triangle, none if it has no area. Columns: along the first side, across it in the
+/// triangle's plane, the normal.
 std::optional<glm::mat3> frame_of(const std::array<glm::vec3, 3>& triangle) {
   const glm::dvec3 side(triangle[1] - triangle[0]), other(triangle[2] - triangle[0]);
   const glm::dvec3 across = glm::cross(side, other);

@@ -1,4 +1,4 @@
-// A place of a surface as patterns and tufts know it: where it lay when the coat was made.
+// A position of a surface in the rest pose, in which the coat was made; patterns and tufts depend on it.
 #pragma once
 
 #include <array>
@@ -6,14 +6,14 @@
 
 namespace pelage {
 
-/// `turn` takes directions from there to where the surface is now.
+/// A position in the rest pose. `turn` maps directions from the rest pose to the current pose.
 struct RestPosePoint {
-  glm::vec3 place{0}, normal{0, 1, 0};  // internal coordinates, unit
+  glm::vec3 place{0}, normal{0, 1, 0};  // internal coordinates; the normal is unit
   glm::mat3 turn{1};                    // a rotation
 };
 
-/// The rotation from a triangle of the rest pose to where it is now: of its first side and of its normal. None for a
-/// triangle that has no area there or here.
+/// Returns the rotation from a triangle of the rest pose to the current one: it maps the first side's direction and the
+/// normal. The identity if either triangle has no area.
 glm::mat3 turn_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now);
 
 }  // namespace pelage

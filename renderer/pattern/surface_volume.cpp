@@ -11,7 +11,7 @@ namespace {
 constexpr float finest_cell = 0.005f;
 constexpr int max_cells = 256;
 
-/// Fills the grid from points on the surface: each evaluates the eight cells that a fetch there would read.
+/// Fills the grid from points on the surface: for each it evaluates the eight cells that a fetch there would read.
 class Filler {
  public:
   Filler(const VolumeValue& value, SurfaceVolume& volume) : value_(value), volume_(volume) {
@@ -21,7 +21,7 @@ class Filler {
     filled_.assign(cells, false);
   }
 
-  /// Fills the eight cells around a place. `rest_pose_point(middle)` gives a cell's middle in the rest pose.
+  /// Fills the eight cells around a position. `rest_pose_point(middle)` returns a cell's middle in the rest pose.
   template <class RestPose>
   void fill_about(glm::vec3 place, const RestPose& rest_pose_point) {
     const glm::ivec3 first(glm::floor((place - volume_.origin) / volume_.cell - 0.5f));
@@ -49,7 +49,7 @@ class Filler {
   std::vector<bool> filled_;
 };
 
-/// Calls `visit` with barycentrics at most half a cell apart over a triangle.
+/// Calls `visit` with barycentric coordinates at most `spacing` apart over a triangle.
 template <class Visit>
 void for_each_point(const std::array<glm::vec3, 3>& corners, float spacing, Visit visit) {
   const auto& [a, b, c] = corners;
@@ -68,7 +68,7 @@ glm::vec3 mixed(const std::array<glm::vec3, 3>& values, glm::vec3 share) {
   return share.x * values[0] + share.y * values[1] + share.z * values[2];
 }
 
-/// A triangle where it is, and where it lies in the rest pose.
+/// A triangle in the current pose and in the rest pose.
 struct Corners {
   std::array<glm::vec3, 3> places, rest_places, rest_normals;
   bool moved = false;

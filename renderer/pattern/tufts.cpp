@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint32_t tuft_stream = 31;
 constexpr float finer = 0.45f, max_gathered = 0.6f;
 
-constexpr std::size_t beside = 27, looked_at = 28;  // cells about a place, and as many as make whole vectors
+constexpr std::size_t beside = 27, looked_at = 28;  // cells around a position, and their number in whole vectors
 
-/// From the cell of a place, along one axis: -1, 0 or 1.
+/// Returns the offsets of the cells around a position along one axis: -1, 0 or 1.
 constexpr std::array<std::int8_t, looked_at> steps_along(int axis) {
   std::array<std::int8_t, looked_at> steps{};
   constexpr std::array<int, 3> every{1, 3, 9};
@@ -26,7 +26,7 @@ constexpr std::array<std::int8_t, looked_at> steps_along(int axis) {
 }
 constexpr std::array steps{steps_along(0), steps_along(1), steps_along(2)};
 
-/// One scale, in units of its cells. What lies off the surface counts as three times as far.
+/// Returns the tuft on one scale, in units of its cells. Distances off the surface count three times.
 TuftPlace nearest_tuft(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
   const glm::vec3 low = glm::floor(place), inside = place - low;
   const glm::uvec3 cell(static_cast<glm::ivec3>(low));

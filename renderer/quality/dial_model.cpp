@@ -15,7 +15,7 @@ Knobs dial_knobs(double strands, int light_of, double scale) {
 
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs) {
   constexpr double million = 1e6, hundred_thousand = 1e5;
-  constexpr double aslant = 1.3;  // strands that stand on a pixel of what is seen, over those of one seen from above
+  constexpr double aslant = 1.3;  // strands on a pixel of visible skin, over those on a pixel of skin seen from above
   const double pixels = view.pixels * knobs.scale * knobs.scale;
   const double on_a_pixel = view.strands / std::max(aslant * view.area * knobs.scale * knobs.scale, 1e-12);
   const double kept =
@@ -32,7 +32,7 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
 namespace {
 
 double shells_cost(const ViewFeatures& view, const Layering& shells, double scale) {
-  constexpr double million_fragments = 100, sorted = 10;  // milliseconds on software, times as much
+  constexpr double million_fragments = 100, sorted = 10;  // milliseconds on a software GL; factor for sorting
   const double fragments = scale * scale * view.area * shells.count / 1e6;
   return million_fragments * fragments * (shells.order == FragmentOrder::sorted ? sorted : 1);
 }

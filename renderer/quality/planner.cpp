@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 double safe_cost(const PlannedFrame& option) { return option.estimate.cost_ms * option.estimate.cost_safety; }
-/// No FLIP is above 1.
+/// Clamped, because FLIP is at most 1.
 double safe_error(const PlannedFrame& option) {
   return std::min(1.0, option.estimate.error * option.estimate.error_safety);
 }
@@ -25,7 +25,7 @@ FrameEstimate estimate(const PlanBasis& basis, const DialRow& row) {
           .calibration = basis.machine.name};
 }
 
-/// The option that is least by `measure` among those that pass; null when none does. Of equal ones the first.
+/// Returns the option with the smallest `measure` among those that pass, the first of equal ones; null if none passes.
 template <class Measure, class Pass>
 const PlannedFrame* min_by(const std::vector<PlannedFrame>& options, Measure measure, Pass pass) {
   const PlannedFrame* best = nullptr;

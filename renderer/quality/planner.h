@@ -1,4 +1,4 @@
-// From a budget or an error to knobs. Pure: the same arguments give the same choice.
+// Chooses knobs for a time budget or a maximum error. Pure functions: the same arguments give the same choice.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace pelage {
 
-/// What a choice is made by.
+/// The inputs of a choice.
 struct PlanBasis {
   const DialModel& model;
   const Calibration& machine;
   const ViewFeatures& view;
-  CostCorrection correction = {};  // of the scene
+  CostCorrection correction = {};  // cost correction of the scene
 };
 
-/// What is asked for: exactly one of them.
+/// The goal: exactly one of the two is set.
 struct PlanGoal {
   std::optional<double> budget_ms, max_error;
 };
@@ -28,16 +28,16 @@ struct PlannedFrame {
   FrameEstimate estimate;
 };
 
-/// How far a frame may exceed its budget: 95% of frames stay within this factor.
+/// Factor by which a frame may exceed its budget; 95% of frames stay within it.
 inline constexpr double budget_margin = 1.25;
 
-/// A row of the model. budget_ms: the least safe error of those whose safe cost is within budget_margin of it, else
-/// the cheapest. max_error: the cheapest of those whose safe error is at most that, else the one with the least. Of
-/// equal ones the first. So more budget never gives a larger safe error, and a larger error never a larger estimated
-/// cost.
+/// Chooses a row of the model. budget_ms: of the rows whose safe cost is within budget_margin of it, the one with the
+/// smallest safe error, else the cheapest row. max_error: of the rows whose safe error is at most that, the cheapest,
+/// else the one with the smallest safe error. Of equal rows the first. So a larger budget never gives a larger safe
+/// error, and a larger error never a larger estimated cost.
 PlannedFrame plan(const PlanBasis& basis, const PlanGoal& goal);
 
-/// The estimate of knobs that a request names; none where they are no row.
+/// Returns the estimate for knobs that a request gives; none if they are not a row of the model.
 std::optional<FrameEstimate> estimate_of(const PlanBasis& basis, const Knobs& knobs);
 
 }  // namespace pelage

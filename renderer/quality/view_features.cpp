@@ -10,12 +10,12 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_triangles = 16384;   // that are looked at
-constexpr double furthest_back_facing = -0.6;  // cosine from which on fur is seen
-constexpr double nearest = 1e-3;               // distance along the view, sizes
-constexpr double places_across = 32;           // cells across the picture, into which triangles are split
-constexpr double max_parts = 16;               // along a triangle's side
-constexpr double max_depth_complexity = 16;    // of skin over the picture
+constexpr std::size_t max_triangles = 16384;   // maximum number of triangles to examine
+constexpr double furthest_back_facing = -0.6;  // smallest cosine to the camera at which fur is visible
+constexpr double nearest = 1e-3;               // minimum distance along the view direction, sizes
+constexpr double places_across = 32;           // cells across the picture; larger triangles are split into parts
+constexpr double max_parts = 16;               // parts along a triangle's side
+constexpr double max_depth_complexity = 16;    // limit on the mean depth complexity of skin
 constexpr double max_fur = 1e6;                // pixels
 
 class Looker {
@@ -25,7 +25,7 @@ class Looker {
   }
 
   void look(const glm::uvec3& triangle);
-  /// Returns the features of `times` as many triangles as were looked at.
+  /// Returns the features, scaled to `times` as many triangles as were examined.
   ViewFeatures features(double times) const;
 
  private:
@@ -39,7 +39,7 @@ class Looker {
   double seen_skin_ = 0;  // sizes^2
 };
 
-/// Returns column and row in pixels and the depth of a vertex, at the middle of the fur's height.
+/// Returns the column and the row in pixels, and the depth, of a vertex at the middle of the fur's height.
 glm::dvec3 Looker::seen(std::uint32_t vertex, double length) const {
   const glm::dvec3 normal(skin_.normals[vertex]);
   const glm::dvec3 offset =
@@ -62,7 +62,7 @@ void Looker::look(const glm::uvec3& t) {
   spread(corners, std::abs(first.x * second.y - first.y * second.x) / 2, length, glm::length(normal) / 2);
 }
 
-/// Counts the parts of a triangle that lie in the picture, the middles of n x n equal triangles.
+/// Adds the parts of a triangle whose middles lie in the picture; the parts are n x n equal triangles.
 void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, double length, double on_skin) {
   const double place = std::sqrt(double(frame_.width) * frame_.height) / places_across;
   const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / place), 1.0, max_parts));

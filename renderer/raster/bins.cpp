@@ -15,9 +15,9 @@ int tile_of(float pixel, int first, int tiles) {
   return static_cast<int>(std::clamp(at, 0.0f, static_cast<float>(tiles - 1)));
 }
 
-/// Returns one over the distance of the segment's point that is nearest to the middle of a tile, at least half a tile
-/// away from the segment's ends. So short segments use their own middle in every tile, and do not swap order with
-/// others from tile to tile.
+/// Returns 1 / distance of the segment's point that is nearest to the middle of a tile, but at least half a tile away
+/// from the segment's ends. So a short segment uses its own middle in every tile, and its order relative to others does
+/// not change from tile to tile.
 float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
   const float across = b.x - a.x, down = b.y - a.y, squared = std::max(across * across + down * down, 1e-6f);
   const float along = ((x - a.x) * across + (y - a.y) * down) / squared;
@@ -25,21 +25,21 @@ float inverse_near(const PlacedKnot& a, const PlacedKnot& b, float x, float y) {
   return a.inverse + (b.inverse - a.inverse) * std::clamp(along, end, 1 - end);
 }
 
-/// Returns whether a segment passes a tile by, though its box does not.
+/// Returns whether a segment misses a tile although its bounding box overlaps it.
 bool passes_by(const PlacedKnot& a, const PlacedKnot& b, float x, float y, float wide) {
-  constexpr float corner = 0.71f * tile_side;  // from the middle
+  constexpr float corner = 0.71f * tile_side;  // distance of a tile's corner from its middle, pixels
   const float across = b.x - a.x, down = b.y - a.y;
   const float off = (x - a.x) * down - (y - a.y) * across;
   return std::abs(off) > (corner + wide) * std::sqrt(across * across + down * down);
 }
 
-/// Returns whether two numbers of pixels are in the same row or column of tiles, in the box or beyond it.
+/// Returns whether two coordinates, in pixels, lie in the same row or column of tiles, in the box or beyond it.
 bool same_tiles(float a, float b, int first) {
   const auto of = [&](float at) { return std::floor((at - static_cast<float>(first)) * (1.0f / tile_side)); };
   return of(a) == of(b);
 }
 
-/// Calls found(tile, knot, inverse) for each tile that each segment may touch in front of what lies behind.
+/// Calls found(tile, first knot, 1 / distance) for each tile that each segment may touch in front of the background.
 template <class Found>
 void each_entry(const PixelBox& box, const TileRows& tiles, const PlacedStrands& strands,
                 std::span<const float> furthest, const Found& found) {
@@ -116,7 +116,7 @@ void Bins::put(std::size_t batch) {
 
 namespace {
 
-/// By one byte of their keys, stable.
+/// Sorts entries by one byte of their keys; the sort is stable.
 void sort_by_byte(std::span<const BinEntry> entries, int shift, std::vector<BinEntry>& sorted) {
   constexpr std::size_t values = 256;
   std::array<std::uint32_t, values + 1> at{};

@@ -1,4 +1,4 @@
-// The segments of strands that fall into each tile of a box, nearest first.
+// Lists the strand segments that fall into each tile of a box, and sorts them by distance.
 #pragma once
 
 #include <span>
@@ -10,23 +10,23 @@ namespace pelage {
 
 /// A segment in a tile.
 struct BinEntry {
-  std::uint32_t batch : 8, knot : 24;  // its first
-  std::uint32_t key;                   // of the distance of what of it lies nearest to the tile's middle (DistanceKeys)
+  std::uint32_t batch : 8, knot : 24;  // batch of strands, and the segment's first knot in it
+  std::uint32_t key;                   // DistanceKeys key of the segment's point nearest to the tile's middle
 };
 
-/// Segments by tile: batches are found, then put in their places, each on a thread of its own; the order does not
-/// depend on it.
+/// Segments grouped by tile. find() and put() may run for several batches at a time, each on its own thread; the order
+/// of the entries does not depend on the threads.
 class Bins {
  public:
   static constexpr std::size_t max_batches = 256, max_knots = 1 << 24;
 
-  /// Begins with nothing in a box, in memory that it has already.
+  /// Starts an empty box. Reuses the memory that is already allocated.
   void begin(const PixelBox& box, std::size_t batches);
 
-  /// Finds the segments of a batch that fall into tiles in front of the background: `furthest` has one over the
-  /// background's distance for each tile.
+  /// Finds the tiles that each segment of a batch touches in front of the background. `furthest`: for each tile, 1 over
+  /// the background's largest distance in it.
   void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest, const DistanceKeys& keys);
-  /// After all batches were found.
+  /// Allocates the entries. Call it after find() of all batches and before put().
   void make_room();
   void put(std::size_t batch);
   /// Returns a tile's entries in the order of batches, strands and knots. Call it after all batches were put.
@@ -34,7 +34,7 @@ class Bins {
     const auto at = static_cast<std::size_t>(number);
     return std::span(entries_).subspan(first_[at], first_[at + 1] - first_[at]);
   }
-  /// That it keeps.
+  /// Returns the bytes of allocated memory.
   std::size_t bytes() const;
 
  private:
@@ -44,17 +44,17 @@ class Bins {
   };
   struct Batch {
     std::vector<FoundEntry> found;
-    std::vector<std::uint32_t> next;  // by tile: a count, then where its next entry goes
+    std::vector<std::uint32_t> next;  // for each tile: a count, then the index of its next entry
   };
 
   PixelBox box_;
   TileRows tiles_;
   std::vector<Batch> batches_;
-  std::vector<std::uint32_t> first_;  // entry of each tile
+  std::vector<std::uint32_t> first_;  // index of each tile's first entry; one more at the end
   std::vector<BinEntry> entries_;
 };
 
-/// Sorts a tile's entries by their keys, nearest first, stable. `room` is used on the way.
+/// Writes a tile's entries to `sorted` by their keys, nearest first; the sort is stable. `room` is scratch memory.
 void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& room);
 
 }  // namespace pelage

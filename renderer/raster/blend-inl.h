@@ -1,4 +1,4 @@
-// Segments of strands over a tile of the picture, front to back, by what they cover of each pixel.
+// Blends segments of strands over a tile of the picture, front to back, by their coverage of each pixel.
 #if defined(PELAGE_RASTER_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_BLEND_INL_H_
 #undef PELAGE_RASTER_BLEND_INL_H_
@@ -18,8 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-inline constexpr float min_half = 1;  // pixels: what is thinner is drawn two wide, and fainter
-/// Bit column * block_rows + row of a set is one of a tile's blocks.
+inline constexpr float min_half = 1;  // smallest half width, pixels: thinner strands are drawn this wide and fainter
+/// All blocks of a tile: bit column * block_rows + row of a set stands for one block.
 inline constexpr std::uint64_t all_blocks = ~std::uint64_t{0} >> (64 - block_columns * block_rows);
 
 HWY_INLINE void load_light(const PlacedKnot& knot, float* light) {
@@ -29,12 +29,12 @@ HWY_INLINE void load_light(const PlacedKnot& knot, float* light) {
              light);
 }
 
-/// A segment over a tile: pixels from its corner.
+/// A segment over a tile, in pixels from the tile's corner.
 struct FlatSegment {
-  float x, y, way_x, way_y;  // from where, and unit
+  float x, y, way_x, way_y;  // start, and unit direction
   float over_length, length;
-  float half, more_half, inverse, more_inverse;  // at its start, and how much more at its end
-  float sharpness;                               // of its ends, one over pixels
+  float half, more_half, inverse, more_inverse;  // half width and 1 / distance at the start; their increases to the end
+  float sharpness;                               // 1 / width over which its ends fade, 1 / pixels
   float light[4], more_light[4];
 };
 
@@ -52,7 +52,7 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
   return flat;
 }
 
-/// Blocks of the tile that the segment may touch.
+/// Returns the set of the tile's blocks that the segment may touch.
 HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, float top) {
   const PlacedKnot &a = *segment.from, &b = *segment.to;
   const float wide = std::max({a.half_width, b.half_width, min_half}) + 0.6f;
@@ -70,7 +70,8 @@ HWY_INLINE std::uint64_t touched_blocks(const TileSegment& segment, float left, 
   return blocks;
 }
 
-/// Notes a segment that covers more of a pixel than those before it: red its number, green where on it, blue how much.
+/// Records a segment where it covers more of a pixel than any before: its number in red, the position along it in
+/// green, its coverage in blue.
 HWY_INLINE void note_largest(float number, Real share, Real weight, std::size_t at, TileSums& sums) {
   const Mask larger = weight > load(sums.blue + at);
   store(select(larger, number, load(sums.red + at)), sums.red + at);
@@ -78,7 +79,8 @@ HWY_INLINE void note_largest(float number, Real share, Real weight, std::size_t 
   store(select(larger, weight, load(sums.blue + at)), sums.blue + at);
 }
 
-/// Adds a segment that sends nothing to sums, by its weight of what got through so far.
+/// Adds a segment to an output that has no value at knots (sends). `weight` is its coverage times the transmittance
+/// `through` in front of it.
 template <RasterOutput shown>
 HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
   const Real before = load(sums.red + at);
@@ -91,7 +93,7 @@ HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t a
   }
 }
 
-/// Blends a segment over lanes of a block; whether anything gets through them still.
+/// Blends a segment over a block, a pixel a lane. Returns whether any pixel of it still lets light through.
 template <RasterOutput shown>
 HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, std::size_t at, TileSums& sums) {
   const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
@@ -100,7 +102,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, 
   const Real covered = clamp(drawn - off + 0.5f, 0.0f, 1.0f) - clamp(0.5f - drawn - off, 0.0f, 1.0f);
   const Real within = clamp(mul_add(along, s.sharpness, 0.5f), 0.0f, 1.0f) -
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
-  static_assert(min_half == 1);  // so that half over drawn is this:
+  static_assert(min_half == 1);  // so that half / drawn is min(half, 1):
   const Real alpha = min(covered * within * min(half, 1.0f), 1.0f);
   const Real through = load(sums.through + at);
   const Real inverse = mul_add(share, s.more_inverse, s.inverse);
@@ -123,7 +125,7 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, 
   return any(left_over > min_through);
 }
 
-/// `shown` is albedo for all that strands send beside light.
+/// Blends all segments of a tile. `shown` is albedo for every output that has values at knots.
 template <RasterOutput shown>
 HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
   const Vec2 first = block_pixels(0);

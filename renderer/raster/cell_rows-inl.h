@@ -1,4 +1,4 @@
-// Rows of a grid's cells that are added up and rounded, several numbers at once.
+// Adds up and rounds rows of a grid's cells, several numbers at once.
 #if defined(PELAGE_RASTER_CELL_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_CELL_ROWS_INL_H_
 #undef PELAGE_RASTER_CELL_ROWS_INL_H_
@@ -24,18 +24,18 @@ HWY_INLINE void add_row(std::span<const Crossed> cells, float share, float* sums
     const Real numbers = to_real(hn::PromoteTo(int_tag, hn::LoadU(CellNumbers(), from + i)));
     store(mul_add(numbers, share, load(sums + i)), sums + i);
   }
-  const hn::CappedTag<float, 1> one;  // rounds as the lanes above do
+  const hn::CappedTag<float, 1> one;  // fused multiply-add, which rounds as in the lanes above
   for (; i < count; ++i)
     hn::StoreU(hn::MulAdd(hn::Set(one, static_cast<float>(from[i])), hn::Set(one, share), hn::LoadU(one, sums + i)),
                one, sums + i);
 }
 
-/// Of the lanes strands and body in turn.
+/// Lanes alternate between strands and body. Returns the mask of the body's lanes.
 HWY_INLINE Mask odd_lanes() {
   return {hn::MaskFromVec(hn::BitCast(float_tag, hn::Neg(hn::And(hn::Iota(int_tag, 0), whole(1)))))};
 }
 
-/// Rounds each number to 6 bits, in steps of at least 1/64 strand: nobody sees steps of that size.
+/// Rounds each number to 6 bits, but to steps of at least 1/64 strand. Such steps are too small to be seen.
 HWY_INLINE Real coarse(Real number) {
   constexpr float step = Crossed::one / 64, bits_kept_from = Crossed::one;
   const Int bits = hn::Add(hn::BitCast(int_tag, number.v), whole(1 << 16));
@@ -43,9 +43,10 @@ HWY_INLINE Real coarse(Real number) {
   return select(number < bits_kept_from, floor(number * (1 / step) + 0.5f) * step, kept);
 }
 
-/// Rounds a number as cells are read: in coarse steps, and to the maximum behind a body that no light gets through.
+/// Rounds a number to the value that lookups read: in coarse steps, or the maximum behind a body that stops all light.
+/// `odd`: the lanes of the body.
 HWY_INLINE Real as_seen(Real number, Mask odd) {
-  const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of a cell
+  const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of its cell
   const Real most = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));
   return select(body > Crossed::one * dark_body, most, coarse(number));
 }

@@ -16,7 +16,7 @@ namespace {
 
 PixelBox whole_of(const RasterScene& scene) { return {0, 0, scene.width, scene.height}; }
 
-using Corners = std::array<glm::vec3, 8>;  // of a block, from the camera: right, up, forward
+using Corners = std::array<glm::vec3, 8>;  // corners of a block, relative to the camera: right, up, forward
 
 Corners corners_of(const PictureCamera& camera, const GridBlock& block) {
   Corners corners;
@@ -28,8 +28,8 @@ Corners corners_of(const PictureCamera& camera, const GridBlock& block) {
   return corners;
 }
 
-/// Returns whether a block lies behind the camera, or past one edge of the picture with all that is drawn beside it: by
-/// planes through the camera, which hold for what reaches behind it too.
+/// Returns whether a block, with the margin that its strands may be drawn in, lies behind the camera or beyond one edge
+/// of the picture. Tests planes through the camera, which also hold for blocks that reach behind it.
 bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thickest) {
   const PictureCamera& camera = scene.camera;
   const float edge = drawn_beside(scene, 0, 1), wide = drawn_beside(scene, thickest, 1);
@@ -43,7 +43,7 @@ bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thic
          past({0, -1}, static_cast<float>(scene.height) - camera.middle.y) || past({0, 1}, camera.middle.y);
 }
 
-/// Returns the pixels that strands in a block may cover, or its skin.
+/// Returns the pixels that the strands or the skin in a block may cover.
 PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickest) {
   const PictureCamera& camera = scene.camera;
   const Corners corners = corners_of(camera, block);
@@ -61,8 +61,8 @@ PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickes
           held(last.x + beside + 1, scene.width), held(last.y + beside + 1, scene.height)};
 }
 
-/// Marks the tiles of a part's drawn strands whose look has changed: the strands themselves are different, or the light
-/// at the knots of the strand that they take their light from is.
+/// Marks the tiles of a part's drawn strands that may look different: they have changed themselves, or the light at the
+/// knots of their lit strand has.
 void add_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::int32_t> blocks,
                  TileMask& mask) {
   KeptStrands kept;
@@ -71,7 +71,7 @@ void add_strands(const RasterScene& scene, const GrownPart& part, std::span<cons
   std::vector<StrandBox> boxes;
   find_changed(scene, part, kept, blocks, boxes);
   const std::uint32_t own = lit_strands(scene, part, kept.ids.back());
-  std::vector<std::uint8_t> changed(kept.ids.back() + std::size_t{1}, 1);  // of strands that face away it is not known
+  std::vector<std::uint8_t> changed(kept.ids.back() + std::size_t{1}, 1);  // stays 1 for strands that are not kept
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t id = kept.ids[i];
     const std::uint32_t lit = lit_strand(*part.strands, id, own);

@@ -1,4 +1,4 @@
-// The part of a picture that may look another way since it was drawn.
+// Finds the tiles of a picture that may look different from when the same view was last drawn.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace pelage {
 
-/// `since` is DensityGrid::version() when the same frame was drawn last: all of the frame where that cannot be told.
-/// Its curves have to be the same.
+/// Returns the tiles that may have changed since DensityGrid::version() was `since`, when the same frame was last
+/// drawn; all tiles if anything may have changed, as when the lights or the near cells have. The frame's curves must be
+/// the same.
 TileMask changed_since(const RasterScene& scene, std::uint64_t since, int threads);
 
 }  // namespace pelage

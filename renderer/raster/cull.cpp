@@ -7,10 +7,11 @@ namespace pelage {
 
 namespace {
 
-constexpr double fading = 0.125;  // of those that are kept
+constexpr double fading = 0.125;  // share of the kept strands, the last ones, that become narrower
 
+/// A ball around a part.
 struct Ball {
-  glm::vec3 middle{0};  // from the camera
+  glm::vec3 middle{0};  // relative to the camera
   float radius = 0;
 };
 
@@ -18,16 +19,16 @@ Ball ball_around(const RasterScene& scene, const GrownPart& part) {
   return {0.5f * (part.low + part.high) - scene.camera.position, 0.5f * glm::length(part.high - part.low)};
 }
 
-/// Sizes, where a part is nearest.
+/// Returns the size of a pixel where a part is nearest, sizes.
 double pixel_at(const RasterScene& scene, const GrownPart& part) {
   const float middle = glm::dot(part.middle - scene.camera.position, scene.camera.forward);
   return std::max(double{middle} - double{part.radius}, double{near_distance}) / scene.camera.scale;
 }
 
-/// Pixels, of one of a part's strands there.
+/// Returns the width in pixels of a part's strands, for pixels of that size.
 double width_at(const GrownPart& part, double pixel) { return 2 * double{part.strands->points[0].radius} / pixel; }
 
-/// Of all strands of a part, (0, 1]. Each curve is there on purpose.
+/// Returns the share of a part's strands that is kept, (0, 1]. Curves are placed on purpose and all kept.
 double kept_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
   const double pixel = pixel_at(scene, part);
@@ -44,7 +45,7 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 }  // namespace
 
 float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
-  constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // a filter's, and of what is widened
+  constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // pixels of antialiasing; largest widening
   const double half = double{thickest} * double{scene.camera.scale} / double{std::max(nearest, near_distance)};
   return static_cast<float>(edge + wider * std::max(0.5 * scene.quality.widest(), half));
 }
@@ -76,7 +77,7 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
   const float x = camera.middle.x + glm::dot(ball.middle, camera.right) * scale;
   const float y = camera.middle.y - glm::dot(ball.middle, camera.up) * scale;
   const float wider = 1 + std::abs(glm::dot(ball.middle, camera.right)) / distance +
-                      std::abs(glm::dot(ball.middle, camera.up)) / distance;  // balls beside the middle look longer
+                      std::abs(glm::dot(ball.middle, camera.up)) / distance;  // perspective elongates distant balls
   const float left = x - wider * reach, right = x + wider * reach, top = y - wider * reach, bottom = y + wider * reach;
   const bool inside = right > static_cast<float>(box.left) && left < static_cast<float>(box.right) &&
                       bottom > static_cast<float>(box.top) && top < static_cast<float>(box.bottom);

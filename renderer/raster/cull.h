@@ -1,4 +1,4 @@
-// Which strands of a part are drawn.
+// Chooses which strands of a part are drawn and how wide, and which of them are lit.
 #pragma once
 
 #include "renderer/raster/kernels.h"
@@ -13,28 +13,28 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
 /// wider still.
 float drawn_beside(const RasterScene& scene, float thickest, float nearest);
 
-/// Returns the size of a group of strands in a part in which one is lit and shares its light with the others. Groups
-/// are smaller where strands are thick, and 1 where strands are seen one by one.
+/// Returns the size of the groups of a part's strands in which one strand is lit and shares its light with the others:
+/// smaller where strands are thick, 1 where strands are seen one by one.
 std::uint32_t strands_of_lit(const RasterScene& scene, const GrownPart& part);
-/// How many of a part's strands, from the first on, may hand their light on to the others up to `last`.
+/// Returns how many of a part's first strands are lit, to share their light with all up to the strand `last`.
 std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::uint32_t last);
 
 /// Returns the share of a strand's colour that is its own, (0, 1]; the rest is that of the mean strand at its position.
 /// The mean of the n strands that it stands for varies by 1 / sqrt(n) of what one strand does.
 float own_colour(const RasterScene& scene, const GrownPart& part);
 
-/// Which of a part's strands are drawn, and how wide.
+/// The rule by which a part's strands are drawn, and how wide.
 struct StrandCull {
-  std::uint32_t count = 0;  // the first so many, where they face the camera:
-  double exact = 0;         // how many are wanted
-  double whole = 1;         // how much wider each is
-  glm::vec3 back{0};        // from the middle of the part's skin to the camera, unit
-  float min_facing = 0;     // least cosine to it of a root's normal
+  std::uint32_t count = 0;  // only the first `count` strands are drawn: `exact`, rounded up
+  double exact = 0;         // number of strands wanted, not rounded
+  double whole = 1;         // factor on the width of strands that do not fade
+  glm::vec3 back{0};        // direction from the middle of the part's skin to the camera, unit
+  float min_facing = 0;     // smallest cosine between a root's normal and `back` of a strand that is drawn
 
   bool faces(const StrandRoot& root) const { return !(glm::dot(root.normal, back) < min_facing); }
-  /// How much wider a strand is.
+  /// Returns the factor on a strand's width.
   float widened(std::uint32_t strand) const;
-  bool thins = false;  // whether some are left out
+  bool thins = false;  // some strands are left out
 };
 StrandCull strand_cull(const RasterScene& scene, const GrownPart& part);
 

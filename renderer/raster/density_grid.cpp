@@ -17,11 +17,12 @@ constexpr float finest_cell = 0.008f;  // sizes
 constexpr double max_cells = 1 << 20, max_side = 1 << 10;
 constexpr double cells_a_step = 4;
 
+/// A box of cells.
 struct CellBox {
   glm::ivec3 first{0}, size{1};
 };
 
-/// The cells around a box.
+/// Returns the cells that a box touches.
 CellBox cells_of(const GridPlace& place, glm::vec3 low, glm::vec3 high) {
   const auto cell_of = [&](glm::vec3 at) {
     return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
@@ -30,10 +31,10 @@ CellBox cells_of(const GridPlace& place, glm::vec3 low, glm::vec3 high) {
   return {first, cell_of(high) - first + 1};
 }
 
-/// Some strands of a part, by their numbers.
+/// Numbers of some strands of a part.
 using StrandIds = std::vector<std::uint32_t>;
 
-/// Strands that are not the same in both, which have as many.
+/// Returns the strands that differ between two sets of the same size.
 StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
   StrandIds ids;
   const auto knots = static_cast<std::size_t>(a.segments) + 1;
@@ -47,19 +48,19 @@ StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
   return ids;
 }
 
-/// Returns whether a view keeps the same strands of both (keep_strands), and widens them alike.
+/// Returns whether keep_strands keeps the same strands of both states of a part, and widens them alike.
 bool keeps_as(const GrownPart& a, const GrownPart& b) {
   const StrandSet &one = *a.strands, &other = *b.strands;
   if (one.count() != other.count() || one.segments != other.segments || a.longest != b.longest) return false;
   return one.count() == 0 || one.points[0].radius == other.points[0].radius;
 }
 
-/// How a part differs from what is held of it.
+/// How a part differs from its state in the grid.
 struct PartChange {
   std::uint32_t part = 0;
-  StrandIds ids;                  // of strands in both, where there are as many
-  bool all = true, skin = true;   // all of its strands, and how its skin looks
-  std::vector<glm::ivec3> cells;  // that they stand in, before and after
+  StrandIds ids;                  // strands that differ, unless `all`
+  bool all = true, skin = true;   // all of its strands have changed; the look of its skin has
+  std::vector<glm::ivec3> cells;  // cells of the strands that changed, before and after
 
   PartChange(std::uint32_t number, const GrownPart& held, const GrownPart& now)
       : part(number), skin(held.skin != now.skin) {
@@ -77,14 +78,14 @@ float share_in_the_open(std::span<const StrandPoint> points) {
   return 1 / (1 + curl_in_shadow * std::max(way / std::max(reach, 0.02f * way + 1e-9f) - 1, 0.0f));
 }
 
-/// Sums over the cells that a part may stand in, for one part after another, of one thread alone.
+/// Sums of one thread over the cells of one part at a time, before they are added to the grid.
 class PartCells {
  public:
-  /// `named`: the cells are asked for, of all strands.
+  /// `named`: add() also returns the cells that any strand touches, even one that is not summed.
   PartCells(const GridPlace& place, bool named) : place_(place), named_(named) {}
 
   /// Adds the strands of a change to the grid's cells; several threads may do this at a time. `sign` is -1 for strands
-  /// that are removed. Also gives the touched cells if `named` is set.
+  /// that are removed. With `named`, appends the cells that they touch to `touched`.
   void add(const GrownPart& part, const PartChange& change, int sign, std::vector<CellDensity>& cells,
            std::vector<glm::ivec3>& touched) {
     const CellBox box = cells_of(place_, part.low, part.high);
@@ -117,7 +118,7 @@ class PartCells {
     const float step = 1 / static_cast<float>(steps);
     const float width = share * CellDensity::one * (a.radius + b.radius) * over * over * step;
     const auto whole = [](float v) {
-      constexpr float largest = 1e10f;  // a hundred million of them can be added
+      constexpr float largest = 1e10f;  // a hundred million such terms fit into 64 bits
       return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + std::copysign(0.5f, v));
     };
     const std::int64_t along = whole(width * length);
@@ -153,8 +154,8 @@ class PartCells {
   const GridPlace& place_;
   bool named_;
   glm::ivec3 first_{0}, size_{1};
-  std::vector<CellDensity> sums_;  // 0 from part to part
-  std::vector<std::uint8_t> on_;   // of each, whether it is in
+  std::vector<CellDensity> sums_;  // for each cell of the part's box; all 0 between parts
+  std::vector<std::uint8_t> on_;   // for each of these cells, whether it is in touched_
   std::vector<std::uint32_t> touched_;
 };
 
@@ -171,7 +172,7 @@ GridPlace grid_place(std::span<const GrownPart> parts) {
   const double longest = std::max({room.x, room.y, room.z});
   const double cell =
       std::max({double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells), longest / max_side});
-  // In steps of some cells, so that a stroke seldom moves it.
+  // The grid's corners lie on multiples of some cells, so that a stroke seldom moves the grid.
   const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
   const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
   return {glm::vec3(first * cell), static_cast<float>(cell), glm::ivec3(last - first)};
@@ -217,14 +218,14 @@ std::vector<std::uint32_t> DensityGrid::other_parts(std::span<const GrownPart> p
   return others;
 }
 
-/// Where most has changed it costs less to begin anew.
+/// Empties the grid: when most parts have changed, that costs less than to subtract the strands that changed.
 void DensityGrid::clear_fur() {
   std::fill(density_.begin(), density_.end(), CellDensity());
   std::fill(held_.begin(), held_.end(), GrownPart());
   whole_version_ = version_;
 }
 
-/// Sums are whole numbers, so that taking strands out leaves what would be there without them.
+/// Subtracts the strands that changed and adds their new state. Sums are integers, so that this is exact.
 CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   std::vector<std::uint32_t> others = other_parts(parts);
   if (others.empty()) return {};
@@ -251,7 +252,7 @@ CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   return rows;
 }
 
-/// A strand's ends may lie in the cell beside one that it was counted in.
+/// Marks neighbouring cells too: an end of a strand may lie in the cell beside the one in which it was counted.
 void DensityGrid::mark_fur(std::span<const glm::ivec3> cells, CellRows& rows) {
   for (const glm::ivec3& cell : cells) {
     rows[place_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
@@ -265,8 +266,8 @@ void DensityGrid::mark_skin(const GrownPart& part) {
   each_block(block_of(part.low), block_of(part.high), [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
 }
 
-/// Marks the blocks of changed cells and of their neighbours, because lookups read neighbouring cells: they interpolate
-/// between cell middles, a little away from the place itself.
+/// Marks the blocks of changed cells and of their neighbours: lookups interpolate between the middles of several cells,
+/// at a position slightly off the skin.
 void DensityGrid::mark_light(std::span<const std::uint32_t> cells) {
   constexpr int beside = 2;
   for (const std::uint32_t index : cells) {

@@ -1,4 +1,4 @@
-// Eyes between the skin and the strands of a tile: what they hide, and their light behind the strands.
+// Draws eyes between the skin and the strands of a tile: what they hide, and their light behind the strands.
 #if defined(PELAGE_RASTER_EYES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_EYES_INL_H_
 #undef PELAGE_RASTER_EYES_INL_H_
@@ -20,7 +20,7 @@ HWY_INLINE EyeShading eye_of(const RasterScene& scene, std::size_t number) {
   return {scene.optics, scene.eyes[number], number};
 }
 
-/// The ray of each pixel of a block of the tile whose left upper corner is given.
+/// Returns the rays through the pixels of a block of the tile with this upper left corner.
 HWY_INLINE Vec3 block_rays(const RasterScene& scene, int left, int top, int block) {
   const Vec2 at = block_pixels(block);
   return ray_through(scene.camera, at.x + static_cast<float>(left), at.y + static_cast<float>(top));
@@ -50,7 +50,7 @@ HWY_INLINE void meet_all(const RasterScene& scene, int left, int top, float* end
   }
 }
 
-/// Bit k: eye k is seen in the block.
+/// Returns the eyes that are visible in a block: bit k for eye k.
 HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
   std::uint32_t seen = 0;
   for (int i = 0; i < lane_count; ++i)
@@ -58,8 +58,8 @@ HWY_INLINE std::uint32_t eyes_of_block(const std::int8_t* numbers) {
   return seen;
 }
 
-/// What the scene shows of an eye. Lids and cornea count as what reflects, not as shadow: all of the lights' share is
-/// left.
+/// Returns what the scene shows of an eye. For RasterOutput::shadow, lids and cornea count as part of the reflection,
+/// not as shadow: both values are the same.
 HWY_INLINE Vec3 shown_of(const RasterScene& scene, EyeShading& shading, const EyeHit& hit, Real inverse) {
   const Real none = 0.0f;
   switch (scene.shown) {
@@ -79,7 +79,7 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, EyeShading& shading, const Ey
   }
   const bool lights_alone = scene.shown == RasterOutput::direct || scene.shown == RasterOutput::shadow;
   Vec3 sent(0.0f);
-  for (int part = 0; part < (lights_alone ? 2 : 1); ++part) {  // a loop, as each call is a copy of the code
+  for (int part = 0; part < (lights_alone ? 2 : 1); ++part) {  // a loop, so that eye_light is inlined only once
     if (part == 1) shading.eye_lights = 0;
     const Vec3 light = shading.eye_light(hit);
     sent = part == 0 ? light : max(sent - light, 0.0f);

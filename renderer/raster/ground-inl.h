@@ -1,4 +1,4 @@
-// The ground behind a model: how much darker the light that is missing makes it.
+// Darkens the ground behind a model where the model and its fur take light from it.
 #if defined(PELAGE_RASTER_GROUND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_GROUND_INL_H_
 #undef PELAGE_RASTER_GROUND_INL_H_
@@ -15,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// Darkness at some places of a tile, a few pixels apart: it is as smooth as the grid's cells.
+/// The ground's darkness at positions `apart` pixels apart in a tile. It varies no faster than the grid's cells, so
+/// that interpolation between these is enough.
 struct GroundKnots {
   static constexpr int apart = 4, side = tile_side / apart + 1, count = (side * side + 15) / 16 * 16;
   HWY_ALIGN float dark[count];
@@ -31,7 +32,7 @@ struct GroundKnots {
     }
   }
 
-  /// At pixels from the tile's corner.
+  /// Returns the darkness at a position in pixels from the tile's corner.
   HWY_INLINE Real at(Vec2 pixel) const {
     const Real x = pixel.x * (1.0f / apart), y = pixel.y * (1.0f / apart), left = floor(x), top = floor(y);
     const Int first = to_int(mul_add(top, static_cast<float>(side), left));

@@ -1,4 +1,5 @@
-// What is compiled for several instruction sets, of which the machine's best is chosen when the program runs.
+// The vectorized stages of the rasterizer. They are compiled for several instruction sets (Highway); the best one that
+// the machine has is chosen at run time.
 #pragma once
 
 #include <cstdint>
@@ -9,44 +10,45 @@
 
 namespace pelage {
 
-/// Strands that are kept of a part, in its order, and by how much each is widened.
+/// The strands kept of a part, in its order, and the factor on the width of each.
 struct KeptStrands {
   std::vector<std::uint32_t> ids;
   std::vector<float> widened;
 };
 
-/// Places strands of a part, without their light, and leaves those in `kept` that touch `box` and are not hidden by the
-/// skin: `hidden` has one over the distance behind which nothing shows in and around each block of hiding_side pixels.
+/// Projects the kept strands of a part onto the picture and appends them to `placed`, without their light. Only strands
+/// that touch `box` and are not hidden by the skin remain in `kept`. `hidden`: for each block of hiding_side pixels, 1
+/// over the distance behind which nothing shows in and around the block.
 void place_strands(const RasterScene& scene, const GrownPart& part, const PixelBox& box, std::span<const float> hidden,
                    KeptStrands& kept, PlacedStrands& placed);
 
-/// What a strand covers of the picture, pixels, and what may be another at its knots.
+/// Bounding box of a strand on the picture, pixels, and what may have changed at its knots (BlockChange).
 struct StrandBox {
   float left = 0, top = 0, right = 0, bottom = 0;
   bool fur = false, light = false;
 };
-/// Of the kept strands of a part, one after the other. `blocks` has bits of BlockChange for each block of the grid.
+/// Writes the box of each kept strand of a part, in order. `blocks` has the BlockChange bits of each block of the grid.
 void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStrands& kept,
                   std::span<const std::int32_t> blocks, std::vector<StrandBox>& boxes);
 
-/// Where nothing but gaps between strands shows them, one stands for deep_of: the first ones, which are drawn down to
-/// their roots. Their number, where the last that is kept is `last`.
+/// Returns how many of a part's first strands are drawn down to their roots, if the strand `last` is the last one kept:
+/// one of deep_of. Roots show only through gaps between strands, so that one wider strand stands for deep_of of them.
 inline std::uint32_t whole_strands(std::uint32_t last) { return last / deep_of + 1; }
 
-/// What strands send to the camera, from some points of each, evenly from `from` in [0, 1) to the tip.
+/// Light that strands send to the camera from some points of each, which are spaced evenly from `from` to the tip.
 struct LitPoints {
   static constexpr int max = 16;
-  float from = 0;
-  int count = 2;                 // of each strand
-  bool by_colour = false;        // over the colours of the points
-  std::vector<glm::vec4> light;  // point by point, strand by strand; the fourth is 0
+  float from = 0;                // position along the strand, [0, 1): 0 is the root
+  int count = 2;                 // points of each strand
+  bool by_colour = false;        // light is divided by the colour of its point
+  std::vector<glm::vec4> light;  // all points of a strand, then those of the next; the fourth number is 0
 };
-/// With `whole` from the root on, else from where they come to be seen.
+/// Lights the strands `ids` of a part. `whole`: from the root on; otherwise only their visible upper part (LitKnots).
 void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
                    LitPoints& light);
 
-/// Returns the strand whose light a strand takes: one of the first `own` of its part, or the strand itself where that
-/// one is shorter by a sixth, and so has no light for the tip.
+/// Returns the strand whose light a strand takes: a neighbour among the first `own` strands of its part, or the strand
+/// itself if that neighbour is more than a sixth shorter and so has no light for the tip.
 inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uint32_t own) {
   constexpr float taller = 1.2f;
   std::uint32_t lit = id;
@@ -54,61 +56,64 @@ inline std::uint32_t lit_strand(const StrandSet& set, std::uint32_t id, std::uin
   return set.roots[id].reach > taller * set.roots[lit].reach ? id : lit;
 }
 
-/// Strands that are placed, and of each the lit one whose light it has.
+/// Strands that are placed, and for each the lit strand whose light it takes.
 struct LightSources {
-  std::span<const std::uint32_t> ids, from;  // own numbers in the part: of each, and of the lit one
-  std::span<const std::uint32_t> lit;        // the place of that in these:
-  const LitPoints &whole, &rest;             // first those that are drawn from the root on, then the others
+  std::span<const std::uint32_t> ids, from;  // numbers in the part: of each strand, and of its lit strand
+  std::span<const std::uint32_t> lit;        // index of the lit strand among those of `whole` and then `rest`
+  const LitPoints &whole, &rest;             // light of strands drawn from the root on, and of the others
   float own_colour = 1;                      // share of a strand's colour that is its own; the rest is the mean's
 };
-/// Writes the light of their knots, by their colours: they are the strands of `placed` from `first` on.
+/// Writes the light of the placed knots of `sources.ids`, which are the strands of `placed` from `first` on: the light
+/// of the lit strands' points, multiplied by the colours of the knots if it is by_colour.
 void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed);
 
-/// What of a strand falls into a tile.
+/// A segment that falls into a tile, by the knots at its two ends.
 struct TileSegment {
   const PlacedKnot *from = nullptr, *to = nullptr;
 };
 
-/// A tile's light and what gets through to what lies behind its strands, pixels in blocks (pixel_in_tile).
+/// A tile's transmittance and premultiplied light so far; pixels in the order of pixel_in_tile.
 struct TileSums {
   alignas(64) float through[tile_pixels], red[tile_pixels], green[tile_pixels], blue[tile_pixels];
-  alignas(64) float behind[tile_pixels];  // one over the distance of what ends the strands' view
+  alignas(64) float behind[tile_pixels];  // 1 / distance of the surface behind the strands, 0 for none
 };
 
-/// Where a tile's pixel lies in its sums: in columns of four, so that registers of 4, 8 and 16 numbers hold blocks of
-/// 4 x 1, 4 x 2 and 4 x 4 pixels.
+/// Returns the index of a tile's pixel in TileSums. Pixels lie in columns of width four, so that registers of 4, 8 and
+/// 16 numbers hold blocks of 4 x 1, 4 x 2 and 4 x 4 pixels.
 inline constexpr int pixel_in_tile(int x, int y) { return (x >> 2) * (4 * tile_side) + y * 4 + (x & 3); }
 
-/// Blends segments over a tile whose left upper corner is given, nearest first, until nothing gets through. Where
-/// strands are shown red is the segment that covers most, from 1 on, green where on it, and blue how much it covers.
+/// Blends segments over a tile with the given upper left corner, nearest first, until no light gets through. For
+/// RasterOutput::strand, red is the number (from 1) of the segment that covers most of the pixel, green the position
+/// along that segment in [0, 1], and blue its coverage.
 void blend_segments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums);
 
-/// Eyes in a tile whose left upper corner is given. `ends` has one over the distance of what ends the view of strands:
-/// that of an eye where it is nearest, whose number goes to `numbers`.
+/// Intersects the rays of a tile's pixels with the eyes; the upper left corner is given. `ends` has 1 / distance of the
+/// skin. Where an eye is nearer, writes the eye's to `ends` and its number to `numbers`.
 void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers);
-/// Adds their light, or what else is shown, by what gets through to them; the skin beside an eye's edge still gets the
-/// rest. `ends` as meet_eyes left it.
+/// Adds the light of the eyes, or what else the scene shows of them, weighted by the transmittance in front of them. At
+/// an eye's edge part of the pixel is left to the skin. `ends` and `numbers` are those that meet_eyes wrote.
 void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
                 std::span<const float> ends, TileSums& sums);
 
-/// Some pixels that show skin, and its light there, or what else is shown.
+/// Pixels that show skin, and what they show: its light or another output of the scene.
 struct SkinSeen {
-  static constexpr int count = 16;     // as many as the widest registers hold
-  float x[count] = {}, y[count] = {};  // pixels of the picture
-  float inverse[count] = {};           // one over the distance
+  static constexpr int count = 16;     // lanes of the widest registers
+  float x[count] = {}, y[count] = {};  // position on the picture, pixels
+  float inverse[count] = {};           // 1 / distance
   std::uint32_t piece[count] = {};     // triangle of the model
   float red[count] = {}, green[count] = {}, blue[count] = {};
 };
 void light_skin(const RasterScene& scene, SkinSeen& seen);
 
-/// Darkens what shows the scene's ground of a tile, after all that stands before it: it is black with an alpha.
-/// `through` has what of each pixel is open, in blocks.
+/// Darkens the pixels of a tile that show the ground, once all in front of it is drawn. The ground's shadow is black
+/// with an alpha: it lowers the transmittances in `through`, which lie in the order of pixel_in_tile.
 void darken_ground(const RasterScene& scene, int left, int top, std::span<float> through);
 
-/// Adds the strands and the body of cells, times `share`, to sums that lie in the same order.
+/// Adds the strands and the body of each cell, times `share`, to `sums`, which has two numbers for each cell.
 void add_cells(std::span<const Crossed> cells, float share, float* sums);
-/// Rounds such sums to cells: in the finest steps, or `as_seen`, in steps that are not seen, with all cells alike that
-/// no light gets to. Gives a range that has all cells which change, with few that do not.
+/// Rounds such sums and stores them in `cells`: to whole steps, or with `as_seen` to coarser steps that are too small
+/// to be seen, with one value for all cells that no light reaches. Returns a range that contains all cells that
+/// changed.
 CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells);
 
 /// The instruction set in use, as "AVX2".

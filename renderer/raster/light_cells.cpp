@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// A triangle's area facing away from a light, spread over the cells that it lies in.
+/// Adds the area of a triangle, as projected along the light's rays, to the cells in which it lies. `away`: that area.
 void add_skin(const GridPlace& place, glm::vec3 a, glm::vec3 b, glm::vec3 c, float away, std::vector<float>& cells) {
   const float longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
   if (longest > 0.75f * place.cell) {
@@ -43,7 +43,7 @@ std::uint16_t rounded(float sum, std::uint16_t max) {
   return static_cast<std::uint16_t>(std::min(sum + 0.5f, static_cast<float>(max)));
 }
 
-/// In steps of Crossed::one.
+/// A sum of cells before rounding, in steps of 1 / Crossed::one.
 struct Sum {
   float strands = 0, body = 0;
 
@@ -53,7 +53,7 @@ struct Sum {
   Crossed rounded_sum() const { return {rounded(strands, Crossed::max_strands), rounded(body, Crossed::max_body)}; }
 };
 
-/// Cells of an axis in an order in which light comes to them: from where it is to both ends.
+/// Returns the cells along an axis in the order in which light reaches them: from its position to both ends.
 std::vector<int> order_from(float light, int size) {
   const float held = std::clamp(light, 0.0f, static_cast<float>(size) - 1);
   const int first = static_cast<int>(held);
@@ -63,7 +63,7 @@ std::vector<int> order_from(float light, int size) {
   return order;
 }
 
-/// What some cells of a row add up.
+/// Weighted sums for a range of cells of one row.
 class RowSums {
  public:
   explicit RowSums(const GridPlace& place) : place_(place), sums_(2 * static_cast<std::size_t>(place.size.x)) {}
@@ -80,14 +80,14 @@ class RowSums {
     add_cells(std::span(from).subspan(place_.index({begin + tap.off.x, y, z}), static_cast<std::size_t>(end - begin)),
               tap.share, &sums_[2 * static_cast<std::size_t>(begin)]);
   }
-  /// Gives the cells that change.
+  /// Stores the rounded sums. Returns the range of cells that changed.
   CellRange round_into(std::vector<Crossed>& to, bool as_seen) const {
     const auto count = static_cast<std::size_t>(cells_.end - cells_.begin);
     CellRange changed = round_cells(&sums_[2 * static_cast<std::size_t>(cells_.begin)], as_seen,
                                     std::span(to).subspan(place_.index({cells_.begin, y_, z_}), count));
     return {changed.begin + cells_.begin, changed.end + cells_.begin};
   }
-  /// The same where each cell also gets what has come to the one beside it.
+  /// The same, where each cell also adds the new value of its neighbour in the row, which is stored just before it.
   CellRange round_in_order(const CellTap& beside, std::vector<Crossed>& to) const {
     CellRange changed;
     const int step = -beside.off.x;
@@ -105,19 +105,19 @@ class RowSums {
 
  private:
   const GridPlace& place_;
-  std::vector<float> sums_;  // strands and body of each cell
+  std::vector<float> sums_;  // strands and body of each cell of the row
   int y_ = 0, z_ = 0;
   CellRange cells_;
 };
 
 }  // namespace
 
-/// The way to the light in cells.
+/// The cells that a ray from a cell to the light passes, relative to the cell, with their weights.
 struct LightCells::Way {
-  std::array<CellTap, 4> before;  // cells next to one, on its side of the light
-  float longer = 1;               // of the way to them over that along an axis
-  std::array<CellTap, light_near_steps> near;
-  std::array<CellTap, 8> beyond;  // about where those end
+  std::array<CellTap, 4> before;               // neighbours on the light's side, between which the ray passes
+  float longer = 1;                            // length of the ray between two slices across its main axis, cells
+  std::array<CellTap, light_near_steps> near;  // cells along the ray, one for each step of a cell
+  std::array<CellTap, 8> beyond;               // cells around the end of those steps, to interpolate between
 
   /// `steps`: for each axis 1, or 0 if the light lies in the cell's own slice along it: then no light comes from the
   /// next slice.
@@ -174,7 +174,7 @@ std::vector<std::uint32_t> LightCells::update(std::span<const CellDensity> densi
   return follow(density, changed, local);
 }
 
-/// `local` has cells that count as changed in any case.
+/// `local`: cells that count as changed in any case.
 std::vector<std::uint32_t> LightCells::follow(std::span<const CellDensity> density, const CellRows& changed,
                                               CellRows& local) {
   for (int z = 0; z < place_.size.z; ++z)
@@ -209,7 +209,7 @@ CellRange LightCells::find_local(std::span<const CellDensity> density, int y, in
   return changed;
 }
 
-/// Marks the cells that see a changed cell by a tap.
+/// Marks the cells that read a changed cell through a tap.
 void LightCells::add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const {
   if (tap.share == 0) return;
   for (int z = std::max(0, -tap.off.z); z < std::min(place_.size.z, place_.size.z - tap.off.z); ++z)
@@ -217,14 +217,14 @@ void LightCells::add_seeing(const CellRows& changed, const CellTap& tap, CellRow
       seeing[place_.row(y, z)].add(tap.seen_by(changed[place_.row(y + tap.off.y, z + tap.off.z)], place_.size.x));
 }
 
-/// Through each cell by short characteristics (Kunasz and Auer 1988): a cell gets what comes through the four cells
-/// next to it on its side of the light. Light spreads a little from cell to cell: what is far has a soft edge. Gives
-/// the cells where that has changed.
+/// Finds what the light crosses up to each cell's far side, by short characteristics (Kunasz and Auer 1988): a cell
+/// adds its own crossing to that of the four neighbours on the light's side. The interpolation spreads light a little
+/// from cell to cell, so that distant shadows have soft edges. Returns the cells that changed.
 CellRows LightCells::sweep(const Way& way, const CellRows& local) {
   const glm::vec3 start = glm::sign(source_) * 1e9f;
   CellRows through(place_.rows());
   RowSums sums(place_);
-  const CellTap* beside = nullptr;  // in the row itself
+  const CellTap* beside = nullptr;  // the neighbour in the row itself, if any
   for (const CellTap& tap : way.before)
     if (tap.off.y == 0 && tap.off.z == 0 && tap.share > 0) beside = &tap;
   for (const int z : order_from(start.z, place_.size.z)) {
@@ -245,7 +245,8 @@ CellRows LightCells::sweep(const Way& way, const CellRows& local) {
   return through;
 }
 
-/// Near a cell along the ray itself, so that shadows of what is near are sharp; from there on what has come through.
+/// Finds what the light crosses up to each cell's middle: sums the cells along the ray itself near the cell, so that
+/// shadows of near fur are sharp, and adds through_ from there on. Returns the cells that changed.
 std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows& local, const CellRows& through) {
   CellRows seeing(place_.rows());
   std::vector<std::uint32_t> changed;
@@ -272,8 +273,8 @@ std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows&
   return changed;
 }
 
-/// The direction to a nearby light differs from cell to cell, so this sweeps all cells again, and each cell reads what
-/// has come through the cells before it on its way from the light.
+/// Updates a light that has a position. The direction to it differs from cell to cell, so that this sweeps all cells,
+/// in the order in which light reaches them. Returns the cells that changed.
 std::vector<std::uint32_t> LightCells::follow_near() {
   const auto add = [&](const auto& taps, glm::ivec3 cell, const std::vector<Crossed>& from, Sum& sum) {
     for (const CellTap& tap : taps)

@@ -1,4 +1,4 @@
-// One light through the cells of a grid.
+// Traces one light through the cells of a grid: how much fur and body it crosses on its way to each cell.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// Where cells lie: cell c is the cube about low + (c + .5) cell.
+/// Layout of the cells: cell c is the cube with its centre at low + (c + .5) cell.
 struct GridPlace {
   glm::vec3 low{0};
   float cell = 1;      // sizes
@@ -37,7 +37,7 @@ struct GridPlace {
   bool operator==(const GridPlace&) const = default;
 };
 
-/// Cells of a row along x.
+/// A range of cells in a row along x, half-open.
 struct CellRange {
   int begin = 0, end = 0;
 
@@ -47,49 +47,49 @@ struct CellRange {
     *this = empty() ? other : CellRange{std::min(begin, other.begin), std::max(end, other.end)};
   }
 };
-/// Of each row of a grid.
+/// A range for each row of a grid.
 using CellRows = std::vector<CellRange>;
 
-/// A cell beside another one that looks at it, and how much it counts there.
+/// A cell that another cell reads: its offset from that cell, and the weight of its value.
 struct CellTap {
   glm::ivec3 off{0};
   float share = 0;
 
-  /// Cells that see what has changed in the row that they look at.
+  /// Returns the cells of a row that read a changed cell, if `changed` lies in the row at this offset.
   CellRange seen_by(CellRange changed, int size) const {
     if (changed.empty() || share == 0) return {};
     return {std::max(changed.begin - off.x, 0), std::min(changed.end - off.x, size)};
   }
 };
 
-/// What the strands across a cell's face cover of it, and that times their direction, in fixed point: sums do not
-/// depend on the order of their terms.
+/// How much of a cell's face its strands cover, and that times their direction (x, y, z), in fixed point, so that the
+/// sums do not depend on the order in which strands are added.
 struct CellDensity {
   static constexpr float one = density_one;
   std::array<std::int64_t, 4> sum{};
 };
 
-/// What lies between a cell's middle and a light, in fixed point. Rounding removes what a distant change adds, so that
-/// a change only affects cells near it.
+/// What a light crosses on its way to a cell, in fixed point. Rounding removes the effect of distant changes, so that a
+/// change only affects cells near it.
 struct Crossed {
   static constexpr float one = crossed_one;
   static constexpr std::uint16_t max_strands = max_crossed_strands, max_body = max_crossed_body;
-  std::uint16_t strands = 0;  // that the light crosses on average
+  std::uint16_t strands = 0;  // mean number of strands that the light crosses
   std::uint16_t body = 0;     // optical depth of the skin
 
   bool operator==(const Crossed&) const = default;
 };
 static_assert(sizeof(Crossed) == 4);
 
-/// What the light crosses on its way to each cell. It has the same bits whether the cells were followed at once or
-/// change by change.
+/// What one light crosses on its way to each cell. The bits are the same whether the cells were computed at once or
+/// updated change by change.
 class LightCells {
  public:
   LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
              const FurLight& light);
 
-  /// Follows the light again, where the density has changed in cells of `changed`. Gives the indices of the cells whose
-  /// numbers are others now.
+  /// Updates the cells after the density has changed in the cells of `changed`. Returns the indices of the cells whose
+  /// values changed.
   std::vector<std::uint32_t> update(std::span<const CellDensity> density, const CellRows& changed);
 
   const FurLight& light() const { return light_; }
@@ -108,9 +108,9 @@ class LightCells {
 
   GridPlace place_;
   FurLight light_;
-  bool far_;
-  glm::vec3 source_;  // the light's place, in cells; of a far one the way to it
-  // Of each cell: what the light crosses within it, what up to its far side, and what to its middle.
+  bool far_;          // the light is directional
+  glm::vec3 source_;  // position of the light, in cells; for a directional light, the direction to it
+  // For each cell: what the light crosses within it, up to its far side, and up to its middle.
   std::vector<Crossed> local_, through_, crossed_;
 };
 

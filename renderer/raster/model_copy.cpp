@@ -13,7 +13,7 @@ std::vector<T> copied(std::span<const T> from) {
   return {from.begin(), from.end()};
 }
 
-/// Takes ranges of a field over, or all of it where it has come or gone. Bytes that were written.
+/// Copies the dirty ranges of a field, or all of it if its size has changed. Returns the bytes that were written.
 template <class T>
 std::size_t take(std::span<const T> from, std::span<const DirtyRange> dirty, std::vector<T>& to) {
   if (from.size() != to.size()) {

@@ -1,4 +1,4 @@
-// A model and its fields, kept to grow and draw from.
+// A copy of a model and its fields, from which fur is grown and drawn.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@ namespace pelage {
 class ModelCopy {
  public:
   ModelCopy(const FurModel& model, EachCoat<FurFields> fields);
-  ModelCopy(const ModelCopy&) = delete;  // views lie in it
+  ModelCopy(const ModelCopy&) = delete;  // model_ has views of its arrays
   ModelCopy& operator=(const ModelCopy&) = delete;
 
-  /// Takes over the dirty ranges, and all of what is painted or bare where that has changed, and of coats that are new.
-  /// Gives the bytes that were written.
+  /// Copies the dirty ranges of the fields, or whole fields of new coats and of fields that were added or removed; and
+  /// the regions of bare skin. Returns the bytes of fields that were written.
   std::size_t update(EachCoat<FurFields> fields);
 
   /// Valid until the next update.
   const FurModel& model() const { return model_; }
   std::vector<FurFields> fields() const;  // of each coat
-  /// How many updates changed anything.
+  /// Returns how many updates changed anything.
   std::uint64_t changes() const { return changes_; }
   std::uint64_t original() const { return model_.original ? model_.original : model_.id; }
   std::size_t bytes() const;

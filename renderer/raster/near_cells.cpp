@@ -14,15 +14,16 @@ namespace pelage {
 
 namespace {
 
-constexpr float over_cell = 5;                           // cells of the density grid's
-constexpr float around_part = 0.015f, in_depth = 0.15f;  // sizes
+constexpr float over_cell = 5;                           // near cells along a side of a cell of the density grid
+constexpr float around_part = 0.015f, in_depth = 0.15f;  // margin of a part; depth of what counts as near; sizes
 
-/// Along the view.
+/// Returns the distance of a part's middle along the view.
 float distance_of(const RasterScene& scene, const GrownPart& part) {
   return glm::dot(part.middle - scene.camera.position, scene.camera.forward);
 }
 
-/// Returns whether a part's skin is near enough and in the picture, or just beside it. No stroke changes that.
+/// Returns whether a part's skin is near enough, and in the picture or just outside it. Depends on the skin alone, so
+/// that strokes do not change it.
 bool is_near(const RasterScene& scene, const GrownPart& part) {
   const PictureCamera& camera = scene.camera;
   const glm::vec3 apart = part.middle - camera.position;
@@ -31,7 +32,7 @@ bool is_near(const RasterScene& scene, const GrownPart& part) {
   if (distance < -reach || std::max(distance - reach, 0.0f) * across > static_cast<float>(near_no_view) * camera.scale)
     return false;
   if (distance < 2 * reach) return true;
-  const float pixels = 1.5f * reach * camera.scale / distance;  // more than it reaches, as seen aslant
+  const float pixels = 1.5f * reach * camera.scale / distance;  // with room for perspective away from the centre
   const glm::vec2 off = camera.scale / distance * glm::vec2(glm::dot(apart, camera.right), glm::dot(apart, camera.up));
   return std::abs(off.x) < 0.5f * static_cast<float>(scene.width) + pixels &&
          std::abs(off.y) < 0.5f * static_cast<float>(scene.height) + pixels;
@@ -62,7 +63,7 @@ void add_to_cells(std::span<const StrandPoint> points, float cell, std::vector<s
 
 }  // namespace
 
-// But for those far behind the first one.
+// Leaves out parts that are far behind the nearest one.
 std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
   std::vector<std::uint32_t> parts;
   float nearest = 1e9f;
@@ -78,7 +79,7 @@ std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
 float near_cell_side(float cell) { return cell / over_cell; }
 
 void NearCells::fill(int threads) {
-  cells_.assign(held_.empty() ? 0 : count + 1, 0);  // pairs are read
+  cells_.assign(held_.empty() ? 0 : count + 1, 0);  // one more: lookups read pairs
   for_each_in_parallel(
       static_cast<std::uint32_t>(held_.size()),
       [&](std::uint32_t i) {

@@ -1,4 +1,4 @@
-// Strands in small cells where the camera is near: what of single strands lies in the way of light, as contact shadows.
+// Density of single strands in small cells near the camera, for the contact shadows between strands.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,30 @@ namespace pelage {
 
 struct RasterScene;
 
-/// The parts that a picture shows from near: their single strands are looked for.
+/// Returns the parts that the picture shows from near, which cast contact shadows strand by strand.
 std::vector<std::uint32_t> near_parts(const RasterScene& scene);
-/// A side of a near cell, where the density grid has cells of that side.
+/// Returns the side of a near cell for a density grid with cells of side `cell`.
 float near_cell_side(float cell);
 
-/// Cells by a hash of their coordinates (Teschner et al. 2003): most of the space around fur is empty.
+/// Cells found by a hash of their coordinates (Teschner et al. 2003), because most of the space around fur is empty.
 class NearCells {
  public:
-  static constexpr std::uint32_t count = near_places;  // for cells; a few share one
+  static constexpr std::uint32_t count = near_places;  // entries of the hash table; some cells share one
   static constexpr float one = near_one;
 
-  /// Holds the strands of all parts that the picture shows from near. `version` is that of the density grid.
+  /// Updates the cells to the strands of near_parts. `version` is that of the density grid.
   /// Deterministic for any number of threads.
   void update(const RasterScene& scene, std::uint64_t version, int threads);
 
-  /// Sizes.
+  /// Returns the side of a cell, sizes.
   float cell() const { return cell_; }
-  /// What strands cover of each cell's face, whichever way they lie, in steps of 1 / one; none where nothing is near.
+  /// Returns how much of each cell's face strands cover, whatever their direction, in steps of 1 / one; empty if no
+  /// part is near.
   std::span<const std::uint16_t> cells() const { return cells_; }
-  /// The mean over all cells: so much of other cells lies in each.
+  /// Returns the mean over all entries: what an entry has of other cells, on average.
   float mean() const { return mean_; }
-  /// The version of the density grid at which the near cells last changed. Such a change may alter the look of every
-  /// place, because places share cells and the mean changes too.
+  /// Returns the version of the density grid at which the near cells last changed. Such a change may alter the picture
+  /// anywhere, because cells share entries and the mean changes too.
   std::uint64_t since() const { return since_; }
   std::size_t bytes() const { return cells_.capacity() * sizeof(std::uint16_t); }
 
@@ -45,8 +46,8 @@ class NearCells {
 
   float cell_ = 1, mean_ = 0;
   std::vector<std::uint16_t> cells_;
-  std::vector<std::uint32_t> parts_;                    // that are near
-  std::vector<std::shared_ptr<const StrandSet>> held_;  // of each of them
+  std::vector<std::uint32_t> parts_;                    // near_parts that are in the cells
+  std::vector<std::shared_ptr<const StrandSet>> held_;  // strands of each of parts_
   std::uint64_t since_ = 0;
 };
 

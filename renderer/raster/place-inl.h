@@ -1,4 +1,4 @@
-// Strands on the picture, eight at once.
+// Projects strands onto the picture, one strand in each lane, and culls those that skin or fur hides.
 #if defined(PELAGE_RASTER_PLACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_PLACE_INL_H_
 #undef PELAGE_RASTER_PLACE_INL_H_
@@ -15,7 +15,7 @@ namespace pelage::HWY_NAMESPACE {
 
 inline constexpr int max_knots = 64;
 
-/// Knots of as many strands as there are lanes.
+/// The projected knots of as many strands as there are lanes.
 struct KnotLanes {
   HWY_ALIGN float x[max_knots][lane_count], y[max_knots][lane_count];
   HWY_ALIGN float inverse[max_knots][lane_count], half_width[max_knots][lane_count];
@@ -27,15 +27,15 @@ HWY_INLINE Int strand_rows(const std::uint32_t* ids, int numbers) {
   return hn::Mul(hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(ids)), whole(numbers));
 }
 
-/// Where lanes lie on the picture.
+/// Extent of strands on the picture, a strand a lane.
 struct PlacedLanes {
-  Real left, right, top, bottom;
-  Real nearest;  // one over a distance
-  Real way;      // pixels along the strand
-  Real reach;    // pixels from its root to its tip, as the eye sees it
-  Real longest;  // of its segments, pixels
-  Real widest;   // half of it, pixels
-  Real length;   // sizes
+  Real left, right, top, bottom;  // pixels
+  Real nearest;                   // 1 / the smallest distance
+  Real way;                       // length along the strand, pixels
+  Real reach;                     // distance from its root to its tip on the picture, pixels
+  Real longest;                   // length of its longest segment, pixels
+  Real widest;                    // largest half width, pixels
+  Real length;                    // length along the strand, sizes
   Vec3 root, tip;
 };
 
@@ -75,19 +75,20 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   return placed;
 }
 
-/// What says how deep in the fur an eye sees a strand.
+/// What determines how deep in the fur a strand is visible.
 struct DepthLanes {
   Vec3 root, tip, normal;
-  Real reach, length;  // of the fur that it stands in, over nominal_length
+  Real reach, length;  // StrandRoot::reach; length of the fur around the strand over nominal_length
 };
 
-/// The last knot of each lane that so many strands stand in front of that nothing is seen of it; 0 for none.
+/// Returns for each lane the last knot that is hidden because at least seen_depth strands lie in front of it; 0 for
+/// none.
 HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, float crowding, int segments) {
   const FrameBlock& frame = scene.optics.frame;
   const Vec3 to_camera = unit(Vec3(scene.camera.position) - strand.root), along = unit(strand.tip - strand.root);
   const Real facing = dot(strand.normal, to_camera);
   Real hidden = 0.0f;
-  Mask deep = facing < 2.0f;  // so far: all
+  Mask deep = facing < 2.0f;  // lanes whose knots so far are all hidden: at first all lanes
   for (int k = 1; k < segments; ++k) {
     const Real height = strand.reach * (static_cast<float>(k) / static_cast<float>(segments));
     const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
@@ -100,9 +101,10 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
   return hidden;
 }
 
-/// Returns which lanes touch the box and may show in it. A lane may not show if each of its knots lies in the box
-/// behind all skin that is as near to it on the picture as it is drawn long and wide; this allows for two segments
-/// drawn as one, and for deep parts drawn `wider`. So what is left out shows nowhere, whatever the box.
+/// Returns which lanes touch the box and may be visible in it. A strand is hidden if all of its knots lie in the box
+/// and behind all skin around them (`hidden`). Strands too long or too wide for hidden_around are always kept; this
+/// allows for two segments drawn as one and for deep parts drawn `wider`. So a strand that is left out is visible
+/// nowhere, whatever the box.
 HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, Real wider,
                            const PixelBox& box, std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
@@ -124,7 +126,7 @@ HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, in
   return inside & seen;
 }
 
-/// Those of some lanes that touch a tile that is drawn.
+/// Returns those of `lanes` that touch a tile that is to be drawn.
 HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& placed, Real wider,
                                      std::uint32_t lanes) {
   const Real beside = drawn_edge + (wider - 1.0f) * placed.widest;
@@ -139,14 +141,15 @@ HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& p
   return kept;
 }
 
-/// Pixels.
+/// Returns the distance between two knots, pixels.
 HWY_INLINE float apart(const PlacedKnot& a, const PlacedKnot& b) {
   const float x = a.x - b.x, y = a.y - b.y;
   return std::sqrt(x * x + y * y);
 }
 
-/// Turns of a curl that are too small to be drawn cover as much when what is drawn of them is wider, up to the curl's
-/// own width: about one `step` between its knots to each side, and a pixel.
+/// Widens the knots of a curl whose turns are too small to be drawn, so that its coverage stays the same: `way` is its
+/// length along the turns, pixels. The increase is at most the curl's own width, about one `step` between its knots,
+/// and at most a pixel to each side.
 HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float step) {
   float drawn = 0;
   for (std::size_t k = 1; k < knots.size(); ++k) drawn += apart(knots[k], knots[k - 1]);
@@ -156,23 +159,23 @@ HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float st
     knot.half_width = std::min(knot.half_width * more, knot.half_width + std::min(step, 1.0f));
 }
 
-/// A strand ends in half a ball, of which one sees as much as of a piece that goes on for so long.
+/// Extends the tip: a strand ends in a half ball, which covers as much as a longer strand with a flat end would.
 HWY_INLINE void round_tip(PlacedKnot& tip, const PlacedKnot& before, float wider) {
-  constexpr float half_disc = 0.785f;  // its area over that of a strip as wide and half as long
+  constexpr float half_disc = 0.785f;  // area of a half disc over that of the rectangle around it
   const float more = half_disc * tip.half_width / (wider * std::max(apart(tip, before), 1e-3f));
   tip.x += more * (tip.x - before.x), tip.y += more * (tip.y - before.y);
 }
 
-/// How a strand is drawn that stays.
+/// How a strand that is kept is drawn.
 struct KeptLane {
-  int lane, first, deep;  // its first knot, and the last one that only gaps between strands show
-  float way, reach;       // as PlacedLanes
-  float wider;            // than it has grown in a whole coat
+  int lane, first, deep;  // lane; first knot drawn; knots before `deep` are visible only through gaps between strands
+  float way, reach;       // as in PlacedLanes
+  float wider;            // its width over that in the whole coat
   float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
 };
 
 /// Returns the half width of a knot, widened for packing. Strands do not intersect each other, so the thicker they are
-/// for their distance, the less the eye sees between them: strands too thin to be seen singly cover more than randomly
+/// for their distance, the less is visible between them: strands too thin to be resolved cover more than randomly
 /// placed ones would.
 HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   const float over = knot.half_width / std::max(knot.inverse, 1e-9f);
@@ -180,8 +183,8 @@ HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
   return knot.half_width / (1 - unresolved * std::min(max_packed, kept.packing * over * over));
 }
 
-/// Appends the knots of a lane that are more than a few pixels apart; deep ones are wider, but not so wide that they
-/// would show beside the fur above them.
+/// Appends the knots of a lane, thinned so that they are at least about min_segment pixels apart. Deep knots are wider,
+/// but not so wide that they would be visible beside the fur above them.
 HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int segments, PlacedStrands& placed) {
   const int rest = segments - kept.first;
   const float over = 1 / static_cast<float>(segments);
@@ -220,10 +223,10 @@ HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids
           in_the_open / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
 }
 
-/// Share of the skin that strands of radius 1 would fill: the more the flatter they lie.
+/// Returns the share of the skin that strands of radius 1 would fill: the flatter they lie, the more.
 HWY_INLINE Real packing_of(const GrownPart& part, const DepthLanes& depth) {
   const Real upright = max(dot(unit(depth.tip - depth.root), depth.normal), 0.2f);
-  constexpr float there = 0.7f;  // of all strands, at the height that is seen
+  constexpr float there = 0.7f;  // share of the strands that reach the visible height
   return there * part.packing / (part.wider * part.wider) / upright;
 }
 
@@ -266,9 +269,9 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
   kept.ids.resize(stay), kept.widened.resize(stay);
 }
 
-// Which strands look another way, and where they lie on the picture, a strand a lane.
+// Which strands may look different, and where they lie on the picture; a strand a lane.
 
-/// Bits of BlockChange for the blocks of a strand's knots.
+/// Returns the BlockChange bits of all blocks that contain a knot of each lane's strand.
 HWY_INLINE Int changed_lanes(const BlockPlace& place, std::span<const std::int32_t> blocks, const StrandSet& set,
                              const std::uint32_t* ids) {
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);

@@ -21,20 +21,20 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_batches = 64;  // of strands, a thread each: the same for any number of threads
+constexpr std::size_t max_batches = 64;  // batches of strands; one thread works on each; independent of their number
 
-/// A strand by its number in the whole coat, from 1 on.
+/// A strand as RasterOutput::strand shows it. `number` counts all strands of the fur from 1.
 struct NamedStrand {
   std::size_t number;
   float coat;  // coat_number
 };
 
-/// Some parts of the fur, as they lie on the picture.
+/// A range of the parts, and their strands placed on the picture.
 struct Batch {
-  std::size_t first = 0, end = 0;  // parts
-  std::size_t before = 0;          // strands of the parts before the first
+  std::size_t first = 0, end = 0;  // range of parts
+  std::size_t before = 0;          // number of strands in the parts before `first`
   PlacedStrands placed;
-  std::vector<NamedStrand> named;  // those that are placed, where strands are shown
+  std::vector<NamedStrand> named;  // for each placed strand, if RasterOutput::strand is shown
   std::size_t lit = 0;
 };
 
@@ -70,7 +70,7 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
   }
 }
 
-/// One tile: sorts what is in it, blends it, and adds the skin behind.
+/// Draws a tile: sorts its segments, blends them, and adds eyes and skin behind them.
 struct TileDrawer {
   const RasterScene& scene;
   const PixelBox& box;
@@ -79,7 +79,7 @@ struct TileDrawer {
   std::span<const Batch> batches;
   FloatImage& picture;
 
-  /// What a thread uses again from tile to tile.
+  /// Scratch memory of a thread, reused from tile to tile.
   struct Room {
     std::vector<BinEntry> sorted, sorting;
     std::vector<TileSegment> segments;
@@ -117,7 +117,7 @@ void TileDrawer::draw(int tile, Room& room) const {
   write(left, top, sums);
 }
 
-/// Replaces the segment that covers most of a pixel by its strand; none where skin or an eye shows more.
+/// Replaces the number of the segment that covers most of a pixel by its strand's; 0 where skin or an eye covers more.
 void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums) const {
   for (int pixel = 0; pixel < tile_pixels; ++pixel) {
     const auto segment = static_cast<std::size_t>(sums.red[pixel]);
@@ -134,9 +134,9 @@ void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums
   }
 }
 
-/// Lights skin that shows in some pixels of a tile, and adds what of it gets through the strands.
+/// Shades the skin in some pixels of a tile, and adds it weighted by the transmittance of the strands in front.
 void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen& seen, TileSums& sums) {
-  for (std::size_t i = pixels.size(); i < SkinSeen::count; ++i)  // lanes that nothing is asked of
+  for (std::size_t i = pixels.size(); i < SkinSeen::count; ++i)  // fill the unused lanes
     seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0], seen.piece[i] = seen.piece[0];
   light_skin(scene, seen);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -148,7 +148,7 @@ void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen&
   }
 }
 
-/// Where enough of it shows, some pixels at a time.
+/// Adds the skin where at least min_shown of a pixel is left for it, SkinSeen::count pixels at a time.
 void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
   const std::uint32_t* piece = &skin.piece[static_cast<std::size_t>(tile) * tile_pixels];
   const float* inverse = &skin.inverse[static_cast<std::size_t>(tile) * tile_pixels];
@@ -179,7 +179,7 @@ void TileDrawer::write(int left, int top, const TileSums& sums) const {
   }
 }
 
-/// Places all strands of the box, lit, and puts their segments into tiles.
+/// Places and lights the strands of a box, and sorts their segments into tiles.
 void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixels& skin, int threads,
                    std::vector<Batch>& batches, Bins& bins) {
   const auto count = static_cast<std::uint32_t>(batches.size());
@@ -222,7 +222,7 @@ void darken_tile(const RasterScene& scene, const PixelBox& box, int tile, FloatI
   each([](const float& open, float& alpha) { alpha = 1 - open; });
 }
 
-/// Of the grid, which a stroke seldom moves, and what stands out beyond it.
+/// Returns keys for the distances of the grid, which a stroke seldom moves, with a margin for what reaches beyond it.
 DistanceKeys keys_of(const RasterScene& scene) {
   constexpr float beyond = 0.25f;  // sizes
   const GridPlace& grid = *scene.cells;
@@ -239,7 +239,7 @@ struct Raster::Kept {
   RasterOptics optics;
   DensityGrid grid;
   NearCells near;
-  std::uint64_t sky_of = 0;  // version of the grid's fur
+  std::uint64_t sky_of = 0;  // fur_version of the grid that `sky` was made for
   float sky_height = 0;
   SkyOverGround sky;
 
@@ -251,7 +251,7 @@ struct Raster::Kept {
 };
 
 struct RasterRoom::Held {
-  static constexpr std::size_t max_bytes = 64u << 20;  // that are kept
+  static constexpr std::size_t max_bytes = 64u << 20;  // kept from box to box; more is freed
 
   std::vector<Batch> batches;
   Bins bins;
@@ -278,7 +278,7 @@ std::size_t Raster::bytes() const {
   return kept_->grid.bytes() + kept_->near.bytes() + kept_->sky.hidden.size() * sizeof(float);
 }
 
-// So that what is drawn does not depend on the boxes.
+// Extends a box to whole tiles, so that what is drawn does not depend on how a picture is cut into boxes.
 PixelBox whole_tiles(const PixelBox& box, int width, int height) {
   const auto up = [](int at, int end) { return std::min((at + tile_side - 1) / tile_side * tile_side, end); };
   return {box.left / tile_side * tile_side, box.top / tile_side * tile_side, up(box.right, width),

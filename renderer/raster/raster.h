@@ -1,4 +1,5 @@
-// Strands drawn by a rasterizer on the CPU: the strands that are traced, culled, thinned, lit, sorted and blended.
+// The rasterizer of strands on the CPU. It draws the same strands as the path tracer: culls and thins them, lights
+// some, sorts their segments by tile and distance, and blends them front to back over skin and eyes.
 #pragma once
 
 #include <array>
@@ -13,16 +14,16 @@
 
 namespace pelage {
 
-/// What a picture was drawn from.
+/// Counts of a drawing, summed over its boxes.
 struct RasterCounts {
-  std::size_t strands = 0;  // that stand in the coat
-  std::size_t placed = 0;   // that touch the picture
-  std::size_t lit = 0;
-  std::size_t entries = 0;  // segments by tile
-  std::size_t bytes = 0;    // of the largest box, beside the coat
+  std::size_t strands = 0;  // strands of the coat
+  std::size_t placed = 0;   // strands that touch a box and are not culled
+  std::size_t lit = 0;      // lit strands; on a GPU, lit points
+  std::size_t entries = 0;  // segments, counted once in each tile that they touch
+  std::size_t bytes = 0;    // memory of the largest box, without the coat
 };
 
-/// Memory for strands on their way to the picture, which is used again from box to box.
+/// Scratch memory for placed strands, reused from box to box.
 class RasterRoom {
  public:
   RasterRoom();
@@ -34,43 +35,45 @@ class RasterRoom {
   std::unique_ptr<Held> held_;
 };
 
-/// Belongs to one thread; draws on up to `threads`, with the same bits for any number of them.
+/// Belongs to one thread; draws on up to `threads` threads, with the same bits for any number.
 class Raster {
  public:
-  /// Several on one thread may share a room.
+  /// Several rasterizers on one thread may share `room`.
   explicit Raster(int threads, std::shared_ptr<RasterRoom> room = std::make_shared<RasterRoom>());
   ~Raster();
 
-  /// Premultiplied linear light of the skin and its strands, or what else is shown: alpha is what they cover, and of
-  /// light also what the ground darkens. Of a frame with a crop the picture has the frame's size, and the bits that the
-  /// whole frame has where the crop is.
+  /// Draws premultiplied linear light of the skin and its strands, or the output `shown`. Alpha is their coverage, and
+  /// for light also the ground's darkening. With a crop the picture still has the frame's size; inside the crop it has
+  /// the same bits as the whole frame.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                   RasterCounts* counts = nullptr, RasterOutput shown = RasterOutput::light);
 
-  /// That it keeps from picture to picture.
+  /// Returns the bytes of memory that are kept from picture to picture.
   std::size_t bytes() const;
 
-  /// Of what was drawn, for changed_since.
+  /// Returns the version of what was drawn (DensityGrid::version), for changed_since.
   std::uint64_t version() const;
 
   /// Returns boxes of whole tiles that cover a frame, row by row, of at most about `pixels` pixels each. They let a
   /// caller draw the same picture in steps and do other things in between.
   static std::vector<PixelBox> boxes_of(const FurFrame& frame, int pixels = 1 << 20);
-  /// What a frame is drawn from; views of all that is given and of this object, until the next call.
+  /// Returns what a frame is drawn from, with views of the arguments and of this object; valid until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
                        RasterOutput shown);
-  /// Finds what stands in the way of a scene's light. Call it before drawing the scene with this object.
+  /// Computes the shadows of a scene: the density grid, the near cells and the sky over the ground. Call it before
+  /// drawing the scene with this object.
   void fill_cells(RasterScene& scene);
-  /// The scene of the skin and the eyes alone, in unshadowed light; `skin` has the look of each piece's corners.
+  /// Returns a scene of the skin and the eyes alone, in unshadowed light. `skin`: the look of the three corners of each
+  /// triangle of the model.
   RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,
                             RasterOutput shown);
-  /// Into a picture of the frame's size, without the ground.
+  /// Draws a box into a picture of the frame's size, without the ground.
   void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) const;
-  /// Darkens what shows the ground in such a box.
+  /// Darkens the pixels of a drawn box that show the ground.
   void darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
 
  private:
-  struct Kept;  // from frame to frame
+  struct Kept;  // what is cached from frame to frame
   int threads_;
   std::shared_ptr<RasterRoom> room_;
   std::unique_ptr<Kept> kept_;

@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// On its way through a height dh a ray at 45 degrees to upright strands goes sqrt(2) dh, and meets width sin(45) of
-/// each: as many as the strands' width times dh in a unit of the ground.
+/// Through a height dh, a ray at 45 degrees to upright strands travels sqrt(2) dh, and each strand's width across it is
+/// width sin(45). So it crosses the sum of the strands' widths on a unit of ground, times dh.
 std::array<float, slice_count> strands_above(const Coat& coat) {
   std::array<double, slice_count + 1> sum{};
   const std::vector<Strand> strands = make_strands(coat);

@@ -1,4 +1,4 @@
-// What strands are lit by, made of a frame.
+// Makes the optics of a frame: its camera, its lights' sizes, and the tables that shade its strands, skin and eyes.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace pelage {
 
-/// Strands above the middle of each slice that a ray at 45 degrees crosses on average, in fur nominal_length long
-/// (Slices::depth_above, from the strands themselves).
+/// Returns for each slice the mean number of strands that a ray at 45 degrees crosses above the slice's middle, in fur
+/// nominal_length long: Slices::depth_above, computed from the strands themselves.
 std::array<float, slice_count> strands_above(const Coat& coat);
 
-/// Made once for a look, a coat or a model.
+/// Caches the tables of the last look, coat and model.
 class RasterOptics {
  public:
-  /// Views into this object, until the next call.
+  /// Returns the optics of a frame, with views into this object; valid until the next call.
   FrameOptics of(const FurFrame& frame, const FurModel& model);
 
  private:
@@ -27,7 +27,7 @@ class RasterOptics {
   ScatteringBlock scattering_{};
   std::optional<EyeCache> eyes_;  // none before the first eye
   AzimuthalFit azimuthal_;
-  std::uint64_t pictured_ = 0;  // the model of the pictures
+  std::uint64_t pictured_ = 0;  // id of the model that images_ was made of
   std::optional<BaseImages> images_;
 };
 

@@ -1,4 +1,4 @@
-// What one frame of rasterized strands is drawn from: plain arrays that threads read.
+// The scene of one frame of rasterized strands, as plain arrays that threads read; and strands placed on its picture.
 #pragma once
 
 #include <algorithm>
@@ -23,70 +23,71 @@
 
 namespace pelage {
 
-/// From a place to the picture: pixels right and down of its corner, and one over the distance along the view.
+/// Projects a position to the picture: to pixels right and down from its upper left corner, and to 1 / distance along
+/// the view.
 struct PictureCamera {
   glm::vec3 position{0}, right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
-  float scale = 1;      // pixels of a size at distance 1
-  glm::vec2 middle{0};  // of the picture, pixels
+  float scale = 1;      // pixels that a length of 1 size covers at distance 1
+  glm::vec2 middle{0};  // centre of the picture, pixels
 };
 
-/// What a picture shows of strands, skin and eyes: means over each pixel, premultiplied.
+/// What a picture shows of strands, skin and eyes: means over each pixel, premultiplied unless stated otherwise.
 enum class RasterOutput {
   light,
   albedo,
-  normal,    // of the skin below
-  tangent,   // of strands, towards the tip
-  direct,    // what lights add
-  piece,     // red: number of the model's piece that is seen, of skin alone
-  field,     // RasterScene::field at the root or on the skin
-  shadow,    // red: the luminance of that, green: what it would be without shadows
-  distance,  // red: along the view
-  depth,     // red: one over the distance of the first that leaves less than half of a pixel open; not premultiplied
-  count,     // red: segments of strands that were blended; not premultiplied
-  strand,    // that covers most of a pixel: red: its number from 1 on, green: where on it, blue: its coat_number
-  objects    // red, green, blue: the shares of three objects, from RasterScene::first_object on
+  normal,    // normal of the skin; for a strand, at its root
+  tangent,   // tangent of strands, towards the tip
+  direct,    // light from lights alone, without the environment
+  piece,     // red: index of the visible triangle of the model; skin alone
+  field,     // RasterScene::field at a strand's root or on the skin
+  shadow,    // red: luminance of direct light, green: the same without shadows
+  distance,  // red: distance along the view
+  depth,     // red: 1 / distance of what takes the transmittance below one half; not premultiplied
+  count,     // red: number of segments that were blended; not premultiplied
+  strand,    // the strand that covers most of a pixel; red: number from 1, green: [0, 1] along it, blue: coat_number
+  objects    // red, green, blue: coverage of three objects, RasterScene::first_object and the next two
 };
-/// Returns whether it goes as the colour of strands does.
+/// Returns whether an output is proportional to the colour of strands.
 constexpr bool is_coloured(RasterOutput shown) {
   return shown == RasterOutput::light || shown == RasterOutput::direct || shown == RasterOutput::albedo;
 }
-/// Returns whether strands send something of their own, from knot to knot.
+/// Returns whether strands have a value of the output at each knot (PlacedKnot::light), such as light or a normal.
 constexpr bool sends(RasterOutput shown) {
   return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
          shown != RasterOutput::count && shown != RasterOutput::strand;
 }
 
-/// As pictures name the coat of a part: its number plus 1; limits::coats + 1 for curves.
+/// Returns the number of a part's coat in pictures: its CoatId plus 1; limits::coats + 1 for curves.
 inline float coat_number(const GrownPart& part) {
   return static_cast<float>(part.role == StrandRole::curve ? limits::coats + 1 : part.coat + std::size_t{1});
 }
 
-/// The object (fur_scene.h) that the strands of a part are.
+/// Returns the object (fur_scene.h) to which the strands of a part belong.
 inline std::size_t object_of(std::span<const NamedCoat> coats, const GrownPart& part) {
   if (part.role == StrandRole::curve) return curves_object;
   const auto is_it = [&](const NamedCoat& one) { return one.id == part.coat; };
   return first_coat_object + static_cast<std::size_t>(std::ranges::find_if(coats, is_it) - coats.begin());
 }
 
-/// How wide a light is from a place: a far one the same from all.
+/// How wide a light appears; a directional light looks the same from everywhere.
 struct LightSize {
-  float radius = 0;  // sizes; of a far light the tangent of its half angle
-  bool far = true;
+  float radius = 0;  // sizes; for a directional light, the tangent of its half angle
+  bool far = true;   // the light is directional
 };
 
-/// Distances along the view in steps of about their share, for the whole of a frame: the order of two segments does not
-/// depend on what else is drawn.
+/// Quantizes 1 / distance along the view to 16-bit sort keys, in roughly relative steps. The range holds for the whole
+/// frame, so that the order of two segments does not depend on which part of it is drawn.
 struct DistanceKeys {
   static constexpr std::uint32_t end = 1 << 16;
-  std::uint32_t furthest = 0;  // bits of one over it
+  std::uint32_t furthest = 0;  // bits of 1 / the furthest distance, as a float
   int shift = 0;
 
   DistanceKeys() = default;
-  /// One over the distances, above 0, between which all lies.
+  /// `far` and `near` are 1 over the largest and the smallest distance, both above 0.
   DistanceKeys(float far, float near) : furthest(std::bit_cast<std::uint32_t>(far)) {
     while ((std::bit_cast<std::uint32_t>(near) - furthest) >> shift >= end) ++shift;
   }
-  /// Below `end`, nearest first.
+  /// Returns the key of 1 / distance, below `end`; nearer is smaller.
   std::uint32_t of(float inverse) const {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(inverse);
     return end - 1 - std::min((bits - std::min(furthest, bits)) >> shift, end - 1);
@@ -96,44 +97,44 @@ struct DistanceKeys {
 struct RasterScene {
   FrameOptics optics;
   int width = 0, height = 0;  // of the picture, pixels
-  float oversampling = 1;     // of its pixels along a side of one that is seen: the skin's relief is as fine as those
+  float oversampling = 1;     // pixels of the picture along a side of a shown pixel, at least 1: sets the skin's detail
   PictureCamera camera;
   RasterQuality quality;
   RasterOutput shown = RasterOutput::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
-  FurBend bend;                                   // that their strands are still to be bent by
-  const TileMask* drawn = nullptr;                // tiles that are; null for all
-  DistanceKeys keys;                              // of what the parts lie between
-  std::span<const std::array<SkinLook, 3>> skin;  // of each piece of the model
-  std::span<const glm::vec3> field;               // of each vertex, where it is shown
-  std::size_t first_object = 0;                   // of those that are shown
-  std::span<const NamedCoat> coats;               // of the parts, as FurFrame::coats
-  std::optional<GridPlace> cells;                 // of what stands in the way of light; none where nothing does
-  std::span<const FurLight> lights;               // that things stand in the way of
-  // What stands there, for the CPU: of the fur and the body, and of single strands of parts that are near.
+  FurBend bend;                                   // bend that the strands of the parts still need; for the GPU
+  const TileMask* drawn = nullptr;                // tiles to draw; null for all
+  DistanceKeys keys;                              // for the range of distances of the parts
+  std::span<const std::array<SkinLook, 3>> skin;  // corners of each triangle of the model
+  std::span<const glm::vec3> field;               // for each vertex; RasterOutput::field alone
+  std::size_t first_object = 0;                   // first of the three that RasterOutput::objects shows
+  std::span<const NamedCoat> coats;               // FurFrame::coats, to which the parts belong
+  std::optional<GridPlace> cells;                 // grid of the shadows; none if nothing casts any
+  std::span<const FurLight> lights;               // lights with shadows
+  // Shadows on the CPU: of fur and body, and of single strands of parts that are near.
   const DensityGrid* grid = nullptr;
   const NearCells* near = nullptr;
-  std::vector<EyeCamera> eyes;  // of optics.eyes
+  std::vector<EyeCamera> eyes;  // the camera in the frame of each of optics.eyes
   std::optional<FurGround> ground;
-  const SkyOverGround* sky = nullptr;  // over the ground, for the CPU
+  const SkyOverGround* sky = nullptr;  // not null on the CPU if there is a ground
   std::array<LightSize, 8> light_sizes{};
 };
 
-/// A knot of a strand on the picture.
+/// A knot of a strand, projected to the picture.
 struct PlacedKnot {
   float x = 0, y = 0;                    // pixels
-  float inverse = 0;                     // one over the distance along the view; 0 for what is too near to be drawn
+  float inverse = 0;                     // 1 / distance along the view; 0 if too near to be drawn
   float half_width = 0;                  // pixels
   std::array<std::uint16_t, 4> light{};  // red, green, blue in half floats
 };
 static_assert(sizeof(PlacedKnot) == 24);
 
-/// Strands of some parts as they lie on the picture.
+/// Strands of some parts, projected to the picture.
 struct PlacedStrands {
   std::vector<PlacedKnot> knots;
-  std::vector<float> along;          // of each knot: where on its strand, 0 at the root, 1 at the tip
-  std::vector<std::uint32_t> first;  // knot of each strand; one more at the end
+  std::vector<float> along;          // position of each knot along its strand: 0 at the root, 1 at the tip
+  std::vector<std::uint32_t> first;  // index of each strand's first knot; one more at the end
 
   std::size_t bytes() const {
     return knots.capacity() * sizeof(PlacedKnot) + along.capacity() * sizeof(float) +

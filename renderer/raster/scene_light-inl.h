@@ -1,4 +1,5 @@
-// Light on strands, skin and ground: renderer/shaders/shared, which GLSL reads too, over lanes.
+// Light on strands, skin and ground, over lanes: compiles the code of renderer/shaders/shared, which GLSL shares, as
+// C++.
 #if defined(PELAGE_RASTER_SCENE_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_SCENE_LIGHT_INL_H_
 #undef PELAGE_RASTER_SCENE_LIGHT_INL_H_
@@ -15,11 +16,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// What a scene is lit by, under the names that the shared code has for it; valid while the scene is.
+/// The light of a scene, under the names that the shared code reads; valid while the scene is.
 struct SceneLight : FrameLight, FibreScattering {
   const RasterScene& scene;
   const glm::vec3 &camera_position, &camera_forward;
-  float over_view;  // from a distance to the sizes that the picture shows across there
+  float over_view;  // factor from a distance to the length that the picture's longer side spans there
   int shading_model;
   Index light_count;
   bool grid_there, near_there;
@@ -55,7 +56,7 @@ struct SceneLight : FrameLight, FibreScattering {
     const Int word = gather(words + further, to_int(first));
     return {to_real(hn::And(word, whole(0xffff))), to_real(hn::ShiftRight<16>(word))};
   }
-  /// What strands cover in the near cell of those whole numbers.
+  /// Returns how much strands cover of the near cell with these whole coordinates, in steps of 1 / near_one.
   HWY_INLINE Real near_count(Vec3 cell) const {
     const auto* cells = reinterpret_cast<const std::int32_t*>(scene.near->cells().data());
     const auto part = [](Real along, int factor) HWY_ATTR { return hn::Mul(to_int(along), whole(factor)); };
@@ -69,14 +70,14 @@ struct SceneLight : FrameLight, FibreScattering {
   }
   float light_radius(Index light) const { return scene.light_sizes[light].radius; }
   bool is_far_light(Index light) const { return scene.light_sizes[light].far; }
-  /// Of a spiral that is even over a disc (Vogel 1979).
+  /// Returns a point of a spiral that covers the unit disc evenly (Vogel 1979).
   static glm::vec2 disc_tap(int tap) {
     const float angle = 2.399963f * static_cast<float>(tap);
     return std::sqrt((static_cast<float>(tap) + 0.5f) / ground_light_taps) *
            glm::vec2(std::cos(angle), std::sin(angle));
   }
 
-// clang-format off: the order is that in which they read each other
+// clang-format off: each file uses those before it
 #define FUNCTION HWY_INLINE
 #include "renderer/shaders/shared/grid_shadow.glsl"
 #include "renderer/shaders/shared/ground.glsl"

@@ -1,4 +1,4 @@
-// Light of a strand's knots from that of its points, or of its neighbour's.
+// Derives the light of a strand's knots from the lit points of the strand itself or of a neighbour.
 #if defined(PELAGE_RASTER_SHARED_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_SHARED_LIGHT_INL_H_
 #undef PELAGE_RASTER_SHARED_LIGHT_INL_H_
@@ -17,7 +17,7 @@ namespace pelage::HWY_NAMESPACE {
 using ColourTag = hn::CappedTag<float, 4>;
 using Colour = hn::Vec<ColourTag>;
 
-/// pack_colour undone, its channels in a register, with a little more so that black can be divided by.
+/// Returns unpack_colour of a word, its channels in a register, plus over_black, so that one can divide by black.
 HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   const ColourTag tag;
   const hn::RebindToSigned<ColourTag> words;
@@ -28,7 +28,7 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   return hn::MulAdd(share, share, hn::Set(tag, over_black));
 }
 
-/// Colours of a strand's knots, and what they are multiplied by.
+/// The colours of a strand's knots, and the factor on all of them.
 struct KnotColours {
   std::span<const std::uint32_t> own;
   Colour factor;
@@ -36,14 +36,14 @@ struct KnotColours {
   HWY_INLINE Colour at(std::size_t knot) const { return hn::Mul(colour_over_black(own[knot]), factor); }
 };
 
-/// Light along a strand, derived from the points of the lit strand; the strand is `taller` times as tall as that one.
-/// Knots have the light of the same height.
+/// Light along a strand, interpolated between the points of its lit strand. The strand is `taller` times as tall as
+/// that one; a knot takes the light at its own height.
 template <bool by_colour>
 struct LightAlong {
   static constexpr ColourTag tag{};
   std::span<const glm::vec4> points;
   KnotColours colours;
-  float first, step;  // of the points, at the first knot and from knot to knot
+  float first, step;  // position among the points of the first knot, and from knot to knot
 
   LightAlong(const LitPoints& lit, const glm::vec4* light, const KnotColours& of_knots, float taller)
       : points(light, static_cast<std::size_t>(lit.count)), colours(of_knots) {
@@ -51,18 +51,20 @@ struct LightAlong {
     first = -lit.from * over, step = taller * over / static_cast<float>(colours.own.size() - 1);
   }
 
-  /// The points end one beyond the tip: what is taller gets more light than the tip.
+  /// Returns the position of a knot among the points. It ends one beyond the tip: the tip of a taller strand gets more
+  /// light than that of the lit strand.
   HWY_INLINE float place_of(int knot) const {
     return std::clamp(first + static_cast<float>(knot) * step, 0.0f, static_cast<float>(points.size()));
   }
-  /// Of the one beyond the tip: by how much the tip has more light than the point before it.
+  /// Returns the light of a point. The point after the tip holds how much more light the tip has than the point before
+  /// it.
   HWY_INLINE Colour light_of(int point) const {
     const bool beyond = point == static_cast<int>(points.size());
     const glm::vec4* light = &points[static_cast<std::size_t>(beyond ? point - 1 : point)];
     const Colour here = hn::LoadU(tag, &light->x);
     return beyond ? hn::Sub(here, hn::LoadU(tag, &(light - 1)->x)) : here;
   }
-  /// How much of a point's light is sent at a place that is no further than one from it; the tip's stays beyond it.
+  /// Returns the weight of a point's light at a position at most one away from it; that of the tip stays 1 beyond it.
   HWY_INLINE float share_of(int point, float place) const {
     const float after = place - static_cast<float>(point);
     const bool is_tip = point + 1 == static_cast<int>(points.size());
@@ -73,9 +75,9 @@ struct LightAlong {
   }
 };
 
-/// A piece of a strand between two drawn knots sends what all of its knots do, however few are drawn: its ends have the
-/// light of their own places, and more or less of each point's light, so that the mean is that of all knots. No end
-/// takes less than nothing of a point. So light stays positive, and what two lights give together is their sum.
+/// The light at both ends of the segment between two drawn knots. The segment sends the mean light of all knots of the
+/// strand between its ends, however few are drawn. For each point, its ends differ as the light at their own positions
+/// does, but no end gets a negative share of a point. So light stays positive and linear in the lights.
 template <bool by_colour>
 class PieceLight {
  public:
@@ -91,7 +93,7 @@ class PieceLight {
     const bool ends_beyond = low_ == static_cast<int>(light_.points.size());
     if (!ends_beyond) next_point();
     even_out();
-    if (ends_beyond) next_point();  // what tips gain is no light that all points have
+    if (ends_beyond) next_point();  // the gain beyond the tip is not light that all points have
   }
 
   Colour at_begin = hn::Zero(tag), at_end = hn::Zero(tag);
@@ -106,7 +108,7 @@ class PieceLight {
     next_mean_ = hn::MulAdd(colour, of_point(low_ + 1), next_mean_);
   }
 
-  /// Gives both ends the light of the point `low_`.
+  /// Adds the light of the point `low_` to both ends, and goes on to the next point.
   HWY_INLINE void next_point() {
     const auto half = [this](float place) { return hn::Set(tag, 0.5f * light_.share_of(low_, place)); };
     const Colour at_own = hn::MulSub(begin_colour_, half(begin_place_), hn::Mul(end_colour_, half(end_place_)));
@@ -117,10 +119,11 @@ class PieceLight {
     mean_ = next_mean_, next_mean_ = hn::Zero(tag), ++low_;
   }
 
-  /// Light that is the same at all points is the same at both ends: what one end got too much of goes to the other.
+  /// Makes light that is the same at all points also the same at both ends: moves what the clamps gave to the wrong
+  /// end.
   HWY_INLINE void even_out() {
     const Colour zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), least = hn::Set(tag, 1e-12f);
-    const Colour missing = hn::Sub(wanted_, tilt_);  // at the begin
+    const Colour missing = hn::Sub(wanted_, tilt_);  // at the begin, over all points
     const auto share = [&](Colour part, Colour of) { return hn::Clamp(hn::Div(part, hn::Max(of, least)), zero, one); };
     const Colour from_end = hn::Mul(share(missing, hn::Sub(all_, tilt_)), at_end),
                  from_begin = hn::Mul(share(hn::Neg(missing), hn::Add(all_, tilt_)), at_begin);
@@ -131,15 +134,17 @@ class PieceLight {
   const LightAlong<by_colour>& light_;
   float begin_place_, end_place_;
   Colour begin_colour_, end_colour_;
-  Colour mean_ = hn::Zero(tag), next_mean_ = hn::Zero(tag);  // of the point, and of the one after it
-  // Of all points: means, and how the light of the begin differs from the mean, as wanted and as it is.
+  Colour mean_ = hn::Zero(tag), next_mean_ = hn::Zero(tag);  // mean weight of the point, and of the one after it
+  // Sums over the points so far: of mean weights, and of how the begin's weight differs from the mean, before and after
+  // the clamp.
   Colour all_ = hn::Zero(tag), wanted_ = hn::Zero(tag), tilt_ = hn::Zero(tag);
-  int low_ = 0;  // the point
+  int low_ = 0;  // the current point
 };
 
-inline constexpr float max_half = 65504;  // of half floats, in which knots keep light
+inline constexpr float max_half = 65504;  // largest half float, in which knots store light
 
-/// To the knots that are drawn of a strand, which lie `along` it: each has the mean of the pieces that it ends.
+/// Writes the light of a strand's drawn knots, which lie at the positions `along` it: the mean of the ends of the
+/// segments that meet there.
 template <bool by_colour>
 HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const float> along, PlacedKnot* knots) {
   static_assert(sizeof(hwy::float16_t) == sizeof(std::uint16_t));

@@ -18,7 +18,7 @@ std::size_t SharedLight::light(const RasterScene& scene, const GrownPart& part, 
   for (std::uint32_t from = 0; from <= last; ++from)
     if (place_[from] != none) place_[from] = static_cast<std::uint32_t>(lit_.size()), lit_.push_back(from);
   const bool single = part.role == StrandRole::curve;
-  const std::uint32_t deep = single ? own : whole_strands(last);  // those before it are drawn from the root on
+  const std::uint32_t deep = single ? own : whole_strands(last);  // strands before it are drawn from the root on
   const auto whole = static_cast<std::size_t>(std::lower_bound(lit_.begin(), lit_.end(), deep) - lit_.begin());
   light_strands(scene, part, std::span(lit_).first(whole), true, whole_);
   light_strands(scene, part, std::span(lit_).subspan(whole), false, rest_);

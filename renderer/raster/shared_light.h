@@ -1,4 +1,4 @@
-// Light of strands that share it.
+// Lights one strand of each group and shares its light with the others.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,13 @@ namespace pelage {
 class SharedLight {
  public:
   /// Writes the light of the strands `ids` of a part to their knots, which are those of `placed` from strand `first`
-  /// on. `last` is the last strand that the frame keeps of the part, wherever it shows. Gives how many were lit.
+  /// on. `last` is the last strand of the part that the frame keeps, wherever it shows. Returns the number of lit
+  /// strands.
   std::size_t light(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
                     std::uint32_t last, std::size_t first, PlacedStrands& placed);
 
  private:
+  // Strands that are lit; for each of `ids` its lit strand, and that one's index in lit_; index in lit_ of each strand.
   std::vector<std::uint32_t> lit_, of_, at_, place_;
   LitPoints whole_, rest_;
 };

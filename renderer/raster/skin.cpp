@@ -15,7 +15,8 @@ namespace pelage {
 
 namespace {
 
-/// A triangle on the picture, in double: corners of near ones lie millions of pixels away.
+/// A triangle projected to the picture. In double precision, because corners of near triangles lie millions of pixels
+/// away.
 struct FlatTriangle {
   std::array<glm::dvec2, 3> at{};
   glm::dvec3 inverse{0};
@@ -28,10 +29,10 @@ glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 place) {
           glm::dot(apart, glm::dvec3(camera.forward))};
 }
 
-/// A place on the picture, and one over its distance.
+/// A position on the picture, pixels, and 1 / its distance.
 struct FlatCorner {
   glm::dvec2 at{0};
-  double inverse = 0;  // 0 for what is too near to be drawn
+  double inverse = 0;  // 0 if too near to be drawn
 };
 
 FlatCorner flat(const PictureCamera& camera, const glm::dvec3& corner) {
@@ -44,7 +45,7 @@ FlatTriangle triangle_of(const FlatCorner& a, const FlatCorner& b, const FlatCor
   return {{a.at, b.at, c.at}, {a.inverse, b.inverse, c.inverse}, piece};
 }
 
-/// What of a triangle lies beyond the nearest distance (Sutherland and Hodgman 1974): up to two. Gives how many.
+/// Clips a triangle at near_distance (Sutherland and Hodgman 1974). Returns the number of triangles left: up to two.
 std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
                     std::array<FlatTriangle, 2>& triangles) {
   constexpr double least = near_distance;
@@ -63,16 +64,16 @@ std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>
   return count < 3 ? 0 : count - 2;
 }
 
-/// Returns whether the middle of a pixel of the box may lie in a triangle: few of a fine mesh's have one.
+/// Returns whether a triangle may contain the middle of a pixel of the box. Few triangles of a fine mesh do.
 bool meets_pixel(const FlatTriangle& triangle, const PixelBox& box) {
-  constexpr double beside = 0.5 - 2e-3;  // more than covered_pixels overlaps
+  constexpr double beside = 0.5 - 2e-3;  // half a pixel, less more than the overlap of covered_pixels
   const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
   const auto [y0, y1] = std::minmax({triangle.at[0].y, triangle.at[1].y, triangle.at[2].y});
   if (!(x1 > box.left && x0 < box.right && y1 > box.top && y0 < box.bottom)) return false;
   return std::floor(x1 - beside) >= std::ceil(x0 - 1 + beside) && std::floor(y1 - beside) >= std::ceil(y0 - 1 + beside);
 }
 
-constexpr std::uint32_t batch_size = 8192;  // vertices or triangles, a thread each: the same for any number of threads
+constexpr std::uint32_t batch_size = 8192;  // vertices or triangles of a task; the same for any number of threads
 
 /// Calls each(batch, i) for all i below `count`, in batches.
 template <class Each>
@@ -86,7 +87,8 @@ void in_batches(std::size_t count, int threads, const Each& each) {
                        threads);
 }
 
-/// Each triangle of the surface once, in its order, in batches; pieces of several patches are alike.
+/// Returns the projected triangles of the model, in their order, in batches. Culls those that contain no pixel's
+/// middle.
 std::vector<std::vector<FlatTriangle>> flat_triangles(const RasterScene& scene, const PixelBox& box, int threads) {
   const FurModel& model = *scene.model;
   const auto in_view = [&](std::uint32_t v) { return in_camera(scene.camera, model.positions[v]); };
@@ -106,7 +108,7 @@ std::vector<std::vector<FlatTriangle>> flat_triangles(const RasterScene& scene, 
   return batches;
 }
 
-/// Tiles that a triangle's box touches.
+/// Calls found(tile) for each tile that a triangle's bounding box touches.
 template <class Found>
 void each_tile(const FlatTriangle& triangle, const PixelBox& box, const TileRows& tiles, const Found& found) {
   const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
@@ -120,16 +122,16 @@ void each_tile(const FlatTriangle& triangle, const PixelBox& box, const TileRows
   }
 }
 
-/// A number that runs evenly over the picture, at the middle of a tile's first pixel.
+/// A value that is linear over the picture: at the middle of a tile's first pixel, and its steps from pixel to pixel.
 struct Plane {
   float at = 0, across = 0, down = 0;
 };
 
-/// Shares of the corners across from each edge, and one over the distance. From a tile's own corner on: floats do.
+/// Barycentrics of a triangle and 1 / distance, relative to a tile's corner, where floats are precise enough.
 struct TilePlanes {
   std::array<Plane, 3> share;
   Plane inverse;
-  bool there = false;
+  bool there = false;  // the triangle is not degenerate
 };
 
 TilePlanes planes_over(const FlatTriangle& t, int left, int top) {
@@ -152,8 +154,8 @@ TilePlanes planes_over(const FlatTriangle& t, int left, int top) {
   return planes;
 }
 
-/// Pixels of a row where all three shares are at least 0: [first, end). Neighbours overlap by a little, so that none is
-/// missed between two.
+/// Returns the pixels [first, end) of a row in which all three barycentrics are at least 0. Neighbouring triangles
+/// overlap a little, so that no pixel is missed between them.
 std::pair<int, int> covered_pixels(const TilePlanes& planes, int y, int first, int end) {
   constexpr float overlap = 1e-3f;  // pixels
   float low = static_cast<float>(first), high = static_cast<float>(end - 1);
@@ -188,7 +190,7 @@ void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, s
   }
 }
 
-/// Triangles by tile: those of tile t are order[first[t]] to order[first[t + 1]].
+/// Triangles grouped by tile: those of tile t are order[first[t]] up to, not including, order[first[t + 1]].
 struct TileTriangles {
   std::vector<std::uint32_t> first;
   std::vector<const FlatTriangle*> order;
@@ -210,7 +212,7 @@ TileTriangles by_tile(std::span<const std::vector<FlatTriangle>> batches, const 
   return by;
 }
 
-/// The furthest of a block of a tile's pixels.
+/// Returns 1 / the furthest distance in a block of a tile's pixels.
 float furthest_of_block(const float* inverse, int left, int top) {
   float furthest = std::numeric_limits<float>::max();
   for (int y = top; y < top + hiding_side; ++y)
@@ -228,7 +230,7 @@ float* SkinPixels::add_eyes(const RasterScene& scene, std::uint32_t tile, int le
   return ends.data();
 }
 
-/// Each block's number becomes the furthest around it, along both axes.
+/// Takes the minimum along rows, then along columns.
 void SkinPixels::spread_hidden(int across, int down) {
   constexpr int blocks_around = hidden_around / hiding_side;
   const auto spread_row = [](const float* from, std::ptrdiff_t step, int count, float* to) {

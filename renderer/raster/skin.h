@@ -1,4 +1,4 @@
-// The skin that strands stand on, and eyes in it: which triangle or eye is nearest in each pixel of a box.
+// Rasterizes the skin and the eyes behind the strands: which triangle or eye is nearest in each pixel of a box.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,26 @@
 
 namespace pelage {
 
-/// What lies behind the strands of a box; pixels by tile, in a tile as pixel_in_tile has them.
+/// What lies behind the strands of a box. Pixels lie tile by tile, within a tile in the order of pixel_in_tile.
 struct SkinPixels {
-  std::vector<float> inverse;        // one over the distance, 0 for nothing
+  std::vector<float> inverse;        // 1 / distance of the skin, 0 for none
   std::vector<std::uint32_t> piece;  // triangle of the model
-  std::vector<std::int8_t> eyes;     // number of the eye before it, -1 for none; empty without eyes
-  std::vector<float> furthest;       // of each tile, one over the distance: 0 where any pixel of it is empty
-  std::vector<float> hidden;         // the same of all within hidden_around of each block of hiding_side pixels, row by
-                                     // row; 0 where that reaches out of the box
+  std::vector<std::int8_t> eyes;     // number of the eye in front of the skin, -1 for none; empty without eyes
+  std::vector<float> furthest;       // for each tile, 1 / its furthest distance: 0 if any pixel of it is empty
+  std::vector<float> hidden;  // for each block of hiding_side pixels, row by row: 1 / the furthest distance within
+                              // hidden_around pixels of it; 0 if those reach out of the box
 
-  /// Of the scene's model.
+  /// Rasterizes the scene's model and eyes.
   SkinPixels(const RasterScene& scene, const PixelBox& box, int threads);
 
-  /// One over the distance of what ends the view of strands: an eye, the skin or nothing.
+  /// Returns 1 / distance of the eye or the skin behind the strands in each pixel, 0 for none.
   const std::vector<float>& ends() const { return eyes.empty() ? inverse : with_eyes_; }
 
  private:
-  /// Gives what ends strands there.
+  /// Adds the eyes of a tile. Returns the tile's part of ends().
   float* add_eyes(const RasterScene& scene, std::uint32_t tile, int left, int top);
 
+  /// Makes each block's number in `hidden` the furthest around it; `across` and `down` count blocks.
   void spread_hidden(int across, int down);
 
   std::vector<float> with_eyes_;

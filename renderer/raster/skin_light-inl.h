@@ -1,4 +1,4 @@
-// Light of the skin between strands, a pixel a lane.
+// Shades the skin between strands, one pixel in each lane.
 #if defined(PELAGE_RASTER_SKIN_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_SKIN_LIGHT_INL_H_
 #undef PELAGE_RASTER_SKIN_LIGHT_INL_H_
@@ -19,10 +19,11 @@ HWY_INLINE Vec3 gather_vec3(const float* from, Int index) {
   return {gather(from, index), gather(from + 1, index), gather(from + 2, index)};
 }
 
-/// Numbers of the three corners of each lane's piece, which lie `stride` floats apart, and how they are mixed there.
+/// A position on a triangle of the model in each lane. mix() interpolates values of the three corners, which lie
+/// `stride` floats apart from `first` on.
 struct PieceCorners {
-  Int piece;
-  Real b, c;  // shares of the second and the third
+  Int piece;  // triangle of the model
+  Real b, c;  // barycentrics of the second and the third corner
 
   HWY_INLINE Real mix(const float* first, int stride) const {
     const Int at = hn::Mul(piece, whole(3 * stride));
@@ -34,7 +35,7 @@ struct PieceCorners {
   }
 };
 
-/// The skin where it is seen.
+/// The visible point of the skin in each lane.
 struct SkinLanes {
   SceneLight::SkinPlace at;
   PieceCorners corners;
@@ -46,7 +47,7 @@ HWY_INLINE const float* corner_floats(const FurModel& model, std::size_t offset)
   return reinterpret_cast<const float*>(reinterpret_cast<const char*>(model.corners.data()) + offset);
 }
 
-/// The model's own colour; `pixel` is the size of one there, sizes, and `area` twice that of the piece.
+/// Returns the model's own colour. `pixel` is the size of a pixel there, sizes, and `area` twice the triangle's area.
 HWY_INLINE Vec3 own_colour(const RasterScene& scene, const PieceCorners& corners, Real pixel, Real area) {
   const FrameOptics& optics = scene.optics;
   if (!optics.model_colours) return Vec3(optics.frame.skin);
@@ -96,7 +97,7 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   return {skin, corners};
 }
 
-/// What the scene shows of the skin.
+/// Returns what the scene shows of the skin.
 HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real inverse) {
   const Real none = 0.0f;
   switch (scene.shown) {

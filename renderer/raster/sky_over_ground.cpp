@@ -12,12 +12,12 @@ namespace pelage {
 
 namespace {
 
-constexpr float reach = 0.3f;    // of the map beyond the model, sizes
-constexpr float finest = 0.02f;  // of the map, sizes
-constexpr int max_places = 128;  // of it along each side
+constexpr float reach = 0.3f;    // how far the map extends beyond the grid, sizes
+constexpr float finest = 0.02f;  // smallest distance between entries of the map, sizes
+constexpr int max_places = 128;  // entries of the map along each side
 constexpr float nowhere = std::numeric_limits<float>::max();
 
-/// The lowest and the highest point of what stands in a column, sizes; the column is empty if low is above high.
+/// The lowest and the highest point of fur and skin in a column of the grid, sizes; empty if low is above high.
 struct Column {
   float low = nowhere, high = -nowhere;
   void add(float bottom, float top) { low = std::min(low, bottom), high = std::max(high, top); }
@@ -35,7 +35,7 @@ class Columns {
 
   float top() const { return top_; }
 
-  /// Returns whether a ray from a place meets anything.
+  /// Returns whether a ray hits any column. `from` lies below the columns' tops, and `way` points up.
   bool stop(glm::vec3 from, glm::vec3 way) const {
     const glm::vec3 low = place_.low, high = low + place_.cell * glm::vec3(place_.size);
     float begin = 0, end = (top_ - from.y) / way.y;
@@ -86,11 +86,11 @@ class Columns {
   }
 
   const GridPlace& place_;
-  std::vector<Column> columns_;  // rows by z
+  std::vector<Column> columns_;  // index: z times size.x, plus x
   float top_ = -nowhere;
 };
 
-/// Evenly over a matt sky: a spiral on the disc (Vogel 1979), lifted to the ball.
+/// Returns cosine-weighted directions of a uniform sky: a spiral on the disc (Vogel 1979), lifted to the hemisphere.
 std::array<glm::vec3, sky_ways> ways_over_ground() {
   std::array<glm::vec3, sky_ways> all;
   for (int i = 0; i < sky_ways; ++i) {

@@ -1,4 +1,4 @@
-// How much of the sky a model and its fur hide from the ground around it.
+// Computes how much of the sky a model and its fur hide from the ground around it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,19 +9,20 @@
 
 namespace pelage {
 
-/// A map over the ground: number i of row k is of the place low + (i, k) cell, in x and z. Nothing is hidden beyond.
+/// A map of the ground: entry i of row k is at the position low + (i, k) cell, in x and z. Beyond the map nothing is
+/// hidden.
 struct SkyOverGround {
   glm::vec2 low{0};
-  float cell = 1;             // sizes
-  glm::ivec2 size{0};         // 0 where nothing is hidden; else at least 2
-  std::vector<float> hidden;  // [0, 1], of light that comes from all sides as from a matt sky
+  float cell = 1;             // distance between entries, sizes
+  glm::ivec2 size{0};         // entries in x and z, at least 2; 0 if nothing is hidden
+  std::vector<float> hidden;  // share of a uniform sky's light that is hidden, cosine-weighted, [0, 1]
 };
 
-/// The map around a grid, of nothing.
+/// Returns the layout of the map around a grid, without its entries.
 SkyOverGround sky_map(const GridPlace& place);
 
-/// Of the ground at that height, sizes. What stands in a column of the grid is taken for solid from the lowest of it to
-/// the highest.
+/// Returns the map of a ground at `height`, sizes. Each column of the grid is taken as solid from the lowest to the
+/// highest point of what stands in it.
 SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
                               float height, int threads);
 

@@ -1,4 +1,5 @@
-// Light on strands, a strand a lane: the tracer's own scattering, and shadows from the grid.
+// Lights points of strands, one strand in each lane: with the path tracer's fibre scattering, and shadows from the
+// grid.
 #if defined(PELAGE_RASTER_STRAND_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PELAGE_RASTER_STRAND_LIGHT_INL_H_
 #undef PELAGE_RASTER_STRAND_LIGHT_INL_H_
@@ -16,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
-/// pack_colour, undone.
+/// Returns unpack_colour of a word in each lane.
 HWY_INLINE Vec3 unpacked_colour(Int word) {
   const auto channel = [](Int bits) HWY_ATTR {
     const Real share = to_real(hn::And(bits, whole(1023))) * (1.0f / 1023);
@@ -25,19 +26,20 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
   return {channel(word), channel(hn::ShiftRight<10>(word)), channel(hn::ShiftRight<20>(word))};
 }
 
-/// What strands share along their length, and their points that are lit.
+/// The lit points of strands, and what all points of a strand share.
 struct StrandLanes {
   Vec3 place[LitPoints::max], tangent[LitPoints::max];
   Int colour[LitPoints::max];
   Real height[LitPoints::max];
   Vec3 normal, ambient;
-  Real number, longer;
-  Real thin;  // share of the coat that lies within a few cells of the grid, which sees it too thick, [0, 1]
+  Real number, longer;  // StrandRoot::number; factor on depth_above: crowding and length of the fur
+  Real thin;            // [0, 1]: 1 where the coat is so low that the grid's cells make it look too thick
   Shine shine;
 };
 
-/// The knots of a strand at which light is computed: evenly from the first one to the tip. On a straight strand its
-/// thirds are as good as all of its knots (docs/notes/2026-11-27-strand-raster.md); curls need more.
+/// The knots of a strand at which light is computed, evenly spaced from `first` to the tip. On a straight strand, four
+/// are as good as all knots (docs/notes/2026-11-27-strand-raster.md); curls need more. Below a third of its height, a
+/// strand that is not drawn down to its root is hidden and not lit.
 struct LitKnots {
   int first = 0, count = 4, segments = 1;
 
@@ -53,7 +55,7 @@ HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
   return {point.real(0), point.real(1), point.real(2)};
 }
 
-/// 1 for a coat no higher than a cell, 0 from two and a half cells on.
+/// Returns 1 for a coat no higher than a cell, falling to 0 at two and a half cells.
 HWY_INLINE Real thinness(const RasterScene& scene, const DepthLanes& depth) {
   const float cell = scene.grid->place().cell;
   const Real height = dot(depth.tip - depth.root, depth.normal) / max(depth.reach, 0.01f);
@@ -104,13 +106,13 @@ HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera
   return fibre;
 }
 
-/// Luminance of what arrives, and of what would without shadows.
+/// Returns the luminance of direct light with shadows (x) and without (y).
 HWY_INLINE Vec3 shadow_of(const SceneLight::SentLight& sent) {
   return {luminance(sent.direct), luminance(sent.unshadowed), 0.0f};
 }
 
-/// What the scene shows of light: said once, after it was computed, as each place that computes it is a copy of the
-/// code.
+/// Returns what the scene shows of light. Callers compute the light once and select afterwards, because each call of
+/// the inlined light code is another copy of it.
 HWY_INLINE Vec3 shown_light(const RasterScene& scene, const SceneLight::SentLight& sent) {
   switch (scene.shown) {
     case RasterOutput::direct: return sent.direct;
@@ -119,7 +121,7 @@ HWY_INLINE Vec3 shown_light(const RasterScene& scene, const SceneLight::SentLigh
   }
 }
 
-/// What a field is on a piece of the model, by the shares of its second and third corner.
+/// Returns the scene's field on a triangle of the model; `b` and `c` are barycentrics of its second and third corner.
 HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
   const auto* corners = reinterpret_cast<const std::int32_t*>(scene.model->triangles.data());
   const Real shares[3] = {1.0f - b - c, b, c};
@@ -132,7 +134,7 @@ HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
   return field;
 }
 
-/// At the roots of strands; 0 where they stand on no piece.
+/// Returns the field at the roots of strands; 0 for a strand that stands on no triangle.
 HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, const std::uint32_t* ids) {
   const auto* roots = reinterpret_cast<const std::int32_t*>(set.roots.data());
   const Int rows = strand_rows(ids, root_stride);
@@ -144,20 +146,20 @@ HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, c
   return select(there, field_at(scene, hn::Max(piece, whole(0)), b, c), Vec3(0.0f));
 }
 
-/// An object as it is shown.
+/// Returns the colour of an object for RasterOutput::objects: 1 in its channel, or 0 if it is not among the three.
 HWY_INLINE Vec3 shown_object(const RasterScene& scene, std::size_t object) {
   const auto is = [&](std::size_t channel)
                       HWY_ATTR { return Real(object == scene.first_object + channel ? 1.0f : 0.0f); };
   return {is(0), is(1), is(2)};
 }
 
-/// What the strands of a part show that have no light of their own: by their roots, or all the same.
+/// Returns what a part's strands show for outputs that need no light: the field at their roots, or their object.
 HWY_INLINE Vec3 unlit(const RasterScene& scene, const GrownPart& part, const std::uint32_t* ids) {
   if (scene.shown == RasterOutput::field) return field_at_roots(scene, *part.strands, ids);
   return shown_object(scene, object_of(scene.coats, part));
 }
 
-/// What the scene shows of a fibre.
+/// Returns what the scene shows of a fibre.
 HWY_INLINE Vec3 shown_of(SceneLight& from, const Fibre& fibre, Real thin, Vec3 ambient) {
   switch (from.scene.shown) {
     case RasterOutput::albedo: return fibre.colour;

@@ -1,4 +1,4 @@
-// A picture in square tiles.
+// The square tiles of a picture.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Tiles of a box, row by row.
+/// The number of tiles in each direction of a box; tiles are numbered row by row.
 struct TileRows {
   int across = 0, down = 0;
   int count() const { return across * down; }
@@ -18,19 +18,19 @@ inline TileRows tiles_of(const PixelBox& box) {
   return {(box.right - box.left + tile_side - 1) / tile_side, (box.bottom - box.top + tile_side - 1) / tile_side};
 }
 
-/// Some tiles of a picture, from its left upper corner on.
+/// A set of tiles of a picture; tiles start at its upper left corner.
 class TileMask {
  public:
   TileMask(int width, int height);
 
-  /// All that a box touches.
+  /// Adds all tiles that a box touches.
   void add(const PixelBox& box);
   void add(float left, float top, float right, float bottom);
   void add(const TileMask& other);
   bool has(int left, int top) const { return on_[at(left / tile_side, top / tile_side)] != 0; }
-  /// Returns whether a box of pixels touches any of them.
+  /// Returns whether a box of pixels touches any tile of the set.
   bool touches(float left, float top, float right, float bottom) const;
-  /// Around all of them, within the picture; no pixels where there are none.
+  /// Returns the box around all tiles of the set, clipped to the picture; empty if the set is.
   PixelBox bounds() const;
   int count() const;
 
@@ -38,7 +38,7 @@ class TileMask {
   std::size_t at(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(tiles_.across) + static_cast<std::size_t>(x);
   }
-  /// Tiles, half-open.
+  /// Returns the tiles that a box of pixels touches: a half-open range of columns and rows.
   PixelBox tiles_in(float left, float top, float right, float bottom) const;
 
   int width_, height_;

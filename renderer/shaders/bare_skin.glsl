@@ -1,8 +1,8 @@
-// Bare skin in shells. After frame.glsl and lighting.glsl.
+// Bare skin in the shells' method. Include it after frame.glsl and lighting.glsl.
 #include "bare_skin_block.glsl"
 
-// Light that bare skin sends to the camera; `open` as of fibre_light: the hull of fur that is bared here or stands around it
-// does not shade it.
+// Returns the light that bare skin sends to the camera. `open` as in fibre_light: the hull of fur that is bared here or
+// stands around it does not shade it.
 vec3 bare_light(Bare bare, vec3 place, vec4 open, vec3 normal, float pixel) {
   SkinSurface surface = skin_surface(bare, place, normal, normalize(frame.viewpoint.xyz - place), pixel);
   vec3 sum = sky_on_skin(bare, surface);

@@ -1,17 +1,17 @@
-// Regions of bare skin. Layout std140; renderer/upload/blocks.h mirrors it. renderer/skin has the shapes in double, for the
-// length of the fur.
+// Regions of bare skin. Layout std140; renderer/upload/blocks.h mirrors it. renderer/skin has the same shapes in double
+// precision, for the length of the fur.
 #include "constants.glsl"
 struct SkinEntry {
-  vec4 across, up, along;  // rows to the unit ball; w: softness, 1 / least radius, cosine of whole facing
+  vec4 across, up, along;  // rows of the map to the unit ball; w: softness, 1 / smallest radius, cosine of full facing
   vec4 centre;             // w: scatter
-  vec4 facing;             // w: cosine of no facing
+  vec4 facing;             // unit; w: cosine below which there is nothing of the region
   vec4 colour;             // w: shine
   vec4 finish;             // roughness, wetness, height and size of the bumps
 };
 
 layout(std140, binding = skin_binding) uniform SkinBlock {
   uvec4 count;
-  vec4 balls[max_skin_regions];          // around all that a region colours: centre, square of the radius
+  vec4 balls[max_skin_regions];          // bounding sphere of all that a region colours: centre, square of the radius
   SkinEntry regions[max_skin_regions];
 } bare_skin;
 

@@ -1,15 +1,15 @@
-// The model's own colour and how it drives fur and skin.
+// The model's own colour, and how it affects fur and skin.
 #include "constants.glsl"
 layout(binding = skin_images_unit) uniform sampler2DArray base_images;  // linear after decoding from sRGB
 
-// Colours of vertices may come out negative where a sample lies outside its triangle.
+// Interpolated vertex colours may be negative where a sample lies outside its triangle.
 vec3 model_colour(vec3 colour, vec3 uv) {
   colour = max(colour, 0.0);
   if (uv.z < -0.5) return colour;
   return colour * texture(base_images, vec3(uv.x, 1.0 - uv.y, floor(uv.z + 0.5))).rgb;
 }
 
-// RAMP_COLOURS: known when it is compiled, or what nobody sees is read all the same.
+// RAMP_COLOURS makes this known at compile time; otherwise the texture is read even where nobody sees it.
 bool takes_model_colours() {
 #ifdef RAMP_COLOURS
   return false;
@@ -18,7 +18,7 @@ bool takes_model_colours() {
 #endif
 }
 
-// Hue from the model, lightness along the strand from the ramp; or the ramp alone.
+// Returns the model's hue with the ramp's lightness along the strand; or the ramp's colour alone.
 vec3 fur_colour(vec3 strand, vec3 colour, vec3 uv) {
   if (!takes_model_colours()) return strand;
   float lightness = luminance(strand) / frame.tile.w;

@@ -1,7 +1,7 @@
-// Numbers that shaders and C++ share. The build makes renderer/shaders/constants.h of them (cmake/shared_constants.py): a
-// float is a double there, and one whose value ends in f a float. Lengths are in sizes.
+// Constants that shaders and C++ share. The build generates renderer/shaders/constants.h from them
+// (cmake/shared_constants.py): a float is a double there, and one whose value ends in f a float. Lengths are in sizes.
 
-// Blocks of uniforms.
+// Uniform blocks.
 const int frame_binding = 0;
 const int pattern_binding = 1;
 const int shadow_binding = 2;
@@ -19,7 +19,8 @@ const int raster_eyes_storage = 5;
 const int raster_tissue_storage = 6;
 const int raster_caustics_storage = 7;
 
-// The same of the stages that rasterize strands: no two of one number in a stage, which has eight.
+// Storage buffers of the stages that rasterize strands. A stage has at most eight of them, and their numbers must
+// differ within a stage.
 const int points_storage = 0;
 const int sums_storage = 0;
 const int skin_pixels_storage = 1;
@@ -51,7 +52,7 @@ const int body_sums_storage = 5;
 const int within_storage = 6;
 const int through_storage = 1;
 const int columns_storage = 0;
-const int max_strand_groups = 65536;   // of 64 strands of one part
+const int max_strand_groups = 65536;   // a group is 64 strands of one part
 
 // Textures.
 const int shapes_unit = 0;
@@ -70,29 +71,29 @@ const int max_eyes = 8;
 const int max_skin_regions = 64;
 
 // The baked coat (renderer/coat/slices.h).
-const int slice_count = 32;          // N0: shells that the depth was baked as
-const int slice_texels = 512;        // a side of the finest level
+const int slice_count = 32;          // slices of the baked tile (N0)
+const int slice_texels = 512;        // along a side of the finest level
 const int slice_levels = 8;          // 512 ... 4
 const float stored_depth = 6.0;      // optical depth (natural log) of a stored 255, before `depth_scale`
 const float stored_light = 4.0;      // strands over a texel for which the stored light is 1/e
-const float stored_slope = 0.06;     // sideways per height, in sizes, of a stored +-1
-const float nominal_length = 0.03;   // of the fur that a tile is made for
+const float stored_slope = 0.06;     // offset in sizes per unit of height s that is stored as +-1
+const float nominal_length = 0.03;   // length of the fur that a tile is made for
 
-// Shape of strands: what paint adds is what the coat's own settings would.
-const float max_clump_gather = 0.8;      // of the way to the middle of a clump, at the tip
-const float water_gathers = 0.85;    // of what is left of that way, where fur is soaked
+// Shape of strands. Paint uses the same limits as the coat's own settings.
+const float max_clump_gather = 0.8;      // share of the distance to the middle of a clump that a tip moves
+const float water_gathers = 0.85;    // share of the rest of that distance that soaked fur moves
 const float max_curl = 0.5;          // radius of a curl over nominal_length
 
-// Soaked fur over dry fur (renderer/coat/strand_tile.h): what is added to 1.
+// Soaked fur relative to dry fur (renderer/coat/strand_tile.h): the factor is 1 plus this.
 const float water_darkens = 0.8;     // exponent of colours
 const float water_shines = 1.0;      // weight of highlights
 const float water_sharpens = 2.0;    // exponent of highlights
 
 // Light.
-const float min_light_square = 1e-8;   // of the distance to a light
-const float max_light_falloff = 1e8;   // 1 / distance^2
-const int shadow_shells = 16;          // of a shadow map (GPU fur 3.1)
-const float cast_bias = 0.006;         // depth that does not count as behind what casts a shadow
+const float min_light_square = 1e-8;   // lower bound of the squared distance to a light
+const float max_light_falloff = 1e8;   // upper bound of 1 / distance^2
+const int shadow_shells = 16;          // shells in a shadow map (GPU fur 3.1)
+const float cast_bias = 0.006;         // depth below a shadow caster that does not count as behind it
 
 // ShadingModel of protocol/commands/look.h.
 const int model_lengyel = 0;
@@ -103,53 +104,53 @@ const int model_kajiya_kay = 4;
 const int model_marschner = 5;
 
 // Rasterized strands (renderer/raster).
-const int tile_side = 16;              // pixels
+const int tile_side = 16;              // side of a tile, pixels
 const int tile_pixels = 256;
-const float near_distance = 1e-4f;     // along the view: what is nearer is not drawn
-const int hiding_side = 4;             // pixels of the blocks by which skin hides strands
-const int hidden_around = 8;           // pixels about a block that its number holds for
-const float min_segment = 3.0f;        // pixels: knots nearer than that are left out
-const float seen_depth = 4.0f;         // strands in front of what is left out as hidden
-const float drawn_edge = 2.75f;        // pixels beside a strand that it is drawn over
-const float max_packed = 0.5f;         // of the skin, that strands fill: more is as much, so that they stay within drawn_edge
-const int deep_of = 8;                 // strands that one stands for where gaps alone show them
-const float min_through = 0.01f;       // of a pixel's light: what is less lets nothing through
-const float min_shown = 1e-3f;         // what shows less of a pixel shows nothing
-const float over_black = 0.002f;       // added to colours, so that black can be divided by
+const float near_distance = 1e-4f;     // along the view direction; nearer things are not drawn
+const int hiding_side = 4;             // side of the blocks by which skin hides strands, pixels
+const int hidden_around = 8;           // distance from a block up to which its value holds, pixels
+const float min_segment = 3.0f;        // pixels; knots that are closer together are left out
+const float seen_depth = 4.0f;         // a part behind this many strands is left out as hidden
+const float drawn_edge = 2.75f;        // distance from a strand's edge up to which drawing touches pixels
+const float max_packed = 0.5f;         // limit on the share of skin that strands fill; keeps them within drawn_edge
+const int deep_of = 8;                 // one strand stands for this many where only gaps show them
+const float min_through = 0.01f;       // transmittance of a pixel at which blending stops
+const float min_shown = 1e-3f;         // smaller visible shares of a pixel count as 0
+const float over_black = 0.002f;       // added to colours before a division, for black
 
-// What they and the skin stand in each other's light by. How much of each length that a strand goes beyond its reach lies
-// in the shadow of its other turns: found for curls that go six times as far as they reach
+// Shadows of rasterized strands and skin. curl_in_shadow: a curled strand is longer than it reaches; this share of the
+// extra length lies in the shadow of its other turns. Measured for curls six times as long as they reach
 // (docs/notes/2026-11-28-light-of-strands.md).
 const float curl_in_shadow = 0.3f;
-const float density_one = 65536.0f;    // strand that covers a cell's face, in whole numbers
-const int max_segment_steps = 4096;    // through cells, so that fur of any length ends
-const float strand_spread = 0.08f;     // strands of one place differ in direction (light-inl.h)
-const float skin_depth = 8.0f;         // optical depth of a whole face of skin
+const float density_one = 65536.0f;    // fixed-point value of strands that cover a cell's face once
+const int max_segment_steps = 4096;    // limit on the steps of a segment through cells
+const float strand_spread = 0.08f;     // spread in direction of neighbouring strands (light-inl.h)
+const float skin_depth = 8.0f;         // optical depth of a cell's face that skin covers
 const int max_crossed_strands = 65535;
-const int max_crossed_body = 32767;    // more are as many: nothing gets through
-const float dark_body = 6.0f;          // depth of a body that light ends at
-const int light_near_steps = 8;        // cells that are looked at one by one on the way to a light
-const float solid_strands = 0.5f;      // in a cell, which the sky does not get through
-const int sky_ways = 48;               // of the light of a place on the ground
-const int lean_cells = 32;             // between the heights of a lean curve that are kept
-const float crossed_one = 1024.0;      // strand that a light crosses, in whole numbers
-const float near_step_most = 512.0f;   // of a step through a near cell, so that all of a cell can be added
-const float near_one = 256.0;          // strand in a near cell
-const int near_cell_steps = 8;              // near cells that are looked at on the way to a light
-const int near_places = 8388608;       // for near cells; a few share one
+const int max_crossed_body = 32767;    // limits of the stored values; beyond them no light is transmitted
+const float dark_body = 6.0f;          // optical depth of the body that counts as opaque
+const int light_near_steps = 8;        // cells that are read one by one towards a light
+const float solid_strands = 0.5f;      // coverage of a cell's face by strands from which it blocks the sky
+const int sky_ways = 48;               // directions in which the sky over a position on the ground is sampled
+const int lean_cells = 32;             // intervals between the stored heights of a lean curve
+const float crossed_one = 1024.0;      // fixed-point value of one strand that a light crosses
+const float near_step_most = 512.0f;   // limit on what one step adds to a near cell, so that its sum fits
+const float near_one = 256.0;          // fixed-point value of one strand in a near cell
+const int near_cell_steps = 8;              // near cells that are read towards a light
+const int near_places = 8388608;       // entries of the hash table of near cells; a few cells share one
 const int near_of_x = 73856093;        // factors of their hash (Teschner et al. 2003)
 const int near_of_y = 19349663;
 const int near_of_z = 83492791;
-const float near_whole_view = 0.1;     // sizes that the picture shows across: up to it single strands are looked for,
-const float near_no_view = 0.2;        // from here on not
-const int ground_light_taps = 8;       // over the disc of a wide light
+const float near_whole_view = 0.1;     // sizes; single strands count fully where the picture shows no more than this,
+const float near_no_view = 0.2;        // sizes; and not at all from here on
+const int ground_light_taps = 8;       // samples of the disc of a wide light
 
 // Eyes.
-const float lid_radius = 1.07;       // over that of the ball
+const float lid_radius = 1.07;       // over the radius of the eyeball
 const int iris_map_width = 1024;     // around the axis; the left edge joins the right one
 const int iris_map_height = 256;     // rows from the pupil to the limbus
 const int iris_map_levels = 9;       // down to one row
-const int caustic_texels = 48;       // across the iris, from one end of its radius to the other
-const int caustic_angles = 20;       // of the light to the axis, from 0 to caustic_reach
+const int caustic_texels = 48;       // across the diameter of the iris
+const int caustic_angles = 20;       // angles between light and axis, from 0 to caustic_reach
 const float caustic_reach = 2.0;     // radians
 

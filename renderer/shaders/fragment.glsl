@@ -1,9 +1,9 @@
-// Where a fragment goes: into the picture, or, with SORTED, into the list of its pixel.
+// Writes a fragment into the picture or, with SORTED, into its pixel's list.
 #include "known.glsl"
 #ifdef SORTED
 #include "fragment_lists.glsl"
 
-layout(early_fragment_tests) in;  // what the skin hides must not get into a list
+layout(early_fragment_tests) in;  // fragments behind the skin must not enter a list
 
 bool no_room() { return lists.count > lists.capacity; }
 

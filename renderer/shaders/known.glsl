@@ -1,2 +1,3 @@
-// What is interpolated over a triangle that is all but a line on the screen may not be a number: nothing is drawn of it.
+// Returns the value, or 0 if it is NaN or infinite: interpolation over a triangle that is nearly a line on the screen
+// may give that.
 vec4 known(vec4 value) { return any(isnan(value)) || any(isinf(value)) ? vec4(0.0) : value; }

@@ -1,4 +1,4 @@
-// The lean curves of base/lean_curve.cpp, for a strand of length 1: across, up and the tangent's angle.
+// The lean curves of base/lean_curve.cpp for a strand of length 1: position across and up, and the tangent's angle.
 float lean_sinc(float x) { return abs(x) < 1e-2 ? 1.0 - x * x / 6.0 : sin(x) / x; }
 
 float parabola_length(float u) {
@@ -29,17 +29,18 @@ vec3 lean_point(bool root_curve, float inclination, float root_share, float s) {
   return root_curve ? lean_root(a0, tip - a0, s) : lean_arc(a0, tip - a0, s);
 }
 
-// Unit, along the skin: where fur leans whose direction field has this value; lean_of of base/lean_curve.h.
+// Returns the unit direction along the skin in which fur leans, for a value of the direction field; lean_of in
+// base/lean_curve.h.
 vec3 lean_along(vec2 direction, vec3 normal, vec3 tangent) {
   float inclination = min(length(direction), 1.0);
   vec2 heading = inclination > 1e-6 ? direction / inclination : vec2(1.0, 0.0);
   return tangent * heading.x + cross(normal, tangent) * heading.y;
 }
 
-// How high fur stops the light that comes to other parts of the body, over its height: its hull.
+// Height of the fur's hull as a share of the fur's height: fur up to it occludes the light on other parts of the body.
 const float hull_height = 0.6;
 
-// From the root to a height at or above the hull.
+// Returns the offset from the root to a height, at least that of the hull.
 vec3 hull_offset(vec3 groom, vec3 normal, vec3 tangent, bool root_curve, float root_share, float height) {
   float inclination = min(length(groom.xy), 1.0);
   vec3 curve = lean_point(root_curve, inclination, root_share, max(height, hull_height));

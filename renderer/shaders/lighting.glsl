@@ -1,4 +1,4 @@
-// Light on the fur of shells: what a fibre sends to the camera.
+// The light that a fibre of shell fur sends to the camera.
 #include "constants.glsl"
 
 #ifdef SHADOW_MAPS
@@ -8,14 +8,14 @@
 #include "scattering.glsl"
 
 #ifndef LIGHTS
-#define LIGHTS int(frame.counts.z)  // of any frame; a number that is known when it is compiled makes light cheaper
+#define LIGHTS int(frame.counts.z)  // for any frame; a number known at compile time is faster
 #endif
 #ifndef SHADING_MODEL
 #define SHADING_MODEL model_kajiya
 #endif
 
 #ifdef FAR_LIGHTS
-const bool far_lights = true;  // none stands at a place
+const bool far_lights = true;  // all lights are directional
 #else
 const bool far_lights = false;
 #endif
@@ -26,19 +26,20 @@ const bool white_surroundings = true;
 #endif
 #include "shared/light.glsl"
 
-// Mean of what gets through on rays that cross so many strands on average, by chance: that of a Poisson distribution.
+// Returns the mean transmittance of rays that cross `strands` randomly placed strands on average (Poisson
+// distribution).
 vec3 transmittance(float strands, vec3 colour) { return exp2(-1.442695 * strands * stopped_by_strand(colour, 1.0)); }
 
 #ifdef PAINT_COLOUR
-vec4 paint_above = vec4(0.0);  // of the fur over a strand: times its cover, cover
+vec4 paint_above = vec4(0.0);  // paint of the fur above a strand: colour times cover, cover
 #endif
 
-// Colour of the fur above a height over the colour there.
+// Returns the colour of the fur above a height over the colour there.
 vec3 colour_above(float height) {
   return frame.colour_above[clamp(int(height * float(slice_count)), 0, slice_count - 1)].rgb;
 }
 
-// Light on its way to a strand of that colour crosses the fur above it, which may be paler or darker.
+// Returns the colour of the fur that light crosses on its way to a strand of that colour; it may be paler or darker.
 vec3 colour_crossed(vec3 colour, vec3 over) {
   vec3 crossed = colour * over;
 #ifdef PAINT_COLOUR
@@ -47,8 +48,9 @@ vec3 colour_crossed(vec3 colour, vec3 over) {
   return crossed;
 }
 
-// Light that a fibre sends to the camera, after GPU fur eq 1 to 3: each light is scattered by the look's shading model. `open`:
-// where light comes to it that other parts of the body let through; how high the fur's hull is there, sizes.
+// Returns the light that a fibre sends to the camera, after GPU fur eq 1 to 3: the look's shading model scatters each
+// light. `open`: position and height of the fur's hull there, sizes, at which light arrives past other parts of the
+// body.
 vec3 fibre_light(Fibre fibre, vec4 open) {
   vec3 sum = frame.weights.x * fibre.colour * environment_light(fibre.normal) *
              ambient_share(fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6));

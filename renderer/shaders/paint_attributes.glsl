@@ -1,4 +1,4 @@
-// The painted fields of a vertex that comes as attributes (FurVertex of renderer/skin/fur_vertex.h).
+// The painted fields of a vertex, given as attributes (FurVertex of renderer/skin/fur_vertex.h).
 
 #ifdef PAINT
 layout(location = 11) in vec4 vertex_amounts;
@@ -9,7 +9,7 @@ out vec2 forms;                              // curl, clump
 #ifdef PAINT_COLOUR
 layout(location = 13) in vec4 vertex_root_paint;
 layout(location = 14) in vec4 vertex_tip_paint;
-out vec4 root_paint;  // times its cover, cover
+out vec4 root_paint;  // colour times cover, cover
 out vec4 tip_paint;
 #endif
 

@@ -1,12 +1,14 @@
-// The shading models of shared/scattering.glsl for shells; tests/gl compares them with renderer/shading on a grid. The caller
-// binds, for the two fibre models, the table of scattering_table.h as a 3D texture of RGBA32F, linear, clamped to its edges.
+// The shading models of shared/scattering.glsl for shells; tests/gl compares them with renderer/shading on a grid. For
+// the two fibre models, the caller binds the table of scattering_table.h as a 3D texture of RGBA32F, linear, clamped to
+// its edges.
 #include "scattering_block.glsl"
 
-layout(binding = scattering_unit) uniform sampler3D azimuthal_table;  // azimuth coordinate, cos theta, absorption; R, TT, TRT, the rest
+layout(binding = scattering_unit) uniform sampler3D azimuthal_table;  // by azimuth coordinate, cos theta, absorption; R, TT, TRT, residual
 
-Shine shine = Shine(1.0, 1.0);  // painted water sets it
+Shine shine = Shine(1.0, 1.0);  // set by painted water
 
-// Average over the fibre's width of Ap Np, for each lobe. The first and last texels lie on the ends of each range.
+// Returns the average of Ap Np over the fibre's width, for each lobe. The first and last texels lie at the ends of each
+// range.
 vec4 azimuthal_lobes(float azimuth, float cos_theta, float absorption) {
   vec3 at = clamp(vec3(azimuth, cos_theta, absorption), 0.0, 1.0);
   vec3 size = vec3(textureSize(azimuthal_table, 0));

@@ -1,40 +1,41 @@
-// Shadows from maps: the light that the shells above let through (GPU fur 3.1), and the shadow that one part of the body
+// Shadows from maps: the transmittance of the shells above (GPU fur 3.1), and the shadow that one part of the body
 // casts on another (GPU fur 4). Layout std140; renderer/upload/blocks.h mirrors it.
 #include "constants.glsl"
 layout(std140, binding = shadow_binding) uniform ShadowBlock {
   mat4 to_light[max_lights];
   vec4 axis[max_lights];   // linear depth: dot(xyz, place) + w, sizes
-  vec4 slots[max_lights];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow (0 hard,
-                  // 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
+  vec4 slots[max_lights];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow
+                           // (0 hard, 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
 } shadow;
 
-layout(binding = shell_maps_unit) uniform sampler2DArray shell_maps;   // for each slot 17 boundaries of shells, the skin first
+layout(binding = shell_maps_unit) uniform sampler2DArray shell_maps;   // for each slot the 17 boundaries of shells, the skin first
 layout(binding = depth_maps_unit) uniform sampler2DArray depth_maps;  // linear depth of the skin, or of the fur's hull (penumbra), sizes
-layout(binding = width_maps_unit) uniform sampler2DArray width_maps;  // share of shadow nearby: stands for the distance to its edge; and
-                                                        // its mean times the depth of what casts it
+layout(binding = width_maps_unit) uniform sampler2DArray width_maps;  // share of shadow nearby, which stands for the distance to its
+                                                                      // edge; its mean times the caster's depth
 
-const float own_part = 0.5 / float(slice_count);  // of the height: what lies nearer is the strand itself, which does not shade itself
-const float shadow_width = 0.03; // sizes from the edge of a shadow to where its map is white
+const float own_part = 0.5 / float(slice_count);  // of the fur's height; nearer is the strand itself, which casts no shadow on itself
+const float shadow_width = 0.03; // distance from a shadow's edge at which its map is white, sizes
 
 const int search_taps = 8, penumbra_taps = 16;
 const float penumbra_bias = 0.003;   // sizes
-const float min_fold = 0.017;     // sizes: as deep as short fur beside long fur may lie under its hull
-const float furthest_caster = 0.35;  // sizes: a penumbra grows no more behind what lies further from a place
+const float min_fold = 0.017;     // sizes; depth to which short fur may lie under the hull of long fur beside it
+const float furthest_caster = 0.35;  // sizes; a penumbra does not get wider for casters further away
 
 vec2 place_on_map(int i, vec3 place) {
   vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
   return vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
 }
 
-// How much deeper than the skin that the light sees a place lies, sizes.
+// Returns how far behind the depth map a position lies as seen from the light, sizes.
 float depth_below(int i, vec3 place, vec2 at) {
   return dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
 }
 
 
-// AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin (GPU fur 4). Where three bars cross, the map is white on both
-// sides of a shadow's edge: under the first bar the second is dark, beside it the third is. So white counts by how far in
-// front of the place the caster lies, over how far the one does that hides it.
+// Returns the share of the light that gets past the body: AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin
+// (GPU fur 4). Where three bars cross, the map is white on both sides of a shadow's edge: under the first bar the
+// second is dark, and beside it the third is. So white is weighted by the distance of its caster in front of the
+// position, over the distance of the caster in the map.
 float past_body(int i, vec3 place) {
   vec2 at = place_on_map(i, place);
   float below = depth_below(i, place, at);
@@ -42,27 +43,27 @@ float past_body(int i, vec3 place) {
   if (shadow.slots[i].z < 0.5) return 0.0;
   vec2 nearby = texture(width_maps, vec3(at, shadow.slots[i].y)).rg;
   float depth = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w;
-  float white = clamp((nearby.x * depth - nearby.y) / below, 0.0, nearby.x);  // .5 at the edge
+  float white = clamp((nearby.x * depth - nearby.y) / below, 0.0, nearby.x);  // 0.5 at the edge
   float width = shadow_width * max(2.0 * white - 1.0, 0.0);
   float fade = smoothstep(cast_bias, 3.0 * cast_bias, below);
   return 1.0 - fade * clamp(shadow.slots[i].w * width / below, 0.0, 1.0);
 }
 
-// How a penumbra light's blocked share is looked for around a place: the map's plane, and the skin's slope on it.
+// The region of the depth map that is searched for occluders of a penumbra light, and the slope of the skin in it.
 struct LightDisc {
   vec2 at;
-  float depth;     // of the place, sizes
+  float depth;     // depth of the position, sizes
   float spread;    // half of the light's width over its distance
-  float per_size;  // of the map's side
-  float texel;     // sizes
-  vec2 slope;      // of the skin: depth over distance across
-  float room;      // in front of the skin's plane, where nothing counts
+  float per_size;  // share of the map's side for a unit of length
+  float texel;     // size of a texel, sizes
+  vec2 slope;      // slope of the skin: depth over distance across the map
+  float room;      // distance in front of the skin's plane within which nothing occludes
 };
 
 LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
   mat4 to_clip = shadow.to_light[i];
   vec4 clip = to_clip * vec4(place, 1.0);
-  clip.w = max(clip.w, 1e-4);  // beside a light that does not see the place
+  clip.w = max(clip.w, 1e-4);  // for positions that the light does not see
   vec3 right = vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x), up = vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y);
   float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
   vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
@@ -70,8 +71,9 @@ LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
                   shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, room);
 }
 
-// How far in front of the skin's plane the body lies on `taps` places of a disc, even over it: the sum over those that lie
-// in front, and their count. A map's texel reaches past its middle, so slopes need more room.
+// Samples the depth map at `taps` positions spread evenly over a disc. Returns the sum of the distances by which
+// occluders lie in front of the skin's plane, and their count. A map's texel extends beyond its middle, so slopes need
+// a larger bias.
 vec2 blockers(int i, LightDisc disc, float radius, int taps) {
   const mat2 golden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // 137.5 degrees
   float bias = disc.room + disc.texel * length(disc.slope);
@@ -86,32 +88,32 @@ vec2 blockers(int i, LightDisc disc, float radius, int taps) {
   return sum;
 }
 
-// Returns the share of the light that the body leaves visible from a place. Looks at the map over an area as wide as
-// the light appears, where the light's rays pass what hides it (Fernando 2005). What lies no further in front than the
-// fur is high does not count: it is fur that the place grows into, in folds.
+// Returns the share of the light that is visible past the body. Searches the map over an area as wide as the light
+// appears at the occluders' distance (Fernando 2005). What lies in front by no more than the height of the fur does not
+// count: it is fur into which the position grows, in folds.
 float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
   LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, min_fold)));
   float min_radius = 1.5 * disc.texel, max_radius = disc.spread * furthest_caster;
   vec2 found = blockers(i, disc, max(max_radius, min_radius), search_taps);
   float radius = clamp(disc.spread * found.x / max(found.y, 1.0), min_radius, max(max_radius, min_radius));
-  int taps = found.y == 0.0 || found.y == float(search_taps) ? 0 : penumbra_taps;  // no tap where all agree
+  int taps = found.y == 0.0 || found.y == float(search_taps) ? 0 : penumbra_taps;  // no more samples where all agree
   float hidden = taps == 0 ? found.y / float(search_taps) : blockers(i, disc, radius, taps).y / float(penumbra_taps);
   return 1.0 - hidden;
 }
 
-// The depth map of such a light is of the fur's hull, that of others of the skin.
+// Returns true for a light with a penumbra. Its depth map shows the fur's hull, that of other lights the skin.
 bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
 
-// Share of light i that other parts of the body and guided curves let through to skin of that normal or fur on it, whose hull
-// is at `open`.
+// Returns the share of light i that gets past other parts of the body and guided curves, to skin of that normal or to
+// fur on it. `open`: position and height of the fur's hull.
 float cast_light(int i, vec3 place, vec4 open, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
   float kept = is_penumbra(i) ? past_body_in_penumbra(i, open, normal) : past_body(i, place);
   return kept;
 }
 
-// Optical depth of the shells above a place; what the estimate says where the map shows another part of the body, or
-// where the surface is turned so far away that its shells leave no trace on the map. `facing` is N.L.
+// Returns the optical depth of the shells above a position. Returns `estimate` where the map shows another part of the
+// body, or where the surface is so oblique to the light that its shells leave no trace on the map. `facing` is N.L.
 float shell_depth(int i, vec3 place, vec4 open, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;

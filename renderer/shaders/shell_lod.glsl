@@ -1,4 +1,5 @@
-// Non-uniform shells: renderer/upload/shell_lod.h. Where the slab of a shell begins, in shells from the skin.
+// Non-uniform shells (renderer/upload/shell_lod.h). Returns the height at which the slab of a shell begins, in shells
+// from the skin.
 float slab_begin(int index, float lod) {
   float height = float(index);
   for (int halving = 0; halving < max_shell_lod; ++halving) {

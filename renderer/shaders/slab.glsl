@@ -1,11 +1,11 @@
-// What a ray meets inside one shell's slab.
+// Ray marching through the slab of one shell.
 #include "constants.glsl"
 layout(binding = shapes_unit) uniform sampler2DArray shapes;   // slope, light from above, optical depth
 layout(binding = colours_unit) uniform sampler2DArray colours;  // strand colour (square root), number
 
 uniform int shell_count;
 uniform int shell;
-uniform int shell_side;  // 1: seen from outside, the slab's top comes first; -1: from inside
+uniform int shell_side;  // 1: seen from outside, the top of the slab is in front; -1: from inside
 
 in vec3 place;
 in vec3 fibre_normal;
@@ -15,12 +15,12 @@ in float max_crossing;
 in float level;
 in float slant;
 
-// Of the slab's middle, and from its lower to its upper end, over the height of the fur.
+// Height of the slab's middle and the slab's thickness, over the height of the fur.
 #ifdef SHELL_LOD
 in float slab_middle, slab_thickness;
 float shell_height() { return slab_middle; }
 float shell_thickness() { return slab_thickness; }
-int steps_in_slab(int step_count) {  // as close as if every shell were drawn
+int steps_in_slab(int step_count) {  // as dense as if every shell were drawn
   const int max_steps = 16;
   return clamp(int(ceil(float(step_count * shell_count) * slab_thickness - 0.01)), 1, max_steps);
 }
@@ -30,21 +30,21 @@ float shell_thickness() { return 1.0 / float(shell_count); }
 int steps_in_slab(int step_count) { return step_count; }
 #endif
 
-vec2 tile_per_height;  // how the place on the tile moves along the ray for a unit of height, in tiles
+vec2 tile_per_height;  // derivative of the tile position along the ray by the height, tiles
 
-// How dense strands are here, of those on the tile: their shells grow over skin that bends and where they lean apart, the
-// strands do not get wider. Inversely as the area of a piece of the shell over that of its piece of the tile.
+// Density of strands relative to the tile. Where skin is curved or strands lean apart, shells get larger, but strands
+// do not get wider: this is the area of a patch of the tile over that of the same patch of the shell.
 float dense_here;
 
 float density_here() {
   float on_tile = abs(determinant(mat2(dFdx(tile), dFdy(tile)))) / (frame.tile.x * frame.tile.x);
   float area = abs(dot(cross(dFdx(place), dFdy(place)), fibre_normal));
-  return clamp(on_tile / max(area, 1e-30), 0.16, 1.7);  // folds would have any
+  return clamp(on_tile / max(area, 1e-30), 0.16, 1.7);  // folds would give any value
 }
 
-// To be called first, for all that takes differences between pixels. As height rises, the place on the tile that a pixel
-// sees moves against what the strands move on the screen: true to first order on bent skin, in perspective and where the
-// length changes.
+// Computes everything that needs derivatives between pixels; call it first. As the height rises, the tile position that
+// a pixel sees moves against the motion of the strands on the screen: correct to first order on curved skin, in
+// perspective and where the length changes.
 void look_around() {
   dense_here = density_here();
   vec2 way = -(dFdx(tile) * pixel_speed.x + dFdy(tile) * pixel_speed.y);
@@ -55,9 +55,10 @@ void look_around() {
 #ifdef TUFTS
 #include "tufts.glsl"
 
-vec2 tuft_shift = vec2(0.0);  // on the tile
+vec2 tuft_shift = vec2(0.0);  // tiles
 
-// To the strand that is here at the middle of the slab: with it come its holes, its shadow and its colour.
+// Moves the tile position to the strand that is seen at the middle of the slab, and with it its holes, shadow and
+// colour.
 void shift_to_strand(vec3 normal, vec3 tile_u) {
   vec3 way = tuft_way(tuft_here(), shell_height());
   tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
@@ -67,9 +68,10 @@ void shift_to_strand(vec3 normal, vec3 tile_u) {
 #include "paint.glsl"
 #include "paint_form.glsl"
 
-const float min_opacity = 0.002;  // over the whole height: half a step of 255
+const float min_opacity = 0.002;  // of the whole height: half a step of 255
 
-// All but the first weighted by opacity; light to the fourth: what dark strands let through.
+// All members but `opacity` are weighted by opacity. `light` is the stored light to the fourth power: the transmittance
+// of dark strands.
 struct Slab {
   float opacity, height, light;
   vec2 slope;
@@ -77,7 +79,7 @@ struct Slab {
 };
 const Slab no_slab = Slab(0.0, 0.0, 0.0, vec2(0.0), vec4(0.0));
 
-// Place on the tile of the strand that the ray crosses at height s.
+// Returns the tile position of the strand that the ray crosses at height s.
 vec2 tile_at(float s) {
   vec2 at = tile + tile_per_height * (s - shell_height());
 #ifdef TUFTS
@@ -89,7 +91,8 @@ vec2 tile_at(float s) {
   return at;
 }
 
-// At this ray's angle to the stack, of those along it and at 60, 30 and 75 degrees; even between them in the sine.
+// Returns the depth scale for this ray's angle to the stack, from those along it and at 60, 30 and 75 degrees; linear
+// in the sine between them.
 float depth_scale_of(vec4 scales) {
   float sine = sqrt(1.0 - 1.0 / max(slant * slant, 1.0));
   if (sine < 0.5) return mix(scales.x, scales.z, 2.0 * sine);
@@ -97,10 +100,10 @@ float depth_scale_of(vec4 scales) {
   return mix(scales.y, scales.w, min((sine - 0.8660254) * 10.0102, 1.0));
 }
 
-// A part of the slab, as thick as `thickness` about the height `middle`, front to back in `steps` texture steps. The
-// stored optical depth is that of one slice seen along the stack, `blur` levels coarser than a pixel asks for. It is
-// scaled to the step's thickness, to the slant of the ray and to what its mip level must let through (science.md 1), and
-// by `share`.
+// Marches front to back in `steps` texture steps through a part of the slab: `thickness` about the height `middle`. The
+// stored optical depth is that of one slice seen along the stack, read `blur` levels coarser than the pixel needs. It
+// is scaled by the step's thickness, by the slant of the ray, by the factor that preserves the transmittance of its mip
+// level (science.md 1), and by `share`.
 Slab march(int steps, float blur, float share, float middle, float thickness) {
   share *= dense_here;
 #ifdef TUFTS
@@ -113,7 +116,7 @@ Slab march(int steps, float blur, float share, float middle, float thickness) {
   float sharp = clamp(floor(level + blur + 0.5), 0.0, 7.0);
   float scale = stored_depth * 1.442695 * share * depth_scale_of(frame.depth_scale[int(sharp)]) * clamp(slant, 1.0, 10.0) *
                 float(slice_count) * thickness / float(steps);
-  float texels = exp2(9.0 - sharp);  // on a side: slice_texels at the finest level
+  float texels = exp2(9.0 - sharp);  // along a side: slice_texels at the finest level
   Slab slab = no_slab;
   for (int i = 0; i < steps; ++i) {
     float off = (0.5 - (float(i) + 0.5) / float(steps)) * thickness * float(shell_side);

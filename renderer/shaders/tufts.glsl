@@ -1,9 +1,9 @@
-// Tufts (renderer/pattern/tufts.h): at height s strands have gone a part of the way to the middle of their tuft. So the
-// strand that a ray meets grows further out, and past the border of a tuft there is none.
+// Tufts (renderer/pattern/tufts.h): at height s strands have moved part of the distance to the middle of their tuft. So
+// the strand that a ray hits is rooted further out, and beyond the border of a tuft there is none.
 #include "constants.glsl"
 layout(std140, binding = tuft_binding) uniform TuftBlock {
-  vec4 origin;  // of the volume; w: gathered at the tip
-  vec4 scale;   // 1 / its extent; w: the longest pull
+  vec4 origin;  // corner of the volume; w: share gathered at the tip
+  vec4 scale;   // 1 / its extent; w: longest vector to a middle, sizes
 } tufts;
 
 layout(binding = tuft_unit) uniform sampler3D tuft_volume;
@@ -14,7 +14,7 @@ in float tuft_length;  // of the fur, sizes
 struct Tuft {
   vec3 to_middle;
   float inside;
-  float gather;  // at the tip; a strand goes to the side by less than its length
+  float gather;  // share at the tip; a strand moves sideways by less than its length
 };
 
 Tuft tuft_here() {
@@ -26,19 +26,19 @@ Tuft tuft_here() {
 
 float gathered(Tuft tuft, float s) { return tuft.gather * s * sqrt(s); }
 
-// Optical depth at a height, over that of fur without tufts: none past the border, denser inside.
+// Returns the optical depth at a height, relative to fur without tufts: 0 beyond the border, higher inside.
 float tuft_share(Tuft tuft, float s) {
   float kept = 1.0 - gathered(tuft, s);
   return clamp(1.0 + (tuft.inside + kept - 1.0) / 0.15, 0.0, 1.0) / kept;
 }
 
-// From here to the root of the strand that is here at height s, along the surface, sizes.
+// Returns the vector along the surface from here to the root of the strand seen here at height s, sizes.
 vec3 tuft_way(Tuft tuft, float s) {
   float part = gathered(tuft, s);
   return -tuft.to_middle * (part / (1.0 - part));
 }
 
-// How the strand leans to the middle there, over its length.
+// Returns the strand's slope towards the middle there, over its length.
 vec3 tuft_lean(Tuft tuft, float s) {
   return tuft.to_middle * (1.5 * tuft.gather * sqrt(s) / (1.0 - gathered(tuft, s)) / max(tuft_length, 1e-4));
 }

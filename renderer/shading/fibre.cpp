@@ -72,7 +72,7 @@ double azimuthal_scale(double beta_n) {
   return std::max(1e-4, std::sqrt(pi / 8) * scale);
 }
 
-float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2, 2e-7
+float scaled_bessel_i0(float x) {  // Abramowitz and Stegun 9.8.1 and 9.8.2; error 2e-7
   const float t = x / 3.75f;
   if (t < 1) {
     const float u = t * t;
@@ -153,10 +153,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr float largest_exponent = 80;  // beyond it exp(-x) is nothing in float
+constexpr float largest_exponent = 80;  // beyond it exp(-x) is negligible in float
 
-/// Differences of these are what narrow lobes fall by, so they are kept in double; scaled, for the direction has been
-/// rounded.
+/// A direction about the fibre's axis. Narrow lobes fall off by small differences of these values, so they are double,
+/// and normalized, because the direction was rounded to float.
 struct Around {
   double sine = 0, cosine = 1, azimuth = 0;
 };
@@ -167,7 +167,7 @@ Around around(glm::vec3 direction) {
   return {d.x * over_length, std::sqrt(square) * over_length, std::atan2(d.z, d.y)};
 }
 
-/// A turn nearer to [-pi, pi], in which it is from within [-3 pi, 3 pi].
+/// Moves an angle by up to one turn towards [-pi, pi]; angles within [-3 pi, 3 pi] end up inside of it.
 double wrapped(double angle) {
   if (angle > pi) return angle - 2 * pi;
   return angle < -pi ? angle + 2 * pi : angle;
@@ -199,7 +199,8 @@ FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 view, float h, glm::ve
       const double leaves = static_cast<double>(p) * (2 * inside + pi) - 2 * outside;  // exit_azimuth
       lobe.azimuth = wrapped(wrapped(to_camera.azimuth + leaves));
     }
-    // The brightest channel absorbs least in every lobe, so by its share no channel's weight is above 1.
+    // The brightest channel absorbs least in every lobe; with its shares as probabilities no channel's weight is above
+    // 1.
     sum += lobe.share = std::max({lobe.left.r, lobe.left.g, lobe.left.b});
   }
   for (Lobe& lobe : lobes_) lobe.share = sum > 0 ? lobe.share / sum : 0;
@@ -252,8 +253,8 @@ std::size_t FibrePaths::choose(float u) const {
   return chosen;
 }
 
-/// Mp is what a von Mises-Fisher lobe about the mirrored direction leaves along the strand, which is sampled exactly
-/// (d'Eon 2011, 2013); Np by its inverse.
+/// Samples Mp exactly, as the marginal along the strand of a von Mises-Fisher lobe about the mirrored direction (d'Eon
+/// 2011, 2013), and Np by its inverse CDF.
 glm::vec3 FibrePaths::direction_of(std::size_t p, float u, glm::vec2 v) const {
   const Lobe& lobe = lobes_[p];
   const double rest = 1 - double(v.x);  // (0, 1]
@@ -280,7 +281,7 @@ FibreSample FibrePaths::sample(glm::vec2 u, glm::vec2 v) const {
   }
   if (sample.pdf > 1e-30f) {
     sample.weight = value / sample.pdf;
-  } else {  // the direction's rounding has left a narrow lobe: weigh it by itself
+  } else {  // rounding moved the direction out of a narrow lobe: use that lobe's weight alone
     sample.pdf = 1e-30f;
   }
   return sample;

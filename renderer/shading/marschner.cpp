@@ -16,7 +16,7 @@ using std::numbers::pi;
 constexpr int node_count = 192;
 constexpr double min_width = 0.02;
 
-/// Nodes in h. With h = sin gamma the azimuths are smooth functions of the variable, at the fibre's edge too.
+/// Returns nodes in h. With h = sin gamma, azimuths are smooth functions of gamma, also at the fibre's edge.
 std::vector<QuadratureNode> offset_nodes() {
   std::vector<QuadratureNode> nodes = gauss_legendre(node_count, 0, pi / 2);
   for (QuadratureNode& node : nodes) node = {std::sin(node.x), node.weight * std::cos(node.x)};
@@ -52,7 +52,7 @@ AzimuthalAverage::NodeValues AzimuthalAverage::exits(double cos_theta) const {
   return values;
 }
 
-/// Rays at h and -h leave at opposite azimuths, equally strong.
+/// Rays at h and -h leave at opposite azimuths with the same strength.
 AzimuthalAverage::NodeValues AzimuthalAverage::spread(const NodeValues& exits, double azimuth) const {
   NodeValues values(nodes_.size());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {

@@ -1,4 +1,4 @@
-// The azimuthal part of energy_conserving and marschner as an array that the GPU reads.
+// The azimuthal part of energy_conserving and marschner, tabulated for the GPU.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,11 +9,12 @@
 
 namespace pelage {
 
-/// Averages of Ap Np over the fibre's width. Values are 4 floats, one for each lobe (R, TT, TRT, the rest), at
-/// ((k inclinations + j) azimuths + i) 4: the layout of a 3D texture of that width, height and depth. On each axis the
-/// first and the last node lie on the ends of the range, evenly spaced between:
-///   i: azimuth_coordinate(|phi|) in [0, 1];  j: cos theta in [0, 1], of the eye (energy_conserving) or theta_d
-///   (marschner); k: absorption coordinate exp(-3 sqrt(sigma_a)) in [0, 1].
+/// Averages of Ap Np over the fibre's width. Values are 4 floats, one for each lobe (R, TT, TRT, residual), at ((k
+/// inclinations + j) azimuths + i) 4: the layout of a 3D texture of that width, height and depth. Nodes are evenly
+/// spaced on each axis; the first and the last lie at the ends of the range:
+///   i: azimuth_coordinate(|phi|) in [0, 1];
+///   j: cos theta in [0, 1], of the view (energy_conserving) or theta_d (marschner);
+///   k: absorption coordinate exp(-3 sqrt(sigma_a)) in [0, 1].
 struct ScatteringTable {
   int azimuths = 0;
   int inclinations = 0;
@@ -23,30 +24,32 @@ struct ScatteringTable {
   bool empty() const { return values.empty(); }
 };
 
-/// Empty for models that need none. It depends on shading, eta, azimuthal roughness and caustic width alone:
-/// not on colours, nor on anything along the strand.
+/// Returns the table; empty for models that need none. It depends only on shading, eta, azimuthal roughness and caustic
+/// width: not on colours, nor on anything along the strand.
 ScatteringTable make_scattering_table(const Look& look);
 
-/// The first axis of the table for |phi| in [0, pi]: (1 - cos / (|cos| + sin)) / 2, half the perimeter of a square.
+/// Returns the coordinate on the first axis for |phi| in [0, pi]: (1 - cos / (|cos| + sin)) / 2, half the perimeter of
+/// a square.
 double azimuth_coordinate(double azimuth);
 
-/// The third axis of the table, for sigma_a >= 0.
+/// Returns the coordinate on the third axis for sigma_a >= 0.
 double absorption_coordinate(double sigma_a);
 
-// What renderer/shaders/scattering.glsl reads besides the table: the numbers of a look, worked out once in double.
+// The uniform block that renderer/shaders/scattering.glsl reads besides the table: a look's parameters, computed in
+// double.
 
-/// Mirrors ScatteringBlock of scattering.glsl, layout std140.
+/// Mirrors ScatteringBlock of scattering_block.glsl, layout std140.
 struct ScatteringBlock {
-  glm::ivec4 model;      // ShadingModel by number; 1 where the absorption is given; 0; 0
+  glm::ivec4 model;      // number of the ShadingModel; 1 if the absorption is given; 0; 0
   glm::vec4 weights;     // diffuse, specular, secondary specular, shift spread
-  glm::vec4 exponents;   // diffuse, specular, secondary; 3 / colour polynomial: colour to absorption coordinate
+  glm::vec4 exponents;   // diffuse, specular, secondary; 3 / colour polynomial, from colour to absorption coordinate
   glm::vec4 shifts;      // primary, secondary, 0, 0
-  glm::vec4 absorption;  // absorption coordinates where they are given; 0
+  glm::vec4 absorption;  // absorption coordinates if they are given; 0
   glm::vec4 tilt_sine;   // for each lobe: energy_conserving
   glm::vec4 tilt_cosine;
   glm::vec4 centre;         // for each lobe: theta_h of the peak, radians; marschner
   glm::vec4 over_variance;  // for each lobe: 1 over the variance along the strand
-  glm::vec4 normaliser;     // for each lobe: what the exponential is multiplied with; 0 for a lobe that is not there
+  glm::vec4 normaliser;     // for each lobe: factor of the exponential; 0 for a lobe that does not exist
 };
 static_assert(sizeof(ScatteringBlock) == 10 * 16);
 

@@ -11,14 +11,15 @@ namespace pelage {
 
 namespace {
 
-constexpr float half_diagonal = 0.5f;  // of every model's box, sizes
+constexpr float half_diagonal = 0.5f;  // half the diagonal of a model's bounding box, sizes: the same for all models
 
 bool casts(const FurLight& light) { return light.cast_shadow != CastShadow::none; }
 bool casts_softly(const FurLight& light) { return light.cast_shadow == CastShadow::soft; }
 bool casts_penumbra(const FurLight& light) { return light.cast_shadow == CastShadow::penumbra; }
 bool has_maps(const FurLight& light) { return light.self_shadow_maps || casts(light); }
 
-/// The entry of ShadowBlock::slots of a light with maps, which begin at the two slots.
+/// Returns the entry of ShadowBlock::slots of a light with maps. `shells` and `depth` are the indices of its shell maps
+/// and its depth map among those of all lights.
 glm::vec4 slots_of(const FurLight& light, float shells, float depth) {
   const glm::vec2 maps{light.self_shadow_maps ? shells : -1.0f, depth};
   if (!casts(light)) return {maps, 0, -1};
@@ -26,8 +27,9 @@ glm::vec4 slots_of(const FurLight& light, float shells, float depth) {
   return {maps, casts_softly(light) ? 1 : 0, light.shadow_scale};
 }
 
-/// The paper reduces to a quarter at 512 x 512; the blur must not shrink with finer maps, so a texel is about .03 sizes
-/// wide (a quarter of what smaller maps have).
+/// Returns the side of the shadow-width map, in texels. The paper reduces to a quarter at 512 x 512. The blur must not
+/// shrink with finer maps, so at most 48 texels remain, each about .03 sizes wide; smaller maps are reduced to a
+/// quarter.
 int width_texels(int resolution) {
   int ratio = 4;
   while (resolution / ratio > 48) ratio *= 2;

@@ -21,18 +21,19 @@ class ShadowMaps {
  public:
   explicit ShadowMaps(const Gl& gl);
 
-  /// "" when the programs so far were built.
+  /// Returns why programs could not be built; "" if all were.
   std::string failure() const { return shells_.failure() + scene_.failure(); }
 
-  /// Returns whether a frame has shadows from maps at all.
+  /// Returns whether a frame has any shadow from maps.
   static bool wanted(const FurFrame& frame);
 
-  /// Draws the maps unless the cached ones fit. Returns whether it drew. `block` is the frame's own, the drawing's
-  /// variant says what shapes the fur (PATTERN, TUFTS), and what that reads is bound. Leaves the maps bound to texture
-  /// units 4 to 6, and the block to binding 2.
+  /// Draws the maps unless the cached ones fit. Returns whether it drew. `block` is the frame's own. The drawing's
+  /// variant has the #define lines of what shapes the fur (PATTERN, TUFTS), whose textures must be bound. Leaves the
+  /// maps bound to texture units 4 to 6, and ShadowBlock to binding 2.
   bool prepare(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const FurDrawing& drawing);
 
  private:
+  /// What the cached maps were drawn for.
   struct Key {
     std::uint64_t model = 0, version = 0;
     Coat coat;
@@ -41,10 +42,11 @@ class ShadowMaps {
     bool operator==(const Key&) const = default;
   };
   struct Counts {
-    int shells = 0, casts = 0;  // lights with shell maps, lights with any map
+    int shells = 0, casts = 0;  // number of lights with shell maps, and with any map
   };
   Counts place_slots(const FurFrame& frame, float radius, std::vector<LightView>& views);
   void make_textures(const Gl& gl, const Counts& counts, int resolution);
+  /// Binds a frame block with the view of a light.
   void see_from(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution);
   void draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const std::vector<LightView>& views,
                  const FurDrawing& drawing);

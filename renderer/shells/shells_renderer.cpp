@@ -20,7 +20,7 @@ constexpr std::int64_t max_kept_pixels = 2048 * 2048;
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
-/// The #define lines of a frame's light and colours.
+/// Returns the #define lines of a frame's light and colours.
 std::string light_of(const FurFrame& frame, bool model_has_colours) {
   const Environment& around = frame.environment;
   const bool constant = !around.harmonics && around.sky == glm::vec3(1) && around.horizon == around.sky &&
@@ -32,13 +32,13 @@ std::string light_of(const FurFrame& frame, bool model_has_colours) {
          std::to_string(frame.lights.size()) + "\n";
 }
 
-/// The #define lines of what shapes and colours the fur beside its fields.
+/// Returns the #define lines of what shapes and colours the fur: pattern, tufts and painted fields.
 std::string shape_of(const Coat& coat, const ModelBuffers& model) {
   return std::string(has_pattern(coat) ? "#define PATTERN\n" : "") + (has_tufts(coat) ? "#define TUFTS\n" : "") +
          model.paint_defines();
 }
 
-/// Returns the #define lines of all that a frame uses: what it does not use is not even compiled.
+/// Returns the #define lines of all that a frame uses, so that what it does not use is not even compiled.
 std::string variant_of(const FurFrame& frame, const ModelBuffers& model) {
   const Layering& shells = frame.knobs.shells;
   return std::string(ShadowMaps::wanted(frame) ? "#define SHADOW_MAPS\n" : "") + light_of(frame, model.has_colours()) +
@@ -170,7 +170,7 @@ Status ShellsRenderer::draw_shells(const FurDrawing& drawing) {
   return {};
 }
 
-// Draws the shells in their own order, from far to near: most lists then are in order already.
+// Draws the shells in the same order as unsorted ones, from far to near, so that most lists are already in order.
 Status ShellsRenderer::draw_sorted(const FurDrawing& drawing) {
   const FurDrawing fragments = drawing.with("#define SORTED\n");
   return sorted_.draw(gl_, target_, {0, 0, target_.width(), target_.height()}, drawing.frame.knobs.shells.count,

@@ -1,4 +1,4 @@
-// Fur in shells, as the papers on GPU fur have it: skin and shells by a GL.
+// The renderer of fur as shells, the layered method of the papers on GPU fur: draws skin and shells by a GL.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@
 
 namespace pelage {
 
-/// Belongs to the thread and the context that it was made on.
+/// Belongs to the thread and the context on which it was made.
 class ShellsRenderer {
  public:
-  /// Fails (unavailable) when a program cannot be built. `sorted_bytes` bounds the fragments that a sorted frame keeps
-  /// at a time (SortedPass).
+  /// Fails with unavailable if a program cannot be built. `sorted_bytes` bounds the memory for the fragments of a
+  /// sorted frame (SortedPass). `coats` is where slices come from.
   static Result<std::unique_ptr<ShellsRenderer>> create(const Gl& gl,
                                                         std::size_t sorted_bytes = SortedPass::default_bytes,
                                                         CoatSource coats = bake_here);
@@ -37,19 +37,20 @@ class ShellsRenderer {
   /// Sends the dirty ranges of a model that it has.
   UploadCount update(std::uint64_t model, const FurFields& fields);
 
-  /// Draws premultiplied linear light of a model that it has, in the size that the frame's scale asks for: skin and
-  /// fur, and nothing else of a frame. Fails with unavailable when the GL was reset or does not answer within a minute:
-  /// it is then lost, and so is all that was sent. Fails with too_large when there is no memory for the size, and with
-  /// invalid when the GL cannot sort as asked.
+  /// Draws premultiplied linear light of a model that it has, at the frame's size times its scale: only skin and fur,
+  /// no eyes, curves, ground or overlay. Fails with unavailable if the GL was reset or does not answer within a minute;
+  /// it is then lost, with all that was sent. Fails with too_large if there is no memory for the size, and with invalid
+  /// if the GL cannot sort fragments as asked.
   Result<FloatImage> draw(const FurFrame& frame, FrameCounters& counters);
 
   bool lost() const { return lost_; }
 
-  /// Returns whether the slices of the frame's coat are not there yet: it gets them from its source once it draws.
+  /// Returns whether the slices of the frame's coat are not there yet; drawing the frame then takes them from their
+  /// source.
   bool misses_coat(const FurFrame& frame) const { return !has(frame.coat()); }
-  /// What all copies of a model (FurModel::original) take in memory, with their GL objects.
+  /// Returns the bytes of all copies of a model (FurModel::original), with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
-  /// Storage of all GL objects: models, coats, targets, maps.
+  /// Returns the bytes of all GL objects: models, coats, targets, maps.
   std::size_t gl_bytes() const { return gl_.held_bytes(); }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
@@ -58,11 +59,11 @@ class ShellsRenderer {
 
  private:
   ShellsRenderer(const Gl& gl, std::size_t sorted_bytes, CoatSource coats);
-  Status programs() const;  // whether all programs so far were built
+  Status programs() const;  // fails if a program could not be built
   bool has(const Coat& coat) const;
   const CoatTextures& textures_of(const Coat& coat);
   bool fit_target(const FurFrame& frame);
-  /// What a frame reads, made and bound; its drawing views the last three.
+  /// Makes and binds what a frame reads, and fills `lists`. The result has views of all arguments.
   FurDrawing prepare(const FurFrame& frame, ModelBuffers& model, const CoatTextures& coat,
                      ModelBuffers::DrawLists& lists);
   void bind_blocks(const FurFrame& frame, const FrameBlock& block);
@@ -85,7 +86,7 @@ class ShellsRenderer {
   Buffer frame_block_, skin_block_;
   FragmentCounter fragments_;
   bool lost_ = false;
-  RenderTarget target_;  // kept for the next frame of that size
+  RenderTarget target_;  // reused by the next frame of the same size
 };
 
 }  // namespace pelage

@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-/// Smooth from 0 at `low` to 1 at `high`; a step where they are the same.
+/// Rises smoothly from 0 at `low` to 1 at `high`; a step if they are equal.
 double rise(double low, double high, double x) {
   if (high <= low) return x >= high ? 1 : 0;
   return glm::smoothstep(low, high, x);

@@ -12,7 +12,8 @@ float value_of(std::span<const float> field, std::size_t vertex, float default_v
   return field.empty() ? default_value : field[vertex];
 }
 
-/// So that a colour fades out over an edge without the colour of what is not painted.
+/// Returns a colour premultiplied by its cover, so that it fades out over an edge without the colour of unpainted
+/// vertices.
 glm::vec4 covered(std::span<const glm::vec4> field, std::size_t vertex) {
   return field.empty() ? glm::vec4(0) : glm::vec4(glm::vec3(field[vertex]) * field[vertex].a, field[vertex].a);
 }

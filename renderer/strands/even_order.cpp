@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-/// Every third bit of the result is one of the 21 bits of x.
+/// Spreads the lower 21 bits of x to every third bit of the result.
 std::uint64_t spread_bits(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
@@ -44,12 +44,12 @@ EvenOrder even_order(std::span<const glm::vec3> roots) {
   const int bits = count > 1 ? std::bit_width(count - 1) : 0;
   EvenOrder even;
   even.order.reserve(count), even.neighbour.reserve(count);
-  std::vector<std::uint32_t> rank(count);  // by place on the curve
+  std::vector<std::uint32_t> rank(count);  // index in the order, by position on the curve
   for (std::uint64_t i = 0; count > 0 && i < std::uint64_t{1} << bits; ++i) {
     const std::uint32_t at = reversed(static_cast<std::uint32_t>(i), bits);
     if (at >= count) continue;
     rank[at] = static_cast<std::uint32_t>(even.order.size());
-    even.neighbour.push_back(rank[at & (at - 1)]);  // without its last bit: it came before
+    even.neighbour.push_back(rank[at & (at - 1)]);  // without its lowest set bit: that one came earlier
     even.order.push_back(along[at].root);
   }
   return even;

@@ -1,4 +1,4 @@
-// The order of strands in which any first part of them lies evenly over the skin.
+// An order of strands in which every prefix is spread evenly over the skin.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,17 @@
 
 namespace pelage {
 
-/// Place along a Z curve (Morton 1966) through [-1, 1]^3, in which a model of diagonal 1 about the origin lies.
+/// Position along a Z curve (Morton 1966) through [-1, 1]^3, which contains a model of diagonal 1 centred on the
+/// origin.
 std::uint64_t place_on_curve(glm::dvec3 place);
 
-/// Indices of `roots`, sizes, in the order in which strands are kept: along a Z curve with its bits reversed (van der
-/// Corput 1935), so that each first part of n leaves gaps of at most twice their mean on the curve. Deterministic.
+/// Indices of `roots` (positions in sizes), in the order in which strands are kept: along a Z curve with its bits
+/// reversed (van der Corput 1935), so that the first n roots leave gaps of at most twice their mean on the curve.
+/// Deterministic.
 struct EvenOrder {
   std::vector<std::uint32_t> order;
-  /// For each root but the first in that order, an earlier root near it: the last one before it on the curve among the
-  /// roots that come earlier in the order. The first root is its own neighbour.
+  /// For each root in that order, the index in `order` of an earlier root near it: of the roots that come earlier in
+  /// the order, the last one before it on the curve. The first root is its own neighbour.
   std::vector<std::uint32_t> neighbour;
 };
 EvenOrder even_order(std::span<const glm::vec3> roots);

@@ -15,7 +15,7 @@ namespace pelage {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t judged_samples = 4;  // fewer say too little about their spread
+constexpr std::uint32_t judged_samples = 4;  // samples of a pixel before its variance is used
 
 /// Returns linear light as renderer/finish/encode.cpp displays it.
 double shown(double linear) {
@@ -47,8 +47,8 @@ std::array<bool, Film::part_count> Film::parts_of(std::span<const Aov> aovs, boo
       case Aov::objects_3:
       case Aov::objects_4: need({body, objects}); break;
       case Aov::strand:
-      case Aov::root:                        // samples of a pixel hit many strands
-      case Aov::cryptomatte: assert(false);  // drawn as its parts
+      case Aov::root:                        // not traced: samples of a pixel hit many strands
+      case Aov::cryptomatte: assert(false);  // requested as its parts, objects_1 to objects_4
     }
   }
   if (filter && parts[beauty]) need({body, depth, normal, tangent, albedo});
@@ -136,9 +136,9 @@ glm::vec3 Film::colour(Part part, std::size_t pixel) const {
   return {mean[0], mean[1], mean[2]};
 }
 
-/// Returns half the difference of what is displayed a standard error above and below the mean, times the mean of |x| of
-/// a normal distribution. Alpha divides both mean and error before the tone map and multiplies what is displayed after
-/// it.
+/// Returns the error of the displayed value: half the difference between mean + standard error and mean - standard
+/// error as displayed, times the mean of |x| of a normal distribution. Alpha divides mean and error before tone mapping
+/// and multiplies the displayed value after it.
 double Film::shown_error(std::size_t pixel, double exposure) const {
   const double count = samples_[pixel], alpha = double(at(beauty, pixel)[3]);
   if (!(alpha > 0)) return 0;

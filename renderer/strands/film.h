@@ -1,4 +1,4 @@
-// What the passes of a traced picture add up to, and how noisy it still is.
+// Accumulates the passes of a traced picture and estimates its remaining noise.
 #pragma once
 
 #include <array>
@@ -15,64 +15,65 @@
 
 namespace pelage {
 
-/// What one ray through a pixel saw. All but radiance and alpha are of the first hit, 0 where there was none.
+/// The result of one camera ray. Everything except radiance and alpha belongs to the first hit and is 0 if there was
+/// none.
 struct FilmSample {
-  glm::vec3 radiance{0};  // multiplied by alpha
-  float alpha = 0;        // [0, 1]; the ground darkens: black with an alpha
-  float body = 0;         // the same without the ground
-  float over_depth = 0;   // 1 / distance along the view, 1 / sizes; 0 for none
+  glm::vec3 radiance{0};  // premultiplied by alpha
+  float alpha = 0;        // [0, 1]; the ground's shadow is black with an alpha
+  float body = 0;         // alpha without the ground, [0, 1]
+  float over_depth = 0;   // 1 / distance along the view direction, 1 / sizes; 0 for none
   glm::vec3 position{0}, normal{0}, tangent{0}, albedo{0};
-  glm::vec3 direct{0};               // of lights alone, without the ambient part
-  glm::vec2 light{0};                // luminance of that, and what it would be without shadows
-  std::size_t object = skin_object;  // what was hit (fur_scene.h)
+  glm::vec3 direct{0};               // radiance from lights alone, without the ambient part
+  glm::vec2 light{0};                // luminance of `direct`, with and without shadows
+  std::size_t object = skin_object;  // object that was hit (fur_scene.h)
 };
 
-/// Means of samples by pixel. AOVs that are not asked for take no memory: 4 bytes a pixel for their count, 20 for
-/// beauty, 48 for what the filter looks at and the AOVs of it, 12 each for position and direct, 8 for shadow, 44 for
-/// cryptomatte. Pixels
-/// are added to from one thread at a time; a tile belongs to one thread during a pass.
+/// Means of samples by pixel. AOVs that were not requested take no memory: 4 bytes a pixel for the sample count, 20 for
+/// beauty, 48 for the filter's features and the AOVs of them, 12 each for position and direct, 8 for shadow, 44 for
+/// cryptomatte. A pixel must not be added to by two threads at once; each tile belongs to one thread during a pass.
 class Film {
  public:
-  static constexpr int tile = 16;  // pixels along the side of the parts that noise is judged by
+  static constexpr int tile = 16;  // pixels along a side of the tiles for which noise is estimated
 
-  /// Bytes that a film of this size takes.
+  /// Returns the bytes that such a film takes.
   static std::size_t bytes(int width, int height, std::span<const Aov> aovs, bool filter);
-  /// With a crop, only the tiles that its pixels are made of are added to.
+  /// With a crop, only the tiles that its pixels depend on are added to.
   Film(int width, int height, std::span<const Aov> aovs, bool filter, const std::optional<Crop>& crop = {});
 
   std::size_t bytes() const;
   int width() const { return width_; }
   int height() const { return height_; }
   int tiles_across() const { return (width_ + tile - 1) / tile; }
-  /// Numbers of the tiles that are added to, ascending.
+  /// Returns the numbers of the tiles that are added to, ascending.
   std::span<const int> tiles() const { return tiles_; }
 
   void add(int x, int y, const FilmSample& sample);
-  int samples(int x, int y) const;  // so far
-  double mean_samples() const;      // of a pixel of the tiles
+  int samples(int x, int y) const;  // number of samples so far
+  double mean_samples() const;      // mean number of samples of a pixel in the tiles
 
-  /// Estimated mean absolute error of a shown channel (sRGB of the filmic tone mapped mean, [0, 1]) over a tile's
-  /// pixels: from the spread of each pixel's samples; infinity where a pixel has fewer than 4, or for a film without
-  /// beauty. `exposure` in stops.
+  /// Returns the estimated mean absolute error of a displayed channel (sRGB of the filmic tone-mapped mean, [0, 1])
+  /// over a tile's pixels, from the variance of each pixel's samples. Infinity if a pixel has fewer than 4 samples or
+  /// the film has no beauty. `exposure` in stops.
   double noise(int tile, double exposure) const;
-  /// The same over the pixels of all tiles where anything was seen, 0 where there are none.
+  /// Returns the same over all tiles where anything was hit; 0 if there are none.
   double noise(double exposure) const;
 
-  /// Returns means, in the conventions of Renderer::draw_aovs (depth: one over the distance). `filtered` smooths beauty
-  /// by direction, depth and colour, the less the more samples there are, and not at all from 64 a pixel on. The AOV
-  /// has to have been asked for, and `filtered` needs a film with the filter.
+  /// Returns an AOV of means, in the conventions of Renderer::draw_aovs (depth: 1 / distance). `filtered` denoises
+  /// beauty by direction, depth and colour, less with more samples, and not at all from 64 samples a pixel on. The AOV
+  /// must have been requested, and `filtered` needs a film with the filter.
   FloatImage aov(Aov aov, bool filtered) const;
 
  private:
-  /// Running means in float do not drift: what a sample adds shrinks as its weight does.
+  /// Means are updated incrementally in float. They do not drift, because a new sample's weight shrinks as their count
+  /// grows.
   enum Part { beauty, spread, body, depth, position, normal, tangent, albedo, direct, light, objects, part_count };
   static constexpr std::array<std::size_t, part_count> widths{4, 1, 1, 2, 3,          3,
-                                                              3, 3, 3, 2, max_objects};  // numbers a pixel
+                                                              3, 3, 3, 2, max_objects};  // numbers for each pixel
 
   static std::array<bool, part_count> parts_of(std::span<const Aov> aovs, bool filter);
   const float* at(Part part, std::size_t pixel) const { return &means_[part][pixel * widths[part]]; }
   struct Noise {
-    double sum = 0;  // of the pixels' errors
+    double sum = 0;  // sum of the pixels' errors
     int pixels = 0;
     bool seen = false;
   };
@@ -94,7 +95,7 @@ class Film {
   int width_, height_;
   std::vector<int> tiles_;
   std::vector<std::uint32_t> samples_;
-  std::array<std::vector<float>, part_count> means_;  // spread: of the squared luminance about its mean
+  std::array<std::vector<float>, part_count> means_;  // `spread`: variance of the luminance
 };
 
 }  // namespace pelage

@@ -12,35 +12,36 @@ namespace pelage {
 
 namespace {
 
-constexpr int farthest = 6;                    // pixels that light comes from at 1 sample
-static_assert(filter_margin == farthest + 3);  // more for silhouettes, and for windows that touch a pixel
+constexpr int farthest = 6;                    // pixels; radius of the filter at 1 sample
+static_assert(filter_margin == farthest + 3);  // 1 for silhouettes, 2 for the windows around a pixel
 constexpr int band_rows = 32;
-constexpr int block_pixels = 32;     // pixels of a row that are worked on together
-constexpr float min_albedo = 0.02f;  // is added to all: black things keep their highlights
-constexpr float unknown = 1e9f;      // noise of a feature that too few pixels show
+constexpr int block_pixels = 32;     // pixels of a row that are processed together
+constexpr float min_albedo = 0.02f;  // added to albedo, so that highlights on black survive the division
+constexpr float unknown = 1e9f;      // variance of a feature where too few pixels have it
 
-/// Groups of features, and their widths where they have no noise: tangent, normal, root of albedo, logarithm of depth.
+/// Feature groups (tangent, normal, square root of albedo, logarithm of depth) and the filter's width in each of them
+/// for features without noise.
 constexpr int feature_groups = 4;
 constexpr std::array<float, feature_groups> sharpness{0.2f, 0.25f, 0.08f, 0.012f};
 constexpr std::array<int, feature_groups + 1> group_begins{0, 3, 6, 9, 10};
 constexpr int features = 10;
 
-/// Numbers of each pixel of a band, by plane. Features are 0 where nothing is seen; light and white, which is albedo
-/// and a little, are multiplied by body.
+/// The planes of a band, with one number for each pixel. Features are 0 where nothing was hit; `light` and `white`
+/// (albedo + min_albedo) are premultiplied by body.
 enum Plane : int {
   feature = 0,
-  mean = features,                 // of each feature, over the 3 x 3 pixels around
-  noise = mean + features,         // of each group: variance there
-  guide = noise + feature_groups,  // each feature with less noise
-  falloff = guide + features,      // of each group: over the square of its width
+  mean = features,                 // mean of each feature over 3 x 3 pixels
+  noise = mean + features,         // variance of each group there
+  guide = noise + feature_groups,  // each feature, with less noise
+  falloff = guide + features,      // for each group, 1 / squared width
   body = falloff + feature_groups,
   light,
   light_end = light + 3,
   white = light_end,
   white_end = white + 3,
-  over_reach = white_end,  // over the square of the filter's radius
-  own_share,               // of a pixel's own features in its guide
-  ground,                  // alpha that is not of the body
+  over_reach = white_end,  // 1 / square of the filter's radius
+  own_share,               // weight of a pixel's own features in its guide
+  ground,                  // alpha without the body
   result,
   result_end = result + 3,  // light, filtered
   plane_count = result_end
@@ -55,7 +56,7 @@ float reach_of(std::uint32_t samples) {
 
 using Lanes = std::array<float, block_pixels>;
 
-/// What a block of pixels gathers.
+/// Weighted sums for a block of pixels.
 struct Sums {
   std::array<Lanes, 3> light{}, white{}, near_white{};
   Lanes near_body{};
@@ -136,7 +137,7 @@ void Band::load_features(int x, int y) {
   row(feature + 9, y)[x] = nearness > 0 && share > 0 ? std::log(nearness / share) : 0;
 }
 
-/// Mean and variance of features in the windows around a block.
+/// Computes the mean and variance of features in the 3 x 3 windows around a block's pixels.
 void Band::judge_windows(int x, int y) {
   Lanes count{};
   const auto over_window = [&](int plane, auto&& add) {
@@ -164,9 +165,10 @@ void Band::judge_windows(int x, int y) {
   }
 }
 
-/// Makes the guides that choose the pixels to average. Features of few samples would choose them by chance, and chance
-/// favours what is common. So they are blended with the mean of the least noisy of the four windows with the pixel in a
-/// corner: edges are in others (Kuwahara 1976). The noise that is left makes them count less.
+/// Makes the guides, by which pixels are compared. Features of few samples are noisy and would select pixels by chance,
+/// with a bias to common values. So each is blended with the mean of the least noisy of the four windows that have the
+/// pixel in a corner, because an edge lies in the other windows (Kuwahara 1976). The noise that remains lowers a
+/// feature's weight.
 void Band::make_guides(int y) {
   for (int group = 0; group < feature_groups; ++group) {
     const int begin = group_begins[std::size_t(group)], end = group_begins[std::size_t(group) + 1];
@@ -187,8 +189,8 @@ void Band::make_guides(int y) {
   }
 }
 
-/// Adds light from pixels at an offset, weighted by how alike they are: about exp(-difference), and nothing beyond the
-/// radius. Albedo itself is averaged over a smaller radius.
+/// Adds light from the pixels at an offset, weighted by similarity: about exp(-difference), and 0 beyond the radius.
+/// Albedo itself is averaged over a smaller radius.
 void Band::add_tap(int x, int y, int dx, int dy, Sums& sums) const {
   Lanes difference{}, weight;
   for (int group = 0; group < feature_groups; ++group) {
@@ -229,14 +231,14 @@ void Band::gather(int x, int y) {
   for (int dy = -farthest; dy <= farthest; ++dy) {
     for (int dx = -farthest; dx <= farthest; ++dx) {
       const int square = dx * dx + dy * dy;
-      if (square > 9 && (dx + dy) % 2 != 0) continue;  // of far pixels every other one does
+      if (square > 9 && (dx + dy) % 2 != 0) continue;  // every other one of the far pixels suffices
       if (static_cast<float>(square) * min < 1) add_tap(x, y, dx, dy, sums);
     }
   }
   finish(x, y, sums);
 }
 
-/// Divides sums of light by sums of albedo, so that where both vary together their mean is preserved.
+/// Divides the sum of light by the sum of albedo, so that the mean is preserved where both vary together.
 void Band::finish(int x, int y, const Sums& sums) {
   for (std::size_t i = 0; i < block_pixels; ++i) {
     const int u = x + static_cast<int>(i);
@@ -259,7 +261,7 @@ void Band::filter() {
   }
 }
 
-/// Returns light, and the body's alpha. Silhouettes are smoothed by 3 x 3 pixels, the less the more samples there are.
+/// Returns light and the body's alpha. At silhouettes they are smoothed over 3 x 3 pixels, less with more samples.
 glm::vec4 Band::at_silhouette(int x, int y) const {
   const float share = 0.75f * (1 / std::sqrt(row(over_reach, y)[x]) - 1) / farthest;
   glm::vec4 own(0), mean(0);
@@ -276,7 +278,7 @@ glm::vec4 Band::at_silhouette(int x, int y) const {
   return min < max ? own + share * (mean / sum - own) : own;
 }
 
-/// Returns the share that the ground darkens of what the body does not cover, over the filter's radius.
+/// Returns the ground's alpha over the area that the body leaves open, averaged over the filter's radius.
 float Band::smooth_ground(int x, int y) const {
   const float over = row(over_reach, y)[x];
   float dark = 0, open = 0;

@@ -21,22 +21,22 @@ namespace pelage {
 
 namespace {
 
-constexpr double looked_through = 16;  // copies that are examined for each that grows, at most
-constexpr double min_of_tile = 256;    // strands of the tile that stay at least
+constexpr double looked_through = 16;  // maximum number of copies examined for each strand that grows
+constexpr double min_of_tile = 256;    // minimum number of strands of the tile that are examined
 
 bool any_above_default(std::span<const float> field) {
   return std::any_of(field.begin(), field.end(), [](float value) { return value > 0; });
 }
 
 /// Returns the share of the tile's strands whose copies are examined, so that a small share does not examine every
-/// copy. A power of 1/2 if `share` is one.
+/// copy. It is a power of 1/2.
 double tile_share_of(double share, int count) {
   double of_tile = 1;
   while (of_tile > looked_through * share && of_tile * count > 2 * min_of_tile) of_tile /= 2;
   return of_tile;
 }
 
-/// A number in [0, 1) of a strand and the copy of the tile that it is in.
+/// Returns a random number in [0, 1) for a strand in a copy of the tile.
 float number_of(const TileCopy& copy, std::uint64_t stream) {
   const std::uint64_t tile =
       std::uint64_t{static_cast<std::uint32_t>(copy.tiles.x)} << 32 | static_cast<std::uint32_t>(copy.tiles.y);
@@ -57,7 +57,7 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
         static_cast<std::uint64_t>(recipe.model_colours)})
     hash.add(value);
   hash.add_value(make_pattern_block(coat));
-  for (const RampStop& stop : coat.ramp) hash.add_value(stop.colour);  // the largest is what lightness is over
+  for (const RampStop& stop : coat.ramp) hash.add_value(stop.colour);  // lightness is relative to the largest of them
   return hash.value();
 }
 
@@ -81,7 +81,7 @@ std::vector<std::uint64_t> vertex_hashes(const FurModel& model, std::span<const 
   return hashes;
 }
 
-/// The vertices with the moved directions; empty if nothing moves.
+/// Returns the vertices with the moved directions; empty if nothing moves.
 std::vector<FurVertex> moved_vertices(const std::vector<FurVertex>& vertices, std::span<const glm::vec2> directions) {
   if (directions.empty()) return {};
   std::vector<FurVertex> moved(vertices);
@@ -102,10 +102,10 @@ struct CoatTables {
         tile_hash(tile.hash()) {}
 
   Coat coat;
-  double share;  // of the recipe
+  double share;  // GrowRecipe::share
   LeanTable leans;
   TileStrands tile;
-  double tile_share;  // of the tile's strands are in `cells`; of their copies share / tile_share grow
+  double tile_share;  // share of the tile's strands in `cells`; share / tile_share of their copies grow
   TileCells cells;
   std::uint64_t tile_hash;
 };
@@ -121,9 +121,9 @@ std::shared_ptr<const CoatTables> tables_for(const GrowRecipe& recipe, int segme
   return same ? std::move(before) : std::make_shared<const CoatTables>(recipe, segments);
 }
 
-/// How a strand stands on its root, without the lean of the fur there.
+/// The form of a strand on its root, without the lean of the fur.
 struct StandingForm {
-  float reach = 1, stretch = 1;  // StrandRoot
+  float reach = 1, stretch = 1;  // as in StrandRoot
   std::array<glm::vec3, 64> sideways;
 };
 
@@ -144,16 +144,16 @@ StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t pie
 }  // namespace
 
 struct Grower::Impl {
-  /// A piece as the shutter opens and, if anything moves, as it closes.
+  /// A piece when the shutter opens and, if anything moves, when it closes.
   struct Piece {
-    std::uint32_t index;  // of the model
+    std::uint32_t index;  // index of the model's piece
     FurPiece opening;
     std::optional<FurPiece> closing;
   };
-  /// Strands of a chunk, and where they stand at rest: a model that moves keeps their order.
+  /// The strands of a chunk. Roots are in the rest pose, so that the order of strands stays when the model moves.
   struct Found {
     std::vector<Piece> pieces;
-    std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // by piece
+    std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // index in `pieces`, copy
     std::vector<glm::vec3> roots;
   };
 
@@ -185,15 +185,15 @@ struct Grower::Impl {
   FurModel model;
   GrowRecipe recipe;
   std::vector<FurVertex> vertices;
-  std::vector<FurVertex> closing;  // when the shutter closes; empty: the same
-  std::vector<FurVertex> bent;     // where something has moved them; empty: nothing has
+  std::vector<FurVertex> closing;  // vertices when the shutter closes; empty if nothing moves
+  std::vector<FurVertex> bent;     // vertices moved by wind or body; empty if nothing moves
   std::shared_ptr<const CoatTables> tables;
   const TileStrands& tile;
   StrandForm form;
   StrandColours colours;
   std::optional<PatternBlock> pattern;
-  std::uint64_t whole_hash;           // of all that is the same for all chunks
-  std::vector<std::uint64_t> hashes;  // of each vertex
+  std::uint64_t whole_hash;           // hash of all inputs that chunks share
+  std::vector<std::uint64_t> hashes;  // hash of each vertex
 };
 
 bool Grower::Impl::bald(std::uint32_t piece) const {
@@ -216,7 +216,7 @@ StandingForm Grower::Impl::form_of(const TileCopy& copy, const RootFields& root)
   return standing;
 }
 
-/// Returns the form of a guard hair: no clumps and locks, a bow of its own, and some length beyond the fur.
+/// Returns the form of a guard hair: it joins no clumps or locks, has a bow of its own, and may be longer than the fur.
 StandingForm Grower::Impl::guard_hair(const TileCopy& copy, const RootFields& root) const {
   StandingForm standing;
   const float longer = number_of(copy, 4);
@@ -329,7 +329,7 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   even.neighbour.resize(set.count());
   set.neighbour = std::move(even.neighbour);
   set.points.shrink_to_fit(), set.closing.shrink_to_fit();
-  set.colours.shrink_to_fit(), set.to_mean.shrink_to_fit(), set.roots.shrink_to_fit();  // sets are kept by the hundred
+  set.colours.shrink_to_fit(), set.to_mean.shrink_to_fit(), set.roots.shrink_to_fit();  // hundreds of sets are held
   return set;
 }
 

@@ -18,7 +18,7 @@ constexpr double strands_of_grown_part = 1000;
 
 double on_area_of(const Coat& coat) { return coat.count / (coat.tile * coat.tile); }
 
-/// What whole fur covers of the skin under it, over its length.
+/// Returns the coverage of a full coat over the length of its fur, up to a constant factor.
 double cover_of(const Coat& coat) { return on_area_of(coat) * std::max(coat.width_root + coat.width_tip, 1e-9); }
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
@@ -60,7 +60,7 @@ void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, G
 
 /// Extends a box by the offsets that `bend` gives to strands whose curves are `stretch` times as long.
 void add_bend(const PieceBend& bend, const LeanTable& leans, float stretch, glm::vec3& low, glm::vec3& high) {
-  constexpr std::size_t step = lean_cells / 4;  // they go ever further on their way up
+  constexpr std::size_t step = lean_cells / 4;  // offsets grow with the height, so a few heights suffice
   for (const auto& [still, moved] : bend) {
     for (std::size_t k = step; k <= lean_cells; k += step) {
       const auto place = [&](const CornerLean& lean) {
@@ -104,7 +104,7 @@ void GrownFur::divide(const FurModel& model, EachCoat<FurFields> fields, EachCoa
   model_ = model.id;
 }
 
-/// Grows a chunk at rest. Returns the number of strands that were grown.
+/// Grows a chunk of a coat before anything bends it. Returns the number of strands that were grown.
 std::size_t GrownFur::grow_still(const Growing& how, std::size_t chunk) {
   const std::size_t number = part_of(how.coat, chunk);
   Still& still = still_[number];
@@ -143,7 +143,8 @@ void GrownFur::bend_part(const Growing& how, std::size_t chunk) {
   part.strands = std::move(bent);
 }
 
-/// Bends what has grown as well, where something moves it.
+/// Grows a chunk of a coat if it changed, and bends it if something moves it. Returns the number of strands that were
+/// grown.
 std::size_t GrownFur::grow_part(const Growing& how, std::size_t chunk) {
   const std::size_t grown = grow_still(how, chunk);
   GrownPart& part = parts_[part_of(how.coat, chunk)];

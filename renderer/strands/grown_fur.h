@@ -1,4 +1,4 @@
-// The strands of all coats and the curves as they stand, in parts that grow again only where something changed.
+// The strands of all coats and the curves, in parts; only parts that changed are grown again.
 #pragma once
 
 #include <array>
@@ -15,47 +15,46 @@ namespace pelage {
 
 enum class StrandRole {
   coat,
-  curve,  // a whisker, a lash, a hair of a brow: single, and clear of the coat
+  curve,  // a single whisker, lash or brow hair outside of the coat
 };
 
-/// Strands that stand together.
+/// Strands that grow on one chunk of the surface, or all curves.
 struct GrownPart {
   StrandRole role = StrandRole::coat;
   std::shared_ptr<const StrandSet> strands;  // never null
-  glm::vec3 low{0}, high{0};                 // around their skin and all of them with their thickness, sizes
-  glm::vec3 middle{0};                       // of the skin, sizes
-  float radius = 0;                          // of a ball about `middle` that holds it, sizes
-  float longest = 0;                         // bound of their lengths, in steps that a stroke seldom changes, sizes
-  float thickest = 0;                        // largest radius of all strands that have stood there, sizes
-  double area = 0;                           // of the skin that they stand on, sizes^2
+  glm::vec3 low{0}, high{0};                 // bounding box of the skin and of the strands with their thickness, sizes
+  glm::vec3 middle{0};                       // centre of the skin's bounding box, sizes
+  float radius = 0;                          // radius of a sphere about `middle` that contains the skin, sizes
+  float longest = 0;                         // bound of strand lengths, sizes; rounded up, so strokes seldom change it
+  float thickest = 0;                        // largest radius of all strands that have ever grown in this part, sizes
+  double area = 0;                           // area of the skin under the part, sizes^2
   CoatId coat = 0;
-  float crowding = 1;       // what strands cover over what the whole first coat does on that area; 0 for curves
-  float wider = 1;          // than those of the whole coat, where a share of it was grown
-  float unwound = 1;        // how little curls and waves wind them over those of the first coat, square root
-  float packing = 0;        // share of the skin that strands of the whole coat fill, over their radius^2
-  std::uint64_t state = 0;  // the same while the strands are
-  std::uint64_t skin = 0;   // the same while the looks of its skin are
+  float crowding = 1;       // coverage relative to the first coat at full density on that area; 0 for curves
+  float wider = 1;          // widening relative to the full coat, if only a share of its strands was grown
+  float unwound = 1;        // square root of the first coat's winding over this coat's
+  float packing = 0;        // share of the skin that the full coat's strands fill, over their radius^2
+  std::uint64_t state = 0;  // changes with the strands
+  std::uint64_t skin = 0;   // changes with the look of the skin
 };
 
-/// What moves strands from where they have grown.
+/// The bending by which a caller moves strands from where they have grown.
 struct FurBend {
-  std::span<const PieceBend> pieces;  // of each piece of the model; empty: nothing moves them
-  std::span<const LeanRow> leans;     // in which they lean: LeanTable::rows
+  std::span<const PieceBend> pieces;  // for each piece of the model; empty if nothing moves them
+  std::span<const LeanRow> leans;     // the table of curves along which strands lean: LeanTable::rows
 };
 
-/// Whether strands are bent already, or left to a caller that bends them by a FurBend.
+/// `done`: strands come out bent. `left`: the caller bends them by a FurBend.
 enum class Bending { done, left };
 
 class GrownFur {
  public:
-  /// Grows what has changed, on up to `threads` threads. Returns the number of strands that were grown. The views are
-  /// not stored.
-  /// Fur of several coats is always bent.
+  /// Grows the parts that have changed, on up to `threads` threads. Returns the number of strands that were grown. The
+  /// views are not stored. Fur of several coats is always bent.
   std::size_t update(const FurModel& model, EachCoat<FurFields> fields, EachCoat<GrowRecipe> recipes, int threads,
                      std::span<const FurCurves> curves = {}, Bending bending = Bending::done);
 
   const std::vector<GrownPart>& parts() const { return parts_; }
-  /// Returns how the parts are to be bent, if that was left to the caller.
+  /// Returns how the caller has to bend the parts, if that was left to the caller.
   FurBend bend() const;
   /// Returns the look of the skin at the corners of each piece of the model.
   const std::vector<std::array<SkinLook, 3>>& skin() const { return coats_.size() == 1 ? coats_.front().skin : skin_; }
@@ -63,31 +62,31 @@ class GrownFur {
   std::size_t bytes() const;
 
  private:
-  /// A part's strands before anything moves them, and what is around them.
+  /// A part's strands and bounding box before wind or body moves them.
   struct Still {
     std::shared_ptr<const StrandSet> strands;
     std::uint64_t state = 0;
     glm::vec3 low{0}, high{0};
-    float stretch = 1;  // largest of their roots'
+    float stretch = 1;  // largest StrandRoot::stretch
   };
 
-  /// What is kept of a coat.
+  /// The cached state of a coat.
   struct GrownCoat {
-    // What the surface was divided for:
+    // The surface was divided into chunks for these:
     CoatId id = 0;
     double count = 0, tile = 0, share = 0;
     std::shared_ptr<const CoatTables> tables;
-    std::vector<PieceBend> bends;  // of each piece; empty where nothing moves
+    std::vector<PieceBend> bends;  // for each piece; empty if nothing moves the fur
     std::vector<std::array<SkinLook, 3>> skin;
   };
-  /// A coat as it is to grow.
+  /// The inputs for growing one coat.
   struct Growing {
     const FurModel& model;
     const Grower& grower;
     const GrowRecipe& recipe;
     Bending bending;
     std::size_t coat;
-    double cover, unwound;  // over those of the first coat
+    double cover, unwound;  // GrownPart::crowding of the full coat; GrownPart::unwound
   };
 
   bool divided_for(const FurModel& model, EachCoat<FurFields> fields, EachCoat<GrowRecipe> recipes) const;
@@ -100,12 +99,12 @@ class GrownFur {
   void join_skin();
 
   std::uint64_t model_ = 0;
-  std::vector<StrandChunk> chunks_;  // of all coats together
+  std::vector<StrandChunk> chunks_;  // shared by all coats
   std::vector<GrownCoat> coats_;
   std::vector<FurCurves> curves_;
-  std::vector<GrownPart> parts_;               // of each coat and chunk, then that of the curves
-  std::vector<Still> still_;                   // of each coat and chunk
-  std::vector<std::array<SkinLook, 3>> skin_;  // between several coats
+  std::vector<GrownPart> parts_;               // for each coat and chunk; the last one has the curves
+  std::vector<Still> still_;                   // for each coat and chunk
+  std::vector<std::array<SkinLook, 3>> skin_;  // look of the skin under several coats together; unused for one coat
 };
 
 }  // namespace pelage

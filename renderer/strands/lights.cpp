@@ -20,8 +20,7 @@ struct Axes {
   glm::vec3 right, up;
 };
 
-/// Returns two axes orthogonal to a unit direction. The first one is level; it lies along x where the direction is
-/// upright.
+/// Returns two axes orthogonal to a unit direction. The first is horizontal; it is x for a vertical direction.
 Axes axes_across(glm::vec3 direction) {
   const glm::vec3 level(direction.z, 0, -direction.x);  // up x direction
   const float length = glm::length(level);
@@ -29,7 +28,7 @@ Axes axes_across(glm::vec3 direction) {
   return {right, glm::cross(direction, right)};
 }
 
-/// Returns a direction whose cosine to a unit middle is 1 - `missing`.
+/// Returns the direction at the cosine 1 - `missing` to a unit middle and at the azimuth `around`, radians.
 glm::vec3 turned_off(glm::vec3 middle, float missing, float around) {
   const float sine = std::sqrt(std::max(0.0f, missing * (2 - missing)));
   const Axes axes = axes_across(middle);
@@ -37,7 +36,7 @@ glm::vec3 turned_off(glm::vec3 middle, float missing, float around) {
   return glm::normalize((1 - missing) * middle + sine * aside);
 }
 
-/// Returns the falloff of a spot at its edge, and the cosine of an area light; 1 for other lights.
+/// Returns the cone falloff of a spot light, the cosine of an area light, and 1 for other lights.
 float cone_share(const FurLight& light, glm::vec3 to_light) {
   if (light.kind == LightKind::directional || light.kind == LightKind::point) return 1;
   const float inside = -glm::dot(to_light, light.direction);
@@ -45,14 +44,14 @@ float cone_share(const FurLight& light, glm::vec3 to_light) {
   return std::clamp((inside - light.cone) / std::max(light.soft_cone - light.cone, 1e-6f), 0.0f, 1.0f);
 }
 
-/// light_at of lighting.glsl, for light from `from`.
+/// As light_at in lighting.glsl, for light from a position.
 LightSample from_point(const FurLight& light, glm::vec3 from, glm::vec3 place) {
   const glm::vec3 apart = from - place;
   const float square = std::max(glm::dot(apart, apart), min_square);
   const float distance = std::sqrt(square);
   const glm::vec3 towards = apart / distance;
   const glm::vec3 radiance = light.radiance * std::min(1 / square, max_falloff) * cone_share(light, towards);
-  const float length = glm::length(towards);  // less than 1 only right at the light
+  const float length = glm::length(towards);  // below 1 only where `square` was clamped
   return {length > 0 ? towards / length : -light.direction, distance, radiance};
 }
 
@@ -62,15 +61,15 @@ LightSample from_disc(const FurLight& light, glm::vec2 u) {
   return {light.angle > 0 ? to_light : -light.direction, std::numeric_limits<float>::infinity(), light.radiance};
 }
 
-/// Samples the ball uniformly over its solid angle. Its radiance is that of the point light over radius^2, times the
-/// solid angle 2 pi (1 - cos a) over pi: 2 / (distance^2 (1 + cos a)), without cancellation. A spot's cone is from the
-/// centre.
+/// Samples the sphere uniformly by solid angle. Its radiance is that of the point light over radius^2, times the solid
+/// angle 2 pi (1 - cos a) over pi: 2 / (distance^2 (1 + cos a)), without cancellation. A spot's cone is evaluated at
+/// the centre.
 LightSample from_ball(const FurLight& light, glm::vec3 place, glm::vec2 u) {
   LightSample centre = from_point(light, light.position, place);
   const float share = light.radius / centre.distance;  // sin a
   if (!(share > 0) || share >= 1) return centre;
   const float cosine = std::sqrt((1 - share) * (1 + share));
-  const float missing = u.x * share * share / (1 + cosine);  // of the cosine to the centre
+  const float missing = u.x * share * share / (1 + cosine);  // 1 - cosine to the centre
   const float sine = std::sqrt(missing * (2 - missing)) / share;
   const float half_chord = std::sqrt(std::max(0.0f, 1 - sine * sine));
   return {turned_off(centre.to_light, missing, 2 * glm::pi<float>() * u.y),
@@ -114,8 +113,8 @@ glm::vec3 StrandLights::environment(glm::vec3 direction) const {
 
 namespace {
 
-/// Returns a direction from `across` around +y and `up` along its height, both in [0, 1]: uniform numbers give uniform
-/// directions.
+/// Returns a direction from its azimuth about +y and its height in y, both mapped to [0, 1]: uniform numbers give
+/// uniform directions.
 glm::vec3 direction_at(float across, float up) {
   const float y = 2 * up - 1, level = 2 * std::sqrt(std::max(0.0f, up * (1 - up)));
   const float around = 2 * glm::pi<float>() * across;
@@ -127,7 +126,7 @@ struct Found {
   float within = 0;  // [0, 1)
 };
 
-/// Finds the step of sums from 0 to 1 on which u in [0, 1) falls; never a step of no height.
+/// Finds the interval of a CDF that contains u in [0, 1); never an empty one.
 Found find_step(std::span<const float> sums, float u) {
   const auto above = std::upper_bound(sums.begin() + 1, sums.end() - 1, u);
   const float low = *(above - 1), high = *above;
@@ -147,8 +146,8 @@ void cumulate(std::span<const double> parts, std::span<float> sums) {
 
 }  // namespace
 
-/// Makes the table for sampling. A cell weighs the light that it emits and a little more, so that no direction with
-/// light is left out.
+/// Builds the sampling table. A cell's weight is its light plus a small constant, so that no direction with light has a
+/// pdf of 0.
 void StrandLights::tabulate() {
   constexpr int finer = 4;
   std::vector<double> cells(std::size_t{rows} * columns), by_row(rows);

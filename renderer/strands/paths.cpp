@@ -13,11 +13,11 @@ namespace pelage {
 
 namespace {
 
-constexpr int first_bounces = 1;  // after them Russian roulette ends dark paths
+constexpr int first_bounces = 1;  // bounces before Russian roulette may end a path
 constexpr float worth_a_ray =
     0.01f;  // share of TraceScene::brightest below which Russian roulette decides on a shadow ray
 
-/// The scattering at a hit: a fibre or matt skin. As a BSDF of pbrt, with the cosine in it.
+/// The scattering at a hit on a fibre or on matt skin. The interface follows pbrt's BSDF, with the cosine included.
 class Bsdf {
  public:
   Bsdf(const TraceScene& scene, const Hit& hit, glm::vec3 position, const Ray& from)
@@ -32,19 +32,19 @@ class Bsdf {
     }
   }
 
-  /// A ray that leaves the hit.
+  /// Returns a ray that leaves the hit.
   Ray spawn_ray(glm::vec3 direction, float t_max = 1e30f) const {
     return {.origin = position_, .direction = direction, .t_max = t_max, .without = hit_.strand, .time = time_};
   }
   glm::vec3 position() const { return position_; }
 
-  /// BSDF times cosine for light from a unit direction, 1 / steradian.
+  /// Returns BSDF times cosine for light from a unit direction, 1 / steradian.
   glm::vec3 f(glm::vec3 to_light) const {
     if (fibre_) return fibre_->value(frame_->local(to_light));
     return hit_.colour * std::max(glm::dot(hit_.normal, to_light), 0.0f) / glm::pi<float>();
   }
-  /// The same for a light. Paths hit a strand at any offset alike, so that its mean over the offsets, which the table
-  /// knows, is as true as the value at this one, and far less noisy.
+  /// Returns f for direct light. For a fibre this is the mean over the offset h, from the table: paths hit a strand at
+  /// any offset with the same probability, so the mean is unbiased and far less noisy than the value at this offset.
   glm::vec3 mean_f(glm::vec3 to_light) const {
     return fibre_ ? scene_.shading().scatter_once(hit_, to_light, to_camera_) / glm::pi<float>() : f(to_light);
   }
@@ -52,7 +52,7 @@ class Bsdf {
     if (fibre_) return fibre_->pdf(frame_->local(to_light));
     return std::max(glm::dot(hit_.normal, to_light), 0.0f) / glm::pi<float>();
   }
-  /// A direction in space, with f / pdf as its weight.
+  /// Samples a direction in world space; its weight is f / pdf.
   FibreSample sample_f(Sampler& sampler) const {
     const glm::vec2 u = sampler.next2(), v = sampler.next2();
     if (!fibre_) {
@@ -73,16 +73,16 @@ class Bsdf {
   std::optional<FibrePaths> fibre_;
 };
 
-/// Direct light at a hit, scattered to the camera or back along the path.
+/// Direct light at a hit, scattered back along the path.
 struct DirectLight {
   glm::vec3 lights{0}, unshadowed_lights{0}, environment{0};
 };
 
-/// Next event estimation with one shadow ray: to a light or, where no light reaches the point, into the environment.
-/// The environment is also hit by paths that leave the scene: then both are weighted by their pdfs (balance heuristic,
-/// Veach 1997). Beside lights the paths alone sample it: harmonics of two bands are so even that a shadow ray to a
-/// light is worth more. After the first hit Russian roulette decides on shadow rays that could add little by
-/// `throughput`.
+/// Next event estimation with one shadow ray: to a light or, if no light reaches the point, into the environment. In
+/// the latter case, paths that leave the scene sample the environment too, and both are weighted by their pdfs (balance
+/// heuristic, Veach 1997). If a light reaches the point, paths alone sample the environment: harmonics of two bands are
+/// so smooth that a shadow ray to a light is worth more. After the first hit, Russian roulette skips shadow rays that
+/// can add little after `throughput`.
 DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsdf& bsdf, glm::vec3 throughput,
                           bool first, Sampler& sampler) {
   const StrandLights& lights = scene.lights();
@@ -117,7 +117,7 @@ DirectLight sample_direct(const TraceScene& scene, const World& world, const Bsd
   return {.lights = radiance, .unshadowed_lights = radiance};
 }
 
-/// Returns whether sample_direct leaves the environment at a position to the paths.
+/// Returns true if sample_direct leaves the environment at a position to the paths.
 bool any_light_reaches(const StrandLights& lights, glm::vec3 position) {
   for (int i = 0; i < lights.count(); ++i) {
     if (lights.importance(i, position) > 0) return true;
@@ -125,7 +125,7 @@ bool any_light_reaches(const StrandLights& lights, glm::vec3 position) {
   return false;
 }
 
-/// Radiance of the environment for a path that leaves the scene, times its MIS weight against sample_direct.
+/// Returns the environment's radiance for a path that leaves the scene, times its MIS weight against sample_direct.
 glm::vec3 escaped_radiance(const TraceScene& scene, const FibreSample& sample, glm::vec3 from) {
   const StrandLights& lights = scene.lights();
   if (!lights.has_environment()) return glm::vec3(0);
@@ -182,7 +182,7 @@ FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 pl
   if (seen.hit.kind == HitKind::none) {
     shade_ground(scene, world, seen.ray, sampler, sample);
   } else if (seen.eye || (seen.hit.kind == HitKind::skin && seen.bare)) {
-    light_backplate(scene, world, seen, sampler, sample);  // what shines and refracts is drawn, not traced
+    light_backplate(scene, world, seen, sampler, sample);  // shiny and refracting surfaces are rasterized, not traced
     sample.radiance = bounded(sample.radiance, scene.brightest());
   } else {
     follow(scene, world, seen, sampler, sample);

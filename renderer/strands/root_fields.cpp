@@ -132,7 +132,7 @@ FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, s
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
     density_[i] = corner.fur.density;
     const CornerLean lean = corner_lean(corner.fur, corner.rest_place, corner.normal, model.tangents[v], pattern);
-    corner.fur.length = lean.length;  // as the pattern has it
+    corner.fur.length = lean.length;  // with the pattern's factor
     curves_.set(i, leans, lean);
   }
   const auto of_corners = [&](glm::vec3 Corner::*of) {

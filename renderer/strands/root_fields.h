@@ -1,5 +1,5 @@
-// The fields at a strand's root, and the table of lean curves by inclination and height (base/lean_curve.h): strands
-// need the curve at more places than can be computed for each.
+// The fields at a strand's root, and the table of lean curves by inclination and height (base/lean_curve.h). The table
+// is needed because strands evaluate the curve too often to compute it each time.
 #pragma once
 
 #include <array>
@@ -17,32 +17,32 @@
 
 namespace pelage {
 
-/// A place on the curve of a strand of length 1, (across, up), and how it moves with the height.
+/// A position (across, up) on the lean curve of a strand of length 1, and its derivative by the height.
 struct LeanKnot {
   glm::vec2 place{0}, slope{0};
 };
 
-/// At the heights i / lean_cells.
+/// Knots at the heights i / lean_cells.
 using LeanRow = std::array<LeanKnot, lean_cells + 1>;
 
 class LeanTable {
  public:
   LeanTable(LeanCurve curve, double root_share);
 
-  /// Returns the row for an inclination in [0, 1]. Cubic interpolation between its knots is off the curve by less than
-  /// 1e-5 of its length.
+  /// Returns the row for an inclination in [0, 1]. Cubic interpolation between its knots deviates from the curve by
+  /// less than 1e-5 of its length.
   LeanRow row(float inclination) const;
   /// Returns knot k of that row.
   LeanKnot knot(float inclination, std::size_t k) const;
-  /// Returns rows for inclinations at even steps from 0 to 1; those in between are interpolated.
+  /// Returns the rows for evenly spaced inclinations from 0 to 1; rows in between are interpolated.
   std::span<const LeanRow> rows() const { return rows_; }
 
  private:
   std::vector<LeanRow> rows_;
 };
 
-// The fields of the surface where a strand is rooted, as renderer/shells/fur/fur_vertex.glsl hands them to fragments:
-// worked out at the corners of a piece and mixed.
+// The surface fields at a strand's root, as renderer/shells/fur/fur_vertex.glsl passes them to fragments: evaluated at
+// the corners of a piece and interpolated.
 
 /// Returns the fields of all vertices.
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
@@ -50,9 +50,9 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 /// The fields at a root.
 struct RootFields {
   glm::vec3 place{0};
-  glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // unit and orthogonal
-  RestPosePoint rest;                                           // for patterns and tufts
-  float length = 0;                                             // of the fur, sizes, >= 0
+  glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // orthonormal
+  RestPosePoint rest;                                           // position in the rest pose, for patterns and tufts
+  float length = 0;                                             // length of the fur, sizes, >= 0
   float width = 1, wetness = 0, curl = 0, clump = 0;
   glm::vec4 root_paint{0}, tip_paint{0};
   glm::vec2 image_uv{0};
@@ -60,13 +60,13 @@ struct RootFields {
   int image = -1;
 };
 
-/// The fields at a corner of a piece, but for what strands alone need: axes of the tile, curl and clump.
+/// Returns the fields at a corner of a piece, except those that only strands need: axes of the tile, curl and clump.
 RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner);
 
-/// How fur leans at a corner of a piece.
+/// The lean of the fur at a corner of a piece.
 struct CornerLean {
   glm::vec3 normal{0, 1, 0};  // unit
-  float length = 0;           // of the fur, sizes
+  float length = 0;           // length of the fur, sizes
   glm::vec3 way{0};           // direction along the skin, unit
   float inclination = 0;      // [0, 1]
 };
@@ -74,20 +74,20 @@ struct CornerLean {
 CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
                        const PatternBlock* pattern);
 
-/// What moves the fur at a corner from where it has grown.
+/// The lean of the fur at a corner before and after wind or body moves it.
 struct CornerBend {
   CornerLean still, moved;
 };
-/// What moves the fur at each corner of a piece.
+/// The bend at each corner of a piece.
 using PieceBend = std::array<CornerBend, 3>;
 
-/// The curves in which fur leans on a piece, interpolated between those at its corners.
+/// The lean curves of the fur on a piece, interpolated between those at its corners.
 class LeanCurves {
  public:
   void set(int corner, const LeanTable& leans, const CornerLean& lean);
-  /// Returns the offset from the root at the height s in [0, 1] of the fur there, sizes.
+  /// Returns the offset from the root at the height s in [0, 1] of the fur, sizes. `share`: barycentric coordinates.
   glm::vec3 at(glm::vec3 share, float s) const;
-  /// Returns what has to be added to `other` to give these curves.
+  /// Returns the difference of these curves and `other`.
   LeanCurves less(const LeanCurves& other) const;
 
  private:
@@ -97,14 +97,14 @@ class LeanCurves {
   std::array<Corner, 3> corners_;
 };
 
-/// A piece of fur with what its strands share.
+/// A piece of fur with the data that its strands share. `share` is always barycentric coordinates.
 class FurPiece {
  public:
   /// `pattern` is null where length and lean do not change with the position.
   FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
            const PatternBlock* pattern);
 
-  /// Shares of the strands at a place that grow: by weight and length, and by density. [0, 1]
+  /// Shares of the strands that grow, in [0, 1]: by weight and length, and by density.
   float grown(glm::vec3 share) const { return glm::dot(share, grown_); }
   float density(glm::vec3 share) const { return glm::dot(share, density_); }
 
@@ -121,8 +121,8 @@ class FurPiece {
   };
   std::array<Corner, 3> corners_;
   LeanCurves curves_;
-  glm::vec3 grown_, density_;  // of each corner
-  glm::mat3 turn_{1};          // from rest
+  glm::vec3 grown_, density_;  // for each corner
+  glm::mat3 turn_{1};          // rotation from the rest pose
 };
 
 }  // namespace pelage

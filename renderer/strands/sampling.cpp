@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// Spreads every bit over all (the finisher of Murmur3).
+/// Mixes all bits (the Murmur3 finalizer).
 std::uint32_t hash(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x85ebca6bu;
@@ -28,8 +28,8 @@ std::uint32_t reverse_bits(std::uint32_t x) {
   return (x & 0xaaaaaaaau) >> 1 | (x & 0x55555555u) << 1;
 }
 
-/// Flips each bit by a hash of those below it (Laine and Karras 2011, constants of Vegdahl): on reversed bits this is
-/// Owen's scrambling.
+/// Flips each bit by a hash of the bits below it (Laine and Karras 2011, Vegdahl's constants). On reversed bits this is
+/// Owen scrambling.
 std::uint32_t flip_by_lower(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -38,8 +38,8 @@ std::uint32_t flip_by_lower(std::uint32_t x, std::uint32_t seed) {
   return x ^ x * 0x53a22864u;
 }
 
-/// The second Sobol dimension with its bits reversed: Pascal's triangle modulo 2, a factor for each bit of the index
-/// of a bit.
+/// Returns the second Sobol dimension of the sample x with its bits reversed: a product with Pascal's triangle modulo
+/// 2, one factor for each bit of a bit's index.
 std::uint32_t second_sobol_reversed(std::uint32_t x) {
   x ^= (x & 0xaaaaaaaau) >> 1;
   x ^= (x & 0xccccccccu) >> 2;
@@ -59,7 +59,8 @@ float Sampler::next() { return next2().x; }
 
 glm::vec2 Sampler::next2() {
   const std::uint32_t pair = hash(key_, dimension_++);
-  // A shuffle that is a scrambling itself keeps the first 2^k indices together, so they stay a net.
+  // Shuffling the indices by an Owen scramble maps the first 2^k of them to an aligned block of 2^k, which is a net
+  // too.
   const std::uint32_t index = reverse_bits(flip_by_lower(reverse_bits(sample_), pair));
   // The first dimension is the index with its bits reversed.
   return {unit_float(reverse_bits(flip_by_lower(index, hash(pair, 1)))),
@@ -75,7 +76,7 @@ void DiscreteDistribution::add(float weight) {
 DiscreteSample DiscreteDistribution::sample(float u) const {
   if (!(total_ > 0) || !std::isfinite(total_)) return {};
   float left = u * total_;
-  int chosen = -1;  // rounding may pass the last: then the last that has a weight
+  int chosen = -1;  // if rounding passes the end, the last index with a weight
   for (int i = 0; i < count_; ++i) {
     const float weight = weights_[static_cast<std::size_t>(i)];
     if (!(weight > 0)) continue;

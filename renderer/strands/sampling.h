@@ -1,4 +1,4 @@
-// A 64-bit hash that detects changes, random samplers and discrete distributions, and the frame about a fibre.
+// A 64-bit hash for change detection, random samplers, discrete distributions, and the local frame of a fibre.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class Hash {
   void add(std::uint64_t word) { state_ = mix_bits(state_ ^ word); }
   void add(double value) { add_bits(value); }
 
-  /// Values without padding between their numbers.
+  /// Adds values of a type without padding.
   template <class T>
   void add_values(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
@@ -52,11 +52,11 @@ class Hash {
   std::uint64_t state_ = 0;
 };
 
-// Low-discrepancy samples: a Sobol sequence with Owen scrambling by hashes (Burley 2020), so that each pixel and each
-// pair of dimensions has its own.
+// Low-discrepancy samples: a Sobol sequence with hash-based Owen scrambling (Burley 2020). Each pixel and each pair of
+// dimensions is scrambled differently.
 
-/// The numbers of one sample of one pixel, asked for in a fixed order. The first 2^k samples of a pixel are stratified
-/// in each pair. Deterministic in its three arguments.
+/// The random numbers of one sample of one pixel, drawn in a fixed order. The first 2^k samples of a pixel are
+/// stratified in each pair of dimensions. Deterministic in its three arguments.
 class Sampler {
  public:
   Sampler(std::uint32_t pixel, std::uint32_t sample, std::uint32_t seed);
@@ -65,22 +65,22 @@ class Sampler {
   glm::vec2 next2();  // [0, 1)^2, stratified together
 
  private:
-  std::uint32_t key_, sample_;  // key_: of pixel and seed
+  std::uint32_t key_, sample_;  // key_: hash of pixel and seed
   std::uint32_t dimension_ = 0;
 };
 
-// A discrete distribution over few weights, and directions about a normal.
+// Discrete distributions with few weights, and directions about a normal.
 
-/// What a discrete distribution was sampled to.
+/// A sample of a discrete distribution.
 struct DiscreteSample {
   int index = -1;  // -1 where no weight is above 0
   float probability = 1;
 };
 
-/// Up to nine weights: those of the lights, then of the environment.
+/// A discrete distribution over up to nine weights: eight lights, then the environment.
 class DiscreteDistribution {
  public:
-  void add(float weight);                // below 0 counts as 0
+  void add(float weight);                // negative weights count as 0
   DiscreteSample sample(float u) const;  // u in [0, 1)
 
  private:
@@ -89,22 +89,24 @@ class DiscreteDistribution {
   float total_ = 0;
 };
 
-/// A unit vector across a unit normal.
+/// Returns a unit vector orthogonal to a unit normal.
 glm::vec3 any_across(glm::vec3 normal);
 
-/// A direction about a unit normal whose pdf is the cosine to it over pi; u in [0, 1)^2.
+/// Returns a cosine-distributed direction about a unit normal: its pdf is its cosine to the normal over pi. u in [0,
+/// 1)^2.
 glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 u);
 
-// The axes about a strand that renderer/shading/fibre.h counts directions by.
+// The local frame of a strand in which renderer/shading/fibre.h expresses directions.
 
-/// The axes of a fibre: from tip to root, then across towards the camera, so that the camera's azimuth is 0.
+/// The local frame of a fibre. Its first axis points from tip to root, its second across the fibre towards the camera,
+/// so that the camera's azimuth is 0.
 class FibreFrame {
  public:
   /// Both unit; `tangent` from root to tip.
   FibreFrame(glm::vec3 tangent, glm::vec3 to_camera) : axis_(-tangent) {
     const glm::vec3 across = to_camera - axis_ * glm::dot(axis_, to_camera);
     const float length = glm::length(across);
-    towards_ = length > 1e-6f ? across / length : any_across(axis_);  // along the strand there is no azimuth
+    towards_ = length > 1e-6f ? across / length : any_across(axis_);  // no azimuth along the strand
     aside_ = glm::cross(axis_, towards_);
   }
 

@@ -18,7 +18,8 @@ namespace {
 constexpr float turn = 2 * std::numbers::pi_v<float>;
 constexpr std::size_t max_knots = 64;
 
-/// Strands of one place curl together; between places the phase changes slowly (curl_angle in paint_form.glsl).
+/// Returns the phase of painted curls. It varies slowly over the tile, so that neighbouring strands curl together
+/// (curl_angle in paint_form.glsl).
 float curl_phase(glm::vec2 tile_place) {
   return 2.2f * (std::sin(turn * tile_place.x + 0.7f) + std::sin(turn * tile_place.y + 2.1f));
 }
@@ -43,8 +44,8 @@ PaintedCurl painted_curl(const Coat& coat, const Strand& strand, float curl) {
 
 }  // namespace
 
-/// The vector from a root to the middle of its clump or tuft, and the part of it that a strand has moved by the height
-/// 1.
+/// The vector from a root to the middle of its clump or tuft, and the fraction of it that a strand has moved at the
+/// height 1.
 struct StrandForm::Pull {
   glm::vec3 way{0};
   float part = 0;
@@ -56,7 +57,7 @@ StrandForm::StrandForm(const Coat& coat, const TileStrands& tile)
     : coat_(coat), tile_(tile), clumps_(coat.tile, coat.clump_size, coat.seed, 1) {}
 
 StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& root) const {
-  const auto own = static_cast<float>(coat_.wetness);  // its effect on clumps is in the tile already
+  const auto own = static_cast<float>(coat_.wetness);  // its effect on clumps is already in the tile
   const float water = std::min(own + root.wetness, 1.0f) - own;
   const auto gathers = static_cast<float>(water_gathers);
   const float gather = static_cast<float>(max_clump_gather) * std::min(root.clump + gathers * water, 1.0f);
@@ -97,7 +98,7 @@ namespace {
 
 int wrapped(int i, int size) { return (i % size + size) % size; }
 
-/// What the pattern does to all of one strand.
+/// The pattern's effect on a strand, the same for all of its knots.
 struct RootPattern {
   glm::vec3 weights{0}, varied{1};
 };
@@ -108,7 +109,7 @@ RootPattern pattern_at(const PatternBlock& block, const RootFields& root) {
           varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w)};
 }
 
-/// colour_painted in paint_light.glsl.
+/// As colour_painted in paint_light.glsl.
 glm::vec3 painted(glm::vec3 colour, glm::vec4 paint, float strand, float mean) {
   const float lighter = glm::clamp(strand / std::max(mean, 1e-4f), 0.5f, 1.6f);
   return colour * (1 - paint.a) + glm::vec3(paint) * lighter;
@@ -149,7 +150,7 @@ glm::vec3 StrandColours::model_colour(const RootFields& root) const {
   return colour * sample_picture(model_.images[static_cast<std::size_t>(root.image)], root.image_uv, linear_);
 }
 
-/// Exponent of colour_wetted in paint_light.glsl, for water beyond the coat's own.
+/// Returns the exponent of colour_wetted in paint_light.glsl, for water beyond the coat's own.
 float StrandColours::wet_exponent(float wetness) const {
   return (1 + 0.8f * std::min(own_wetness_ + wetness, 1.0f)) / (1 + 0.8f * own_wetness_);
 }
@@ -183,7 +184,7 @@ std::uint32_t StrandColours::write(std::uint32_t strand, const RootFields& root,
     const int k = static_cast<int>(i);
     knots[i] = pack_colour(colour(shared, root, tile_.colour(strand, k), height(k)));
   }
-  constexpr float black = 0.002f;  // so that it can be divided by
+  constexpr float black = 0.002f;  // avoids a division by 0
   const int seen = tile_.seen_knot();
   const glm::vec3 own = colour(shared, root, tile_.colour(strand, seen), height(seen));
   const glm::vec3 mean = colour(shared, root, tile_.mean_colour(strand), height(seen));

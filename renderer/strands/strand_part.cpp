@@ -21,7 +21,7 @@ glm::vec3 mean_root_colour(const StrandSet& strands) {
   return strands.count() ? glm::vec3(sum / static_cast<double>(strands.count())) : glm::vec3(0);
 }
 
-/// A ribbon for each segment; the points are shared, so the strands must stay where they are.
+/// Makes a ribbon for each segment. Embree shares the points, so the strands must not move in memory.
 EmbreeGeometry make_ribbons(RTCDevice device, const StrandSet& strands) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_LINEAR_CURVE));
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, strands.points.data(), 0,

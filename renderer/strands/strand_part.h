@@ -1,5 +1,5 @@
-// A part of the traced strands with its memory budget, and how many strands a piece of the surface is expected to
-// grow.
+// A part of the traced strands with its Embree scene and memory budget, and the expected number of strands on a piece
+// of the surface.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace pelage {
 
-/// Returns the triangle of a piece on the tile, sizes.
+/// Returns a piece's triangle on the sample tile, in sizes.
 inline std::array<glm::dvec2, 3> tile_triangle(const std::array<FurCorner, 3>& corners) {
   return {corners[0].tile_uv, corners[1].tile_uv, corners[2].tile_uv};
 }
 
-/// Strands of whole fur that a piece grows in the mean; 0 where TileCells finds none.
+/// Returns the expected number of strands on a piece at full density; 0 where TileCells finds none.
 inline double expected_strands(const std::array<FurCorner, 3>& corners, const Coat& coat) {
   const auto [a, b, c] = tile_triangle(corners);
   const glm::dvec2 furthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
@@ -33,13 +33,14 @@ inline double expected_strands(const std::array<FurCorner, 3>& corners, const Co
 
 // Strands that are grown and indexed together.
 
-/// Bytes in use, and how many may be.
+/// Counts bytes in use against a limit. Safe to share between threads.
 class MemoryBudget {
  public:
   explicit MemoryBudget(std::size_t limit) : limit_(limit) {}
 
   void set_limit(std::size_t limit) { limit_ = limit; }
-  /// Takes bytes; negative ones are given back. Returns false and takes nothing where the limit would be exceeded.
+  /// Reserves bytes, or releases them if `bytes` is negative. Returns false and reserves nothing if that would exceed
+  /// the limit.
   bool take(std::ptrdiff_t bytes);
   std::size_t used() const { return static_cast<std::size_t>(used_.load()); }
   std::size_t left() const {
@@ -52,7 +53,8 @@ class MemoryBudget {
   std::atomic<std::ptrdiff_t> used_{0};
 };
 
-/// A part of the strands with its index. It does not move, because Embree keeps its address and that of its strands.
+/// A part of the strands with its Embree scene (the index). It cannot be moved, because Embree keeps its address and
+/// that of its strands.
 class StrandPart {
  public:
   StrandPart(std::uint32_t number, MemoryBudget& budget) : number_(number), budget_(budget) {}
@@ -60,7 +62,7 @@ class StrandPart {
   StrandPart(const StrandPart&) = delete;
   StrandPart& operator=(const StrandPart&) = delete;
 
-  /// Takes other strands and indexes them. Returns false if memory is not enough; the part is then empty.
+  /// Replaces the strands and builds their index. Returns false if memory does not suffice; the part is then empty.
   bool set(RTCDevice device, StrandSet strands);
   void drop();
 
@@ -69,9 +71,10 @@ class StrandPart {
   RTCScene index() const { return index_.get(); }         // null without strands
   glm::vec3 root_colour() const { return root_colour_; }  // mean, linear
 
-  /// Returns what a ray hit on a segment, at `distance` along the ray and at `u` along the segment.
+  /// Returns the hit of a ray on a segment, at `distance` along the ray and at `u` in [0, 1] along the segment.
   Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
-  /// How much light of each channel the strand stops there, over that of a black one: [1 - pale_transmittance, 1].
+  /// Returns the strand's optical depth by channel over that of a black strand, at `u` along a segment: [1 -
+  /// pale_transmittance, 1].
   glm::vec3 stopped(std::uint32_t segment, float u) const;
   StrandId strand_of(std::uint32_t segment) const {
     return {number_, segment / static_cast<std::uint32_t>(strands_.segments)};

@@ -31,15 +31,15 @@ std::size_t StrandSet::bytes() const {
 
 namespace {
 
-/// A piece of the surface by where its middle is.
+/// A piece of the surface, its centroid and its expected number of strands.
 struct Placed {
   glm::vec3 middle;
   std::uint32_t piece;
   double strands;
 };
 
-/// Halves pieces across the longest side of the box around them until few enough strands stand on each part: parts are
-/// compact, so that what happens at one place touches few of them.
+/// Halves a set of pieces across the longest side of its bounding box until each chunk expects few enough strands.
+/// Chunks are compact, so that a local change touches few of them.
 void add_chunks(std::span<Placed> pieces, double strands_each, std::vector<StrandChunk>& chunks) {
   double strands = 0;
   glm::vec3 low(1e9f), high(-1e9f);

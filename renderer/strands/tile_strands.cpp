@@ -18,9 +18,9 @@ namespace pelage {
 namespace {
 
 constexpr int min_segments = 6, max_segments = 48;
-constexpr double min_of_turn = 4, max_of_turn = 8;  // segments
-constexpr std::size_t length_bins = 8;              // of strands about as long as each other
-constexpr std::size_t looked_at = 2048;             // strands for a mean: the first ones of a tile lie evenly
+constexpr double min_of_turn = 4, max_of_turn = 8;  // segments of a turn
+constexpr std::size_t length_bins = 8;              // bins of strands of similar length
+constexpr std::size_t looked_at = 2048;             // strands sampled for a mean; any prefix of a tile is evenly spread
 
 double thickness(const Coat& coat, double q) { return glm::mix(coat.width_root, coat.width_tip, q); }
 
@@ -79,7 +79,7 @@ void TileStrands::find_means(const Coat& coat) {
       const double q = s / strand.length_share, width = strand.width * thickness(coat, q);
       sum += width * width * luminance(strand_colour(coat, strand, q)), weight += width * width;
     }
-    const float below = means_.empty() ? 1 : means_.back();  // where no strand reaches
+    const float below = means_.empty() ? 1 : means_.back();  // for heights that no strand reaches
     means_.push_back(weight > 0 ? static_cast<float>(sum / weight) : below);
   }
 }
@@ -94,7 +94,7 @@ std::size_t length_of(const Strand& strand) {
 }  // namespace
 
 void TileStrands::find_seen_means() {
-  std::array<glm::dvec4, length_bins + 2> sums{};  // and what they are weighed by
+  std::array<glm::dvec4, length_bins + 2> sums{};  // weighted colour, weight
   for (std::uint32_t i = 0; i < std::min(strands_.size(), looked_at); ++i) {
     const double width = radius(i, seen_knot());
     const glm::dvec4 sum = width * width * glm::dvec4(glm::dvec3(colour(i, seen_knot())), 1);
@@ -130,22 +130,23 @@ std::uint64_t TileStrands::hash() const {
 namespace {
 
 constexpr double strands_of_cell = 2;
-constexpr double slack = 1e-6;  // cells; more than rounding moves a border by
+constexpr double slack = 1e-6;  // in cells; larger than rounding errors at a border
 
 bool before(glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// An edge that is always computed from the same one of its ends, so that both triangles beside it get the same number.
+/// An edge that is always evaluated from the same one of its ends, so that the triangles on both sides of it get the
+/// same result.
 struct Edge {
   Edge(glm::dvec2 from, glm::dvec2 to)
       : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
 
-  /// Twice the area of the triangle from the edge to p; above 0 on the edge's left side.
+  /// Returns twice the area of the triangle of the edge and p; above 0 to the left of the edge.
   double side(glm::dvec2 p) const {
     const double left = way.x * (p.y - low.y) - way.y * (p.x - low.x);
     return turned ? -left : left;
   }
 
-  bool turned;  // the edge itself belongs to the left of it where it is not turned
+  bool turned;  // the ends were swapped; points on the edge belong to the triangle left of `way`
   glm::dvec2 low, way;
 };
 
@@ -154,7 +155,7 @@ struct Span {
   void add(double x) { low = std::min(low, x), high = std::max(high, x); }
 };
 
-/// Where the part of a triangle with y in [low, high] lies along x.
+/// Returns the range in x of the part of a triangle with y in [low, high].
 Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high) {
   Span span;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -167,7 +168,7 @@ Span row_span(const std::array<glm::dvec2, 3>& corners, double low, double high)
   return span;
 }
 
-/// Returns whether a strand is in the share of the tile that is examined.
+/// Returns true if a strand is in the share of the tile that is examined.
 bool stays(std::uint32_t strand, double share) {
   return share >= 1 || static_cast<double>(mix_bits(strand | std::uint64_t{3} << 32) >> 40) * 0x1p-24 < share;
 }
@@ -185,7 +186,7 @@ class HalfOpenTriangle {
 
   bool has_area() const { return std::abs(area_) > 1e-200; }
 
-  /// Barycentric coordinates; false outside.
+  /// Returns true and sets `share` to the barycentric coordinates if p is inside.
   bool contains(glm::dvec2 p, glm::dvec3& share) const {
     for (int i = 0; i < 3; ++i) {
       const Edge& edge = edges_[static_cast<std::size_t>(i)];
@@ -194,14 +195,14 @@ class HalfOpenTriangle {
       if (inward < 0 || (inward == 0 && edge.turned != clockwise)) return false;
       share[i] = inward;
     }
-    const double sum = share.x + share.y + share.z;  // the area, but for rounding, which slivers are made of
+    const double sum = share.x + share.y + share.z;  // not area_: rounding errors dominate in slivers
     share /= sum;
     return sum > 0;
   }
 
  private:
-  std::array<Edge, 3> edges_;  // each across from its corner
-  double area_;                // twice, above 0 counter-clockwise
+  std::array<Edge, 3> edges_;  // each opposite to its corner
+  double area_;                // twice the signed area, above 0 for counter-clockwise corners
 };
 
 TileCells::TileCells(std::span<const Strand> strands, double tile, double share)

@@ -1,4 +1,5 @@
-// The strands of a coat's tile with what does not depend on where they stand: worked out once for each knot.
+// The strands of a coat's sample tile, with the per-knot data that does not depend on where the tile lies, and the
+// lookup of strands by position.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace pelage {
 
-/// Segments that the forms of a coat's strands need, [6, 48]: 8 to a turn of its curl, or to a wave. `curled` where
-/// curl is painted as well.
+/// Returns the number of segments that the coat's strands need, [6, 48]: up to 8 for each turn of its curl or period of
+/// its wave. `curled`: curl is painted as well.
 int strand_segments(const Coat& coat, bool curled);
 
 class TileStrands {
@@ -22,22 +23,22 @@ class TileStrands {
   int segments() const { return segments_; }
   std::span<const Strand> strands() const { return strands_; }
   const Strand& operator[](std::uint32_t strand) const { return strands_[strand]; }
-  /// Of knot k: share of the way along the strand, [0, 1].
+  /// Returns the position of knot k along the strand, [0, 1].
   float along(int k) const { return static_cast<float>(k) / static_cast<float>(segments_); }
-  /// strand_offset() at each knot.
+  /// Returns strand_offset() at each knot.
   std::span<const glm::vec2> offsets(std::uint32_t strand) const {
     const auto knots = static_cast<std::size_t>(segments_) + 1;
     return std::span(offsets_).subspan(strand * knots, knots);
   }
-  /// strand_colour() at a knot.
+  /// Returns strand_colour() at a knot.
   glm::vec3 colour(std::uint32_t strand, int k) const;
-  /// Returns the knot whose colour is visible; below it the strand is hidden in the fur.
+  /// Returns the knot whose colour stands for the strand's visible part; below it the strand is hidden in the fur.
   int seen_knot() const { return 2 * segments_ / 3; }
-  /// Returns the mean colour at that knot of strands about as long as this one, weighted by what they cover.
+  /// Returns the mean colour at that knot over strands of similar length, weighted by coverage.
   glm::vec3 mean_colour(std::uint32_t strand) const;
   /// Returns the radius at a knot, sizes.
   float radius(std::uint32_t strand, int k) const;
-  /// Returns the mean luminance of strands at a height of the fur in [0, 1], weighted by what they cover.
+  /// Returns the mean luminance of strands at a height s in [0, 1] of the fur, weighted by coverage.
   float mean_luminance(float s) const;
 
   std::uint64_t hash() const;
@@ -48,20 +49,20 @@ class TileStrands {
 
   int segments_;
   std::vector<Strand> strands_;
-  std::vector<glm::vec3> own_colours_;  // as water leaves them
-  std::vector<glm::vec2> offsets_;      // of each strand, by knot
+  std::vector<glm::vec3> own_colours_;  // Strand::own_colour, darkened by the coat's wetness
+  std::vector<glm::vec2> offsets_;      // for each strand and knot
   std::vector<glm::vec3> ramp_;         // by knot
-  std::vector<float> radii_;            // by knot, of strands of width 1
-  std::vector<float> means_;            // by height
-  std::vector<glm::vec3> seen_means_;   // by length
+  std::vector<float> radii_;            // by knot, for strands of width 1
+  std::vector<float> means_;            // luminance, by height
+  std::vector<glm::vec3> seen_means_;   // colour at seen_knot(), by length
 };
 
-// The strands of the periodic tile by where they stand: which of them fall into a triangle of the plane.
+// Finds the strands of the periodic tile that fall into a triangle of the plane.
 
-/// A strand of the tile moved by whole tiles.
+/// A copy of a tile's strand, moved by whole tiles.
 struct TileCopy {
   std::uint32_t strand = 0;
-  glm::ivec2 tiles{0};  // by how many it was moved
+  glm::ivec2 tiles{0};  // number of tiles that it was moved by
   glm::dvec3 share{0};  // barycentric coordinates in the triangle
 };
 
@@ -69,15 +70,15 @@ class HalfOpenTriangle;
 
 class TileCells {
  public:
-  static constexpr double furthest = 100;              // sizes; triangles that reach further have no strands
-  static constexpr std::size_t max_copies = 1u << 22;  // of one triangle; what is beyond them is left out
+  static constexpr double furthest = 100;              // sizes from the origin; triangles beyond it have no strands
+  static constexpr std::size_t max_copies = 1u << 22;  // limit for one triangle; further copies are left out
 
-  /// Indexes a share of the strands, chosen by a random number of each.
+  /// Builds the grid over a share of the strands, chosen by a random number of each.
   TileCells(std::span<const Strand> strands, double tile, double share = 1);
 
-  /// Replaces `found` by the copies inside a triangle on the plane, sizes. Half open: of triangles that share an edge
-  /// and lie on both sides of it, each copy falls into one. None where the area is 0 or a corner is not finite.
-  /// Takes about as long as there are copies and cells along the edges.
+  /// Sets `found` to the copies inside a triangle of the plane, in sizes. Triangles are half open: of two triangles on
+  /// both sides of a shared edge, each copy is in exactly one. Finds none if the area is 0 or a corner is not finite.
+  /// Takes time in proportion to the number of copies and of cells along the edges.
   void find(const std::array<glm::dvec2, 3>& triangle, std::vector<TileCopy>& found) const;
 
  private:
@@ -85,8 +86,8 @@ class TileCells {
                     std::vector<TileCopy>& found) const;
 
   double tile_;
-  std::int64_t side_;                 // cells
-  std::vector<std::uint32_t> first_;  // of each cell, in the two below; one more at the end
+  std::int64_t side_;                 // cells along a side
+  std::vector<std::uint32_t> first_;  // first index of each cell in the two arrays below; one more at the end
   std::vector<std::uint32_t> strands_;
   std::vector<glm::dvec2> roots_;  // sizes
 };

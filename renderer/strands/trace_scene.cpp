@@ -11,10 +11,10 @@ namespace pelage {
 
 namespace {
 
-constexpr float eye_margin = 1.25f;  // radii around an eye's middle within which lids and cornea lie
+constexpr float eye_margin = 1.25f;  // lids and cornea lie within this many radii of an eye's centre
 
-/// Optical depth of one black strand: 1/7 of the light is left. Pale strands absorb less (World::transmittance). With
-/// 1.25, twelve scenes were .65 to .99 as bright in detailed shells as in strands; with 3 they were .71 to 1.15.
+/// Optical depth of one black strand: it transmits 1/7 of the light. Pale strands absorb less (World::transmittance).
+/// With 1.25, twelve scenes were .65 to .99 as bright in detailed shells as in strands; with 3 they were .71 to 1.15.
 constexpr float strand_depth = 2.0f;
 
 constexpr float brightest_over_light = 16;

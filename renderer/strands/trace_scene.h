@@ -1,4 +1,4 @@
-// What every ray of one picture shares.
+// The immutable data that all rays of one picture share.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,7 +14,7 @@
 
 namespace pelage {
 
-/// What the backplate shows at a place of the picture.
+/// The backplate at a position of the picture.
 struct BackplatePixel {
   bool there = false;
   float distance = 0;  // along the view, sizes
@@ -22,7 +22,7 @@ struct BackplatePixel {
   glm::vec3 normal{0, 1, 0};
 };
 
-/// A frame made ready to be traced. Safe to share between threads.
+/// A frame prepared for tracing. Safe to share between threads.
 class TraceScene {
  public:
   TraceScene(const FurFrame& frame, Backplate base, std::shared_ptr<const StrandShading> shading);
@@ -36,9 +36,9 @@ class TraceScene {
 
   /// Returns the ray through a position of the picture, in pixels from its top left corner.
   Ray ray_at(glm::vec2 place) const;
-  float pixel_at(float distance) const;  // size of a pixel there, sizes
+  float pixel_at(float distance) const;  // width of a pixel at that distance, sizes
   BackplatePixel backplate_at(glm::vec2 place) const;
-  /// Returns whether the ray comes near an eye, which the backplate knows better than the rays.
+  /// Returns true if the ray passes near an eye; lids and cornea are only in the backplate.
   bool near_eye(const Ray& ray) const;
 
  private:

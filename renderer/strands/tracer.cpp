@@ -16,14 +16,14 @@ namespace pelage {
 
 namespace {
 
-constexpr double min_width = 0.2;    // of a strand in the picture, pixels; thinner ones are thinned out and widened
-constexpr double widest = 1.0 / 60;  // of the fur's length: thin strands are widened at most to this, or to twice it
-constexpr double widest_allowed = 0.05;      // sizes: width to which too many strands are widened at most
-constexpr std::size_t backplate_images = 5;  // of a Backplate
-constexpr int judged_passes = 8;             // passes before which no tile is finished for its low noise
-constexpr std::size_t film_part = 2;         // a film takes at most one over this of the memory
+constexpr double min_width = 0.2;    // pixels; if strands are thinner in the picture, fewer and wider ones are drawn
+constexpr double widest = 1.0 / 60;  // share of the fur's length; limits widening, up to a factor of 2 by rounding
+constexpr double widest_allowed = 0.05;      // sizes; limit on the width of widened strands
+constexpr std::size_t backplate_images = 5;  // images of a Backplate
+constexpr int judged_passes = 8;             // passes before low noise may finish a tile
+constexpr std::size_t film_part = 2;         // a film may take 1 / film_part of the memory
 
-/// Returns the mean length of the fur where there is any, sizes.
+/// Returns the mean length over vertices with fur, sizes; 0 if there are none.
 double mean_length(std::span<const float> lengths) {
   double sum = 0;
   std::size_t furred = 0;
@@ -33,7 +33,7 @@ double mean_length(std::span<const float> lengths) {
   return furred > 0 ? sum / static_cast<double>(furred) : 0;
 }
 
-/// Returns the mean length of the coat that has the shortest fur, sizes; 0 where all are bald.
+/// Returns the mean fur length of the coat with the shortest fur, sizes; 0 if all are bald.
 double shortest_fur(EachCoat<FurFields> fields) {
   double shortest = 0;
   for (const FurFields& of_coat : fields) {
@@ -43,10 +43,10 @@ double shortest_fur(EachCoat<FurFields> fields) {
   return shortest;
 }
 
-/// Thins strands out for a view and widens the others. The share is a power of 1/2, so that a step of the camera seldom
-/// changes it. The width is bounded, because wide strands stand out of short fur into the light: widened to a third of
-/// its height they make it a tenth too bright, and a small animal larger than it is. So from afar no more strands are
-/// left out.
+/// Reduces the share of strands for a view and widens those that are left. The share is a power of 1/2, so that camera
+/// steps seldom change it. The width is bounded, because wide strands stick out of short fur into the light: widened to
+/// a third of the fur's height they make it a tenth too bright, and a small animal larger than it is. So from a certain
+/// distance on the share stays the same.
 void thin_out(const FurFrame& frame, double expected, double fur_length, std::vector<GrowRecipe>& recipes) {
   const double nearest = std::max(glm::length(glm::dvec3(frame.camera.position)) - 0.5, 0.0);
   const double pixel = 2 * double{frame.camera.tan_half_fov} / frame.height * nearest;
@@ -59,7 +59,7 @@ void thin_out(const FurFrame& frame, double expected, double fur_length, std::ve
     recipe.share = share, recipe.widening = std::clamp(1 / share, 1.0, std::max(widest_allowed / width, 1.0));
 }
 
-/// Returns the bytes of a backplate and of the AOVs that are made in the end.
+/// Returns the bytes of a backplate and of the resulting AOVs.
 std::size_t pictures_bytes(int width, int height, std::span<const Aov> aovs) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(glm::vec4) *
          (backplate_images + aovs.size());
@@ -72,7 +72,7 @@ struct Tracer::Picture {
   Film film;
   std::vector<int> active;  // tiles of the film that still need samples
   bool blurred;             // strands move while the shutter is open
-  std::size_t reserved;     // bytes of it that strands may not take
+  std::size_t reserved;     // bytes for the picture, which strands may not take
   TraceReport report = {};
 
   bool trace_tile(const World& world, int tile, const GoOn& go_on);
@@ -104,7 +104,7 @@ Status Tracer::admit(int width, int height, std::span<const Aov> aovs, bool filt
                  "fewer pixels, or fewer AOVs");
 }
 
-/// Grows strands in the memory that the picture leaves.
+/// Grows strands within the memory that the picture leaves free.
 Result<World::Change> Tracer::Impl::grow(const FurModel& model, EachCoat<FurFields> fields, const FurFrame& frame,
                                          std::size_t picture_bytes, const GoOn& go_on) {
   world.set_memory(memory - picture_bytes);

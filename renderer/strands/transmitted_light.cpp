@@ -13,9 +13,9 @@ namespace pelage {
 
 namespace {
 
-constexpr float near_pixels = 1.5f;  // width from which a strand shows how it scatters across
+constexpr float near_pixels = 1.5f;  // strand width from which scattering varies visibly across it, pixels
 
-/// Returns whether a strand is so wide on the picture that the scattering across it is visible.
+/// Returns true if the strand is so wide in the picture that scattering varies visibly across it.
 bool is_near(const TraceScene& scene, const Hit& hit) {
   return scene.shading().model() == ShadingModel::energy_conserving &&
          2 * hit.radius >= near_pixels * scene.pixel_at(hit.distance);
@@ -30,13 +30,13 @@ glm::vec3 scattered(const TraceScene& scene, const Hit& hit, glm::vec3 to_light,
   return shading.scatter_bundle(hit, to_light, to_camera, once);
 }
 
-/// As ambient_share in lighting.glsl, with the transmittance in place of the estimate.
+/// As ambient_share in lighting.glsl, with the traced transmittance in place of the estimate.
 glm::vec3 ambient_share(const Look& look, glm::vec3 transmittance) {
   const float floor = static_cast<float>(look.ambient_floor);
   return floor + (1 - floor) * glm::pow(transmittance, glm::vec3(0.6f));
 }
 
-/// A strand's light, from one light source or from all around.
+/// Lights a strand by one light or by the environment, chosen at random by importance.
 void light_strand(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   const Hit& hit = seen.hit;
@@ -91,7 +91,7 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float
     seen.bare = fur_share(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
   }
   if (!eye) return seen;
-  // Lids and cornea stand before the ball that rays hit.
+  // Lids and cornea, which only the backplate has, lie in front of the eyeball that rays hit.
   const float along = glm::dot(seen.ray.direction, scene.frame().camera.forward);
   const float distance = seen.base.distance / std::max(along, 1e-6f);
   const bool before = seen.base.there && (seen.hit.kind == HitKind::none || distance < seen.hit.distance);
@@ -119,7 +119,7 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen) {
 void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
                      FilmSample& sample) {
   const StrandLights& lights = scene.lights();
-  // On edges rays and backplate do not always agree.
+  // At edges a ray may hit skin where the backplate has none.
   const BackplatePixel lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
   const BackplatePixel base = seen.base.there ? seen.base : lone;
   const glm::vec3 place = sample.position + base.normal * leave_skin;
@@ -143,7 +143,7 @@ void light_backplate(const TraceScene& scene, const World& world, const Seen& se
   }
   const DiscreteSample chosen = distribution.sample(which);
   const glm::vec3 whole = base.direct * (total / direct);
-  glm::vec3 transmittance(1);  // light that no light source explains is never occluded
+  glm::vec3 transmittance(1);  // if no light explains the light of the backplate, nothing occludes it
   if (chosen.index >= 0) {
     const LightSample light = lights.sample(chosen.index, place, u);
     transmittance = world.transmittance(

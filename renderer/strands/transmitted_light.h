@@ -1,6 +1,6 @@
-// The fast lighting of traced strands: each sample follows one ray to one light, and the fur that it crosses leaves a
-// transmittance by its colour and count (science.md 4, coloured transmittance). What a strand then scatters is computed
-// as for shells (renderer/shaders/lighting.glsl), with crossings in place of the estimate.
+// The fast lighting of traced strands: each sample traces one shadow ray to one light, and the strands that it crosses
+// attenuate the light by their colour and number (science.md 4, coloured transmittance). What a strand then scatters is
+// computed as for shells (renderer/shaders/lighting.glsl), with the traced transmittance in place of the estimate.
 #pragma once
 
 #include "renderer/strands/film.h"
@@ -9,28 +9,29 @@
 
 namespace pelage {
 
-/// What a ray through a place of the picture sees, at a time as Ray has it.
+/// Traces a camera ray through a pixel position and lights its hit. `time` is Ray::time.
 FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time,
                               Sampler& sampler);
 
-/// What a camera ray through a pixel position hits: shared with paths.
+/// The first hit of a camera ray; also used by paths.h.
 struct Seen {
   Ray ray;
-  Hit hit;              // nothing, a strand, or skin
-  BackplatePixel base;  // of skin and eyes
+  Hit hit;              // none, a strand, or skin; eyes count as skin
+  BackplatePixel base;  // backplate of skin and eyes
   bool eye = false;
   bool bare = false;  // skin without fur
 };
 Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float time);
 
-/// Position, normal, tangent and what else is not light.
+/// Returns a sample with everything that does not depend on light: position, normal, tangent, albedo and others.
 FilmSample features_of(const TraceScene& scene, const Seen& seen);
 
-/// Skin and eyes in the light that fur and body transmit to them: the backplate's, one light at a time.
+/// Lights skin and eyes: takes their light from the backplate and attenuates it by the fur and body on the way to one
+/// light.
 void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
                      FilmSample& sample);
 
-/// Darkens the ground where the ray hits it: black with an alpha.
+/// Shades the ground if the ray hits it: shadows are black with an alpha.
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample);
 
 }  // namespace pelage

@@ -13,27 +13,27 @@ namespace pelage {
 
 namespace {
 
-/// Settings of the Embree device: at most AVX2, so that CPUs give the same bits whatever they have beyond. A number of
-/// threads is not set, because it would bound oneTBB's for the whole process: scenes are built on the caller's thread.
+/// Settings of the Embree device. max_isa=avx2 gives the same bits on CPUs with wider vectors. The number of threads is
+/// not set, because that would limit oneTBB in the whole process; scenes are built on the caller's thread instead.
 constexpr const char* device_settings = "max_isa=avx2,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
 constexpr float most = 1e18f;        // sizes; Embree's own limit is 1.8e18
-constexpr float black_depth = 5.5f;  // optical depth beyond which light counts as nothing
+constexpr float black_depth = 5.5f;  // optical depth beyond which transmittance counts as 0
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
 
-/// A query with what its filter needs. The context comes first, as Embree casts it.
+/// A query with the data that its filter function needs. The context comes first, because the filter casts its address.
 struct Query {
   RTCIntersectContext context{};
   const Ray* ray = nullptr;
-  float depth = 0;        // of one black strand
-  glm::vec3 gathered{0};  // strands crossed, weighted by what they stop
-  bool through = true;    // nothing opaque so far
+  float depth = 0;        // optical depth of a black strand
+  glm::vec3 gathered{0};  // sum of StrandPart::stopped over the strands crossed
+  bool through = true;    // false once the ray hit something opaque
 };
 
 Query& query_of(const RTCFilterFunctionNArguments* arguments) { return *reinterpret_cast<Query*>(arguments->context); }
 
-/// Leaves out the strand that the ray starts on.
+/// Ignores hits on the strand that the ray starts on.
 void leave_own(const RTCFilterFunctionNArguments* arguments) {
   const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
   if (!part) return;
@@ -41,7 +41,7 @@ void leave_own(const RTCFilterFunctionNArguments* arguments) {
   if (part->strand_of(segment) == query_of(arguments).ray->without) arguments->valid[0] = 0;
 }
 
-/// Adds up what each strand stops, and ends the ray at what is opaque or when too little is left.
+/// Sums StrandPart::stopped; ends the ray at an opaque hit or once too little light is left.
 void gather_depth(const RTCFilterFunctionNArguments* arguments) {
   Query& query = query_of(arguments);
   const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
@@ -61,10 +61,10 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;
 }
 
-/// Returns whether Embree takes the ray: it ends the process for numbers beyond its range.
+/// Returns true if Embree accepts the ray: numbers beyond its range would end the process.
 bool can_be_cast(const Ray& ray) {
   const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
-  const bool in_range = furthest.x <= most && furthest.y <= most && furthest.z <= most;  // NaN is not
+  const bool in_range = furthest.x <= most && furthest.y <= most && furthest.z <= most;  // false for NaN
   const float square = glm::dot(ray.direction, ray.direction);
   return in_range && square > 0.5f && square < 2 && ray.t_max >= 0;
 }
@@ -129,7 +129,7 @@ struct World::Impl {
     rtcSetDeviceMemoryMonitorFunction(device.get(), count_memory, &budget);
   }
 
-  /// Of a coat, what the surface was divided for.
+  /// The settings of a coat for which the surface was divided into chunks.
   struct Division {
     double count = 0, tile = 0, share = 0;
     bool operator==(const Division&) const = default;
@@ -140,17 +140,17 @@ struct World::Impl {
   bool grow(const Grower& grower, std::size_t part, std::atomic<std::size_t>& grown);
   bool join(const FurFrame& frame);
   glm::vec3 root_colour(std::size_t chunk) const;
-  std::size_t object_of(std::size_t part) const;  // by its number
+  std::size_t object_of(std::size_t part) const;  // `part`: its number
 
   MemoryBudget budget;
   EmbreeDevice device;
   std::uint64_t model = 0;
-  std::vector<Division> divided;                       // of each coat; empty while there are no chunks
-  std::vector<StrandChunk> chunks;                     // of all coats together
-  std::vector<std::unique_ptr<StrandPart>> parts;      // of each coat and chunk; the last has the curves
-  std::vector<std::optional<std::uint64_t>> grown_of;  // of each coat and chunk: fingerprint of what has grown there
+  std::vector<Division> divided;                       // for each coat; empty while there are no chunks
+  std::vector<StrandChunk> chunks;                     // shared by all coats
+  std::vector<std::unique_ptr<StrandPart>> parts;      // for each coat and chunk; the last one has the curves
+  std::vector<std::optional<std::uint64_t>> grown_of;  // for each coat and chunk, the fingerprint of the strands there
   std::vector<FurCurves> curves;
-  std::vector<std::uint32_t> chunk_of_triangle;  // of the skin
+  std::vector<std::uint32_t> chunk_of_triangle;  // for each triangle of `skin`
   EmbreeGeometry skin;
   EmbreeScene all;
 };
@@ -159,7 +159,8 @@ std::size_t World::Impl::object_of(std::size_t part) const {
   return part + 1 == parts.size() ? curves_object : first_coat_object + part / chunks.size();
 }
 
-/// The surface's triangles, each once, and the chunk that one of its pieces is in.
+/// Divides the surface into chunks and builds the skin: each triangle once, with the chunk of one of its pieces.
+/// Returns false if memory does not suffice.
 bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) {
   std::vector<Division> wanted;
   std::vector<Coat> coats;
@@ -169,7 +170,7 @@ bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) 
   }
   if (next.id == model && wanted == divided) return true;
   parts.clear(), curves.clear(), skin.reset();
-  divided.clear();  // until all of it has worked
+  divided.clear();  // stays empty unless all of the following succeeds
   chunks = make_chunks(next, coats, strands_of_part / recipes.front().share);
   const std::size_t of_coats = coats.size() * chunks.size();
   for (std::uint32_t i = 0; i <= of_coats; ++i) parts.push_back(std::make_unique<StrandPart>(i, budget));
@@ -214,7 +215,7 @@ bool World::Impl::grow(const Grower& grower, std::size_t part, std::atomic<std::
   return true;
 }
 
-/// The mean over the strands of all coats.
+/// Returns the mean root colour over the strands of all coats.
 glm::vec3 World::Impl::root_colour(std::size_t chunk) const {
   if (divided.size() == 1) return parts[chunk]->root_colour();
   glm::vec3 sum(0);
@@ -226,7 +227,7 @@ glm::vec3 World::Impl::root_colour(std::size_t chunk) const {
   return count > 0 ? sum / count : glm::vec3(0);
 }
 
-/// All parts, the skin and the eyeballs under one index.
+/// Builds the Embree scene of all parts, the skin and the eyeballs. Returns false if memory does not suffice.
 bool World::Impl::join(const FurFrame& frame) {
   all.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(all.get(), RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -255,7 +256,7 @@ Result<World::Change> World::update(const FurModel& model, EachCoat<FurFields> f
                                     EachCoat<GrowRecipe> recipes, const WorkThreads& workers,
                                     const std::function<bool()>& go_on) {
   Impl& world = *impl_;
-  world.all.reset();                      // it holds the parts that are to go
+  world.all.reset();                      // it references parts that are about to be dropped
   rtcGetDeviceError(world.device.get());  // clears the error of an earlier scene that did not fit into memory
   if (!world.set_model(model, recipes) || !world.set_curves(frame)) return no_memory();
   std::vector<std::unique_ptr<const Grower>> growers;

@@ -44,7 +44,7 @@ LightBlock light_block(const FurLight& light) {
           {light.radiance, spot ? light.soft_cone : -1.0f}};
 }
 
-/// Strands that a ray across upright ones meets on average on the way of a strand's width.
+/// Returns the mean number of upright strands that a horizontal ray crosses within one strand width.
 double crowding_of(const Coat& coat) {
   const double width = (coat.width_root + coat.width_tip) / 2;
   return std::min(coat.count * width * width / (coat.tile * coat.tile), 1.0);
@@ -93,7 +93,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
 
 namespace {
 
-constexpr float far_away = 16;  // sizes: where the eye of a directional light stands
+constexpr float far_away = 16;  // sizes; distance of a directional light's viewpoint
 
 struct Axes {
   glm::vec3 right, up, forward;
@@ -115,7 +115,7 @@ glm::mat4 view_matrix(const Axes& axes, glm::vec3 viewpoint) {
 LightView directional_view(glm::vec3 direction, float radius, int resolution) {
   const Axes axes = axes_along(direction);
   const glm::vec3 viewpoint = -direction * far_away;
-  glm::mat4 projection(0);  // depth 1 in front of the ball, 0 behind it
+  glm::mat4 projection(0);  // depth is 1 at the front of the sphere, 0 at its back
   projection[0][0] = projection[1][1] = 1 / radius;
   projection[2][2] = 1 / (2 * radius);
   projection[3][2] = (far_away + radius) / (2 * radius);
@@ -177,7 +177,8 @@ SkinEntry make_entry(const FurSkinRegion& region) {
   return entry;
 }
 
-/// Twice the largest radius, or to where the colour ends beyond that; a little more for rounding.
+/// Returns the bounding sphere of a region's colour: twice its largest radius, or more if the colour extends beyond
+/// that; slightly enlarged for rounding.
 glm::vec4 ball_around(const FurSkinRegion& region) {
   const glm::dmat3 rows = glm::transpose(region.to_unit);
   const double flattest = std::min({glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])});

@@ -30,65 +30,66 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 64 + 16 * (7 + 8 + 8 + 32 + 1 + 24 + 9));
 
-/// From the world to the picture (FrameBlock::world_to_clip).
+/// Returns the matrix from world to clip space (FrameBlock::world_to_clip).
 glm::mat4 world_to_clip(const FurFrame& frame);
 
-/// Size of the finest texels of the coat's slices, sizes: larger the more a picture of part size is enlarged. Texels
-/// for the pixels that are drawn are blurred once more by enlarging, texels for those that are shown flicker. So
-/// halfway, in the logarithm. `pixels` is the height that is drawn.
+/// Returns the size at which shaders take the finest texels of the coat's slices, sizes. It is larger the more the
+/// drawn picture is enlarged: texels chosen for the drawn pixels are blurred once more by enlarging, texels chosen for
+/// the displayed pixels flicker; this is halfway between, in the logarithm. `pixels`: height at which the picture is
+/// drawn.
 double finest_texel(const FurFrame& frame, int pixels);
 
-/// `pixels` is the height that is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so that
-/// shells stay apart at any distance (science.md 1).
+/// `pixels`: height at which the picture is drawn. Depth is reversed and infinite: 1 at the near plane, 0 far away, so
+/// that shells stay distinct at any distance (science.md 1).
 FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool model_has_colours, int pixels);
 
-// How each light sees the model, and the uniform block of renderer/shaders/shadow.glsl.
+// The view of the model from each light, and the uniform block of renderer/shaders/shadow.glsl.
 
-/// The view of a light that holds the whole model: orthographic for directional lights. Depth is reversed as in a
+/// The view from a light that contains the whole model: orthographic for directional lights. Depth is reversed as in a
 /// frame.
 struct LightView {
   glm::mat4 world_to_clip{1};
   glm::vec3 viewpoint{0};  // far away for a directional light
-  glm::vec4 axis{0};       // linear depth of a place in sizes: dot(axis.xyz, place) + axis.w
-  float texel = 0;         // size of a map's texel at distance 1 from the eye, for maps of `resolution`
+  glm::vec4 axis{0};       // linear depth of a position, sizes: dot(axis.xyz, place) + axis.w
+  float texel = 0;         // size of a map's texel at distance 1 from the viewpoint, for
 };
 
-/// Half of a light's width over its distance; of one that is somewhere, at distance 1. At most 2, an angle of 63
-/// degrees.
+/// Returns half of a light's width over its distance: for a directional light the tangent of its half angle, at most 2
+/// (63 degrees), for other lights at distance 1.
 float spread_of(const FurLight& light);
 
-/// None for a light inside the model's surroundings (a ball of `radius` about the centre), which no one map holds.
+/// Returns the view from a light; none if the light is within 1.1 `radius` of the origin, because one map cannot
+/// contain the model then.
 std::optional<LightView> view_of_light(const FurLight& light, float radius, int resolution);
 
 struct ShadowBlock {
   std::array<glm::mat4, max_lights> to_light{};
   std::array<glm::vec4, max_lights> axis{};
-  // Slot of the shell maps or -1; slot of the depth map or -1; the cast shadow's edge: 0 hard, 1 soft, 2 a penumbra;
-  // the soft one's scale, the penumbra's half width over the distance to what casts it times that to the light, -1 for
-  // none.
+  // Slot of the shell maps or -1; slot of the depth map or -1; edge of the cast shadow: 0 hard, 1 soft, 2 penumbra; the
+  // soft shadow's scale, or the penumbra's half width over the distance to its caster, times the distance to the light,
+  // or -1 for no shadow.
   std::array<glm::vec4, max_lights> slots{};
 };
 static_assert(sizeof(ShadowBlock) == 8 * (64 + 16 + 16));
 
-// The uniform block of renderer/shaders/bare_skin.glsl, laid out as std140 wants it.
+// The uniform block of renderer/shaders/bare_skin_block.glsl, in std140 layout.
 
 struct SkinEntry {
-  glm::vec4 across{0}, up{0}, along{0};  // rows to the unit ball; w: softness, 1 / least radius, cosine of whole facing
+  glm::vec4 across{0}, up{0}, along{0};  // rows to the unit ball; w: softness, 1 / min radius, cosine of full facing
   glm::vec4 centre{0};                   // w: scatter
-  glm::vec4 facing{0};                   // w: cosine of no facing
+  glm::vec4 facing{0};                   // w: cosine below which there is nothing of the region
   glm::vec4 colour{0};                   // w: shine
   glm::vec4 finish{0};                   // roughness, wetness, height and size of the bumps
 };
 
 struct SkinBlock {
   glm::uvec4 count{0};
-  std::array<glm::vec4, limits::skin_regions>
-      balls{};  // around all that a region colours: centre, square of the radius
+  std::array<glm::vec4, limits::skin_regions> balls{};  // bounding spheres: centre, square of the radius
   std::array<SkinEntry, limits::skin_regions> regions{};
 };
 static_assert(sizeof(SkinBlock) == 16 * (1 + 64 * 8));
 
-/// At most 64 regions.
+/// Takes at most 64 regions.
 SkinBlock make_skin_block(std::span<const FurSkinRegion> regions);
 
 }  // namespace pelage

@@ -16,23 +16,23 @@ namespace pelage {
 
 namespace {
 
-/// A vertex in its buffer.
+/// The layout of a vertex in its buffer.
 struct RenderVertex {
   glm::vec3 position, normal, tangent;
   glm::vec2 tile_uv;
   glm::vec3 tile_axis, image_uv, colour;
   float weight;
-  glm::vec3 shading_normal;  // that the surface is seen by; fur grows along `normal`
+  glm::vec3 shading_normal;  // for shading the surface; fur grows along `normal`
 };
 
 }  // namespace
 
-/// A model's vertices, split where the corners of its triangles differ: what is sent to a GPU.
+/// A model for the GPU: its vertices, split where the corners of its triangles differ.
 struct SplitModel {
   std::vector<RenderVertex> vertices;
-  std::vector<glm::uvec3> triangles;  // in render vertices
+  std::vector<glm::uvec3> triangles;  // indices of render vertices
   std::vector<std::uint32_t> welded;  // the model's vertex of each render vertex, rising
-  std::vector<std::uint32_t> first;   // of each model's vertex, its first render vertex; one more at the end
+  std::vector<std::uint32_t> first;   // for each vertex of the model, its first render vertex; one more at the end
 };
 
 namespace {
@@ -85,7 +85,7 @@ SplitModel split_corners(const FurModel& model) {
   return split;
 }
 
-/// For each render vertex the value of its vertex (SplitModel::welded); none for none.
+/// Returns the value of each render vertex's vertex (SplitModel::welded); empty if `values` is.
 std::vector<glm::vec3> by_vertex(std::span<const glm::vec3> values, std::span<const std::uint32_t> welded) {
   std::vector<glm::vec3> result;
   result.reserve(values.empty() ? 0 : welded.size());
@@ -95,7 +95,7 @@ std::vector<glm::vec3> by_vertex(std::span<const glm::vec3> values, std::span<co
 
 GLuint place_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
 
-/// A copy of the image at another size, nearest texel.
+/// Returns the image at another size, by nearest texels.
 std::vector<std::uint8_t> resized(const ImageView& image, int width, int height) {
   if (image.width == width && image.height == height) return {image.rgba.begin(), image.rgba.end()};
   std::vector<std::uint8_t> result(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -109,7 +109,7 @@ std::vector<std::uint8_t> resized(const ImageView& image, int width, int height)
   return result;
 }
 
-constexpr std::uint32_t sent_gap = 64;  // vertices between ranges that are sent as one
+constexpr std::uint32_t sent_gap = 64;  // ranges with a smaller gap, in vertices, are uploaded together
 
 std::vector<DirtyRange> sent_as_one(std::span<const DirtyRange> dirty) {
   std::vector<DirtyRange> joined;

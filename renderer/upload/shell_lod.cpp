@@ -7,19 +7,19 @@ namespace pelage {
 
 namespace {
 
-constexpr float full_tangent = 5.6f;  // of the angle from which all shells are drawn: 80 degrees
-constexpr float full_bending = 1.5f;  // of the normal over the length of the fur, radians
-constexpr float max_bending = 1e3f;   // more is the same
+constexpr float full_tangent = 5.6f;  // tangent of the view angle from which all shells are drawn: 80 degrees
+constexpr float full_bending = 1.5f;  // bending over the fur's length from which all shells are drawn, radians
+constexpr float max_bending = 1e3f;   // larger values are clamped
 constexpr float shells_per_pixel = 1.0f;
-constexpr float past_skin = 2.0f;  // of the tangent below: with 1 a fifth more fragments bring .001 of FLIP
+constexpr float past_skin = 2.0f;  // factor on the tangent below; 1 would cost a fifth more fragments for .001 of FLIP
 
 float cosine_to_camera(const ShellMesh& mesh, std::size_t triangle, glm::vec3 viewpoint) {
   const glm::vec3 to_camera = viewpoint - mesh.centroids[triangle], normal = mesh.normals[triangle];
   return glm::dot(to_camera, normal) / std::max(glm::length(to_camera) * glm::length(normal), 1e-20f);
 }
 
-/// Of the angle at the hull from which a ray passes the skin by, so that the edges of shells would be seen against what
-/// lies behind: over skin that bends by `bending` radians over the length of its fur, as over a ball.
+/// Returns the tangent of the angle at the hull from which a ray misses the skin, so that the edges of shells would be
+/// visible against the background. The skin bends by `bending` radians over the length of its fur, as a sphere does.
 float tangent_past_skin(float bending) { return past_skin / std::sqrt(std::max(bending * (2 + bending), 1e-6f)); }
 
 }  // namespace

@@ -81,8 +81,8 @@ void PaintTextures::prepare(const Gl& gl, const Coat& coat) {
 namespace {
 
 struct TuftBlock {
-  glm::vec4 origin;  // of the volume; w: gathered at the tip
-  glm::vec4 scale;   // 1 / its extent; w: the longest pull
+  glm::vec4 origin;  // corner of the volume; w: share gathered at the tip
+  glm::vec4 scale;   // 1 / its extent; w: longest vector to a middle, sizes
 };
 
 }  // namespace

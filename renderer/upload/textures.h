@@ -1,4 +1,4 @@
-// The textures of coats, paint, tufts, patterns and scattering, and volume textures about a surface.
+// GPU textures of coats, paint, tufts, patterns and scattering, and volume textures around a surface.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace pelage {
 
-/// RGBA8, read linearly and clamped at its sides.
+/// Returns an RGBA8 texture with linear filtering, clamped at its edges.
 Texture volume_texture(const Gl& gl, const SurfaceVolume& volume);
 
 // The slices of a coat on the GPU.
 
 class CoatTextures {
  public:
-  /// `slices` are those that were baked of the coat.
+  /// `slices`: those baked from `coat`.
   CoatTextures(const Gl& gl, const Coat& coat, const Slices& slices, UploadCount& count);
 
   const Coat& coat() const { return coat_; }
-  /// Levels without their texels: scales and depths.
+  /// Returns the slices without their texels: scales and depths.
   const Slices& slices() const { return slices_; }
   GLuint shapes() const { return shapes_.id(); }
   GLuint colours() const { return colours_.id(); }
@@ -37,15 +37,15 @@ class CoatTextures {
   Texture shapes_, colours_;
 };
 
-// What shaders must know of a coat to draw painted fields on it.
+// Painted fields on a coat.
 
-/// What shaders read of a coat to draw paint: PaintBlock and the map of clumps. Both are made again when the coat's
+/// The data of a coat that shaders need to draw paint: PaintBlock and the clump map. Both are rebuilt when the coat's
 /// clumps change.
 class PaintTextures {
  public:
   explicit PaintTextures(const Gl& gl) : uniforms_(gl) {}
 
-  /// Leaves PaintBlock (renderer/shaders/paint.glsl) at binding 6 and the map of clumps at texture unit 15.
+  /// Binds PaintBlock (renderer/shaders/paint.glsl) to binding 6 and the clump map to texture unit 15.
   void prepare(const Gl& gl, const Coat& coat);
 
  private:
@@ -56,12 +56,12 @@ class PaintTextures {
 
 // A coat's tufts on a model.
 
-/// Made anew when the model or the tufts change; kept for one model.
+/// Rebuilt when the model or the tufts change; caches one model.
 class TuftTextures {
  public:
   explicit TuftTextures(const Gl& gl) : uniforms_(gl) {}
 
-  /// Leaves the uniform block at binding 7 and the volume at texture unit 13.
+  /// Binds the uniform block to binding 7 and the volume to texture unit 13.
   void prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tufts, const ModelBuffers& model);
 
  private:
@@ -73,14 +73,14 @@ class TuftTextures {
   std::optional<Tufts> tufts_;
 };
 
-// A coat's pattern on a model: the volume of its colours, and the slow changes at the vertices.
+// A coat's pattern on a model: the volume of its colour weights, and the variation at the vertices.
 
-/// Made anew when the model, the pattern, its variation or the colours change; kept for one model.
+/// Rebuilt when the model, the pattern, its variation or the colours change; caches one model.
 class PatternTextures {
  public:
   explicit PatternTextures(const Gl& gl) : uniforms_(gl) {}
 
-  /// Leaves the uniform block at binding 1 and the volume at texture unit 8.
+  /// Binds the uniform block to binding 1 and the volume to texture unit 8.
   void prepare(const Gl& gl, std::uint64_t model_id, const Coat& coat, ModelBuffers& model);
 
  private:
@@ -92,14 +92,14 @@ class PatternTextures {
   std::optional<PatternBlock> block_;
 };
 
-// What the look's shading model reads on the GPU: its numbers, and for the fibre models a table.
+// The GPU data of the look's shading model: its constants, and a table for the fibre models.
 
-/// Made anew when the look or the coat's wetness changes.
+/// Rebuilt when the look or the coat's wetness changes.
 class ScatteringTextures {
  public:
   explicit ScatteringTextures(const Gl& gl) : block_(gl) {}
 
-  /// Leaves the uniform block at binding 3 and the table, where there is one, at texture unit 3.
+  /// Binds the uniform block to binding 3 and the table, if there is one, to texture unit 3.
   void prepare(const Gl& gl, const FurFrame& frame);
 
  private:

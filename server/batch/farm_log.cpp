@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// Puts a text into one line: a user's text must not begin a line, or a farm takes it for a word of its own.
+/// Replaces control characters by blanks: a user's text must not begin a line, or a farm would take it for a keyword.
 std::string in_one_line(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < ' '; }, ' ');

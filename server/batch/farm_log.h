@@ -1,4 +1,4 @@
-// What a farm reads of a process: lines on its output, by the words of Open Job Description and of Flamenco.
+// Writes the lines on standard output that farms parse, with the keywords of Open Job Description and of Flamenco.
 #pragma once
 
 #include <chrono>
@@ -14,18 +14,18 @@ namespace pelage {
 /// Thread-safe. Each line is written whole and at once.
 class FarmLog {
  public:
-  /// While a frame is drawn, a heartbeat says so every `interval`: some farms end tasks that stay silent.
+  /// While a frame is drawn, a heartbeat is written every `interval`: some farms end tasks that stay silent.
   explicit FarmLog(std::chrono::milliseconds interval = std::chrono::seconds(10));
   ~FarmLog();
   FarmLog(const FarmLog&) = delete;
   FarmLog& operator=(const FarmLog&) = delete;
 
-  /// A frame begins, after `done` of `all`.
+  /// Reports that a frame begins, after `done` of `all` files.
   void begin(int frame, std::size_t done, std::size_t all);
   void saved(const std::string& file);
   void skipped(const std::string& file);
   void done(std::size_t drawn, std::size_t skipped, double seconds);
-  /// Also on the error output, with field, limit and next step.
+  /// Reports a failure, also on standard error with field, limit and next step.
   void failed(const Status& status);
 
  private:

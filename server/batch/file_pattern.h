@@ -1,4 +1,4 @@
-// Names of files that are numbered by the frame.
+// Names of files with the number of a frame.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace pelage {
 
 class FilePattern {
  public:
-  /// `pattern` as "out/fox.####.exr": # are the digits of the frame; one that begins with no / lies below `folder`.
-  /// Refused (invalid, `pointer`): several runs of #, # in the name of a folder.
+  /// `pattern` is for example "out/fox.####.exr", with # for the digits of the frame; a relative one is below `folder`.
+  /// Refused (invalid, `pointer`): several runs of #, or # in the name of a folder.
   static Result<FilePattern> create(const std::string& pattern, const std::string& folder, const std::string& pointer);
 
-  /// At least as many digits as there are #; a minus comes before them.
+  /// Returns the file of a frame: at least as many digits as the pattern has #, after a minus sign if it is negative.
   std::string file(int frame) const;
   bool numbered() const { return digits_ > 0; }
 

@@ -15,7 +15,7 @@ Status refused_part(std::string_view part, const char* why = "is no range of fra
   return failure(Code::invalid, "\"" + std::string(part) + "\" " + why + ".", "/frames", "as 1-100, 1-100x5 or 1,4,9");
 }
 
-/// Takes a number off the front of the text.
+/// Removes a number from the front of the text. Returns false if there is none in range.
 bool take_number(std::string_view& text, int& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || number < -max_number || number > max_number) return false;

@@ -16,10 +16,10 @@ namespace pelage {
 
 namespace {
 
-/// A descriptor that is closed at the end; -1 where the file cannot be opened.
+/// Owns a file descriptor; -1 if the file cannot be opened.
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path)  // a pipe is opened without waiting for its writer
+  explicit OpenFile(const std::string& path)  // O_NONBLOCK: does not wait for the writer of a pipe
       : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
   ~OpenFile() {
     if (descriptor_ >= 0) ::close(descriptor_);

@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// Revisions from the scene's first one to its present one, without what was taken back.
+/// Returns the revisions from the scene's first one to its present one, without those that were undone.
 std::vector<Revision> revisions_of(const Scene& scene) {
   std::vector<Revision> revisions;
   const std::vector<LogEntry> log = scene.log();
@@ -28,7 +28,7 @@ std::vector<Revision> revisions_of(const Scene& scene) {
   return revisions;
 }
 
-/// Returns a text of all that pictures of the scene follow from, apart from the requests.
+/// Returns a text with all inputs of the scene's pictures, except the requests.
 std::string identity_of(const Scene& scene) {
   const SceneSummary summary = scene.summary();
   std::string identity = std::string(version()) + "\n" + summary.model_id + "\n" + summary.fur_patches + "\n" +
@@ -54,8 +54,8 @@ Status check_blur(const FrameRequest& request) {
   return {};
 }
 
-/// Sets the tracing of picture `k` of a frame's `count` pictures: together they have the passes, the noise and the
-/// seconds that were asked for, each with random numbers of its own.
+/// Sets the tracing of picture `k` of the `count` pictures whose mean is a frame: together they have the requested
+/// passes, noise and seconds. Each has another seed.
 void share_passes(int count, int k, Tracing& trace) {
   trace.passes = (trace.passes + count - 1) / count;
   trace.noise = std::min(1.0, trace.noise * std::sqrt(count));
@@ -81,10 +81,10 @@ class Planner {
     identity_ += encode(Log{scene.log()});
   }
 
-  /// Where a frame is among the job's.
+  /// The position of a frame in the job.
   struct Place {
-    std::size_t index = 0, count = 1;  // so many come before it, of so many
-    double spacing = 1;                // numbers from one to the next
+    std::size_t index = 0, count = 1;  // number of frames before it, and of all frames
+    double spacing = 1;                // mean difference of the numbers of adjacent frames
   };
 
   Result<JobFrame> frame(int number, const Place& place) const {
@@ -127,7 +127,7 @@ class Planner {
     return {};
   }
 
-  /// `share` of the turntable's turn has passed.
+  /// Returns what to draw at a time in frames. `share` is the part of the turntable's turn that has passed, [0, 1).
   Result<JobMoment> moment(double number, double share) const {
     Result<AnimatedFrame> animated = animation_.at(number);
     if (!animated) return animated.status();
@@ -137,7 +137,7 @@ class Planner {
     if (job_.turntable) turn(*animated, share);
     JobMoment made{.request = std::move(animated->request), .settings = std::move(animated->settings), .model = {}};
     if (animation_.limits_seconds()) made.max_seconds = made.request.max_seconds;
-    made.request.max_seconds = FrameRequest().max_seconds;  // so that a picture's fingerprint does not have it
+    made.request.max_seconds = FrameRequest().max_seconds;  // keeps it out of the fingerprint
     if (!moments_) return made;
     Result<ModelMoment> model = moments_->at(number);
     if (!model) return model.status();
@@ -176,7 +176,7 @@ class Planner {
     frame.settings.emplace_back(SetEnvironment{turned_environment(now.environment, degrees)});
   }
 
-  /// The last frame shows the last revision.
+  /// Returns the revision of a time lapse's frame. The last frame shows the last revision.
   Revision revision_at(std::size_t index, std::size_t count) const {
     const double share = count > 1 ? static_cast<double>(index) / static_cast<double>(count - 1) : 1;
     return revisions_[static_cast<std::size_t>(std::lround(share * static_cast<double>(revisions_.size() - 1)))];
@@ -239,7 +239,7 @@ Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart
   const Result<std::vector<int>> all = parse_frames(job.frames);
   if (!all) return all.status();
   const Result<std::vector<int>> wanted = part.frames.empty() ? all : parse_frames(part.frames);
-  if (!wanted) {  // parse_frames points at the job's
+  if (!wanted) {  // parse_frames points at the job's frames
     Status refused = wanted.status();
     refused.pointer = "--frames";
     return refused;

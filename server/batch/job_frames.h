@@ -1,4 +1,4 @@
-// What each frame of a job is: its request, the settings of its scene, its file and its fingerprint.
+// Plans the frames of a job: the request, the scene's settings, the file and the fingerprint of each.
 #pragma once
 
 #include <memory>
@@ -14,44 +14,44 @@
 
 namespace pelage {
 
-/// A part of a frame that is drawn by itself into a file beside the frame's.
+/// A rectangle of a frame that is drawn separately, into a file beside the frame's.
 struct JobTile {
   int number = 1;  // from 1, row by row from the top left
   Crop crop;
   std::string file;
-  std::string fingerprint;  // of the frame and of the part
+  std::string fingerprint;  // of the frame and the rectangle
 };
 
-/// What is drawn at one moment.
+/// What to draw at one moment in time.
 struct JobMoment {
   FrameRequest request;
-  std::vector<Command> settings;     // run before it is drawn
-  std::optional<ModelMoment> model;  // where the model moves
-  // The job's limit on drawing a file. The request has none of its own: what a machine expects refuses no frame of a
-  // job.
+  std::vector<Command> settings;     // commands to run before drawing
+  std::optional<ModelMoment> model;  // if the model moves
+  // The job's limit on drawing a file. The request itself has no limit, so that the estimate of a machine cannot refuse
+  // a frame.
   std::optional<double> max_seconds = {};
 };
 
 struct JobFrame {
   int number = 0;
-  JobMoment moment;                            // its own
-  std::vector<JobMoment> open;                 // moments of the open shutter to average; none where it is sharp
-  std::shared_ptr<const ModelMoments> motion;  // of all frames; null where the model stays
+  JobMoment moment;                            // at the frame's own time
+  std::vector<JobMoment> open;                 // moments of the open shutter, to average; empty if not blurred
+  std::shared_ptr<const ModelMoments> motion;  // shared by all frames; null if the model does not move
   std::string file;
-  std::string fingerprint;     // of all that the picture follows from, 32 hex digits
-  std::vector<JobTile> tiles;  // that it is drawn in; none where it is drawn at once
+  std::string fingerprint;     // hash of all inputs of the picture, 32 hex digits
+  std::vector<JobTile> tiles;  // empty if the frame is drawn at once
 };
 
-/// Which part of a job one process draws.
+/// The part of a job that one process draws.
 struct JobPart {
   std::string frames = {};  // "" for all of the job's
-  std::string output = {};  // in place of the job's; "" for that
-  int tile = 0;             // of each frame; 0 for all
+  std::string output = {};  // replaces the job's; "" for the job's
+  int tile = 0;             // number of the tile of each frame; 0 for all
 };
 
-/// The frames of the part, in the order in which they are named, all of them checked. `folder` is where the job's file
-/// lies. Refused (invalid) with the pointer into the job or the parameter; a frame of the part that the job does not
-/// have, with "/frames"; a tile, with "/tiles". Each frame names all of its tiles, whatever the part.
+/// Returns the checked frames of the part, in the order in which it lists them. `folder` is the folder of the job's
+/// file. Refused (invalid) with a pointer into the job or to the parameter; "/frames" for a frame that the job does not
+/// have, "/tiles" for a missing tile. Each frame lists all of its tiles, also if the part is only one.
 Result<std::vector<JobFrame>> plan_job(const RenderJob& job, const JobPart& part, const std::string& folder,
                                        const Scene& scene);
 

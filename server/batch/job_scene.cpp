@@ -19,7 +19,7 @@ Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& jo
   if (!format) return format.status();
   ImportOptions options = job.options.value_or(ImportOptions());
   options.format = *format;
-  NewScene empty;  // until it has its model
+  NewScene empty;  // a placeholder until the model is loaded
   empty.name = "job", empty.model = {.shape = Builtin::plane, .triangles = 2};
   auto scene = store.create(empty);
   if (!scene) return scene;

@@ -34,7 +34,7 @@ struct Options {
   JobPart part;
   DrawOptions draw;
   bool check = false, schema = false;
-  int measure = 0;  // frames
+  int measure = 0;  // number of frames to draw for --measure
 };
 
 void declare(CLI::App& app, Options& options) {
@@ -72,7 +72,7 @@ void declare(CLI::App& app, Options& options) {
       "job's max_seconds, 33 out of memory, 143 stopped.");
 }
 
-/// Set once SIGTERM or SIGINT came; several may come.
+/// True once SIGTERM or SIGINT has arrived; they may arrive several times.
 std::atomic<bool> stop_asked{false};
 
 /// Watches for stop signals as long as the program lives.
@@ -111,7 +111,7 @@ std::vector<const JobFrame*> probes_of(const std::vector<JobFrame>& frames, int 
   return probes;
 }
 
-/// Mean seconds of a frame. The first one also pays for what all share, and does not count.
+/// Returns the mean seconds of a frame. The first drawing includes work that all frames share, and does not count.
 Result<double> measured_seconds(JobRenderer& renderer, const std::vector<JobFrame>& frames, int count) {
   const std::vector<const JobFrame*> probes = probes_of(frames, count);
   if (const auto first = renderer.measure(*probes.front(), stopped); !first) return first;
@@ -124,7 +124,7 @@ Result<double> measured_seconds(JobRenderer& renderer, const std::vector<JobFram
   return seconds;
 }
 
-/// A file that will be drawn.
+/// Formats a file that would be drawn, as members of a JSON object.
 std::string text_of(const std::string& file, const std::string& fingerprint, int width, int height) {
   return fmt::format("\"file\": {}, \"fingerprint\": \"{}\", \"width\": {}, \"height\": {}", json_text(file),
                      fingerprint, width, height);
@@ -160,7 +160,7 @@ int print_check(const RenderJob& job, const Options& options, const JobScene& sc
   return done;
 }
 
-/// A refusal that points into the job names its file.
+/// Adds the name of the job's file to a refusal that points into the job.
 Status in_job(const Options& options, const Status& status) {
   return status.pointer.starts_with('/') ? in_file(options.job, status) : status;
 }

@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// Reads the file of a moment, the second of two where `file` is that.
+/// Reads `file`, which is the first or the second file of the moment.
 Result<RawModel> read_shape(const MovingModel& moving, const ModelMoment& moment, const std::string& file) {
   const auto refused = [&](const Status& status) {
     return in_file(file, failure(status.code, status.message, "/motion/model", status.limit));
@@ -24,7 +24,7 @@ Result<RawModel> read_shape(const MovingModel& moving, const ModelMoment& moment
   return raw;
 }
 
-/// Reads files that were not read yet.
+/// Checks files by reading each of them once.
 class FileCheck {
  public:
   explicit FileCheck(MovingModel moving) : moving_(std::move(moving)) {}

@@ -1,4 +1,5 @@
-// The files that a job's model moves by, read through the confined worker. A refusal names the file ("/motion/model").
+// Reads the files with the poses of a job's model, through the confined worker. A refusal names the file
+// ("/motion/model").
 #pragma once
 
 #include <functional>
@@ -11,12 +12,12 @@
 
 namespace pelage {
 
-/// Returns the model at the moment; between two files it is interpolated. Also refused (invalid) where it is not the
-/// model at rest elsewhere.
+/// Returns the model at the moment, interpolated if that is between two files. Also refused (invalid) if the file does
+/// not have another pose of the scene's model (MovingModel::check).
 Result<RawModel> read_model(const MovingModel& moving, const ModelMoment& moment);
 
-/// Reads each file that the frames follow from once, an animation at one moment of it. Ends (unavailable) once
-/// `stopped` says so.
+/// Checks each file that the frames depend on by reading it once; of an animation it reads only one moment. Fails
+/// (unavailable) once `stopped` returns true.
 Status check_models(const JobScene& scene, const std::vector<JobFrame>& frames, const std::function<bool()>& stopped);
 
 }  // namespace pelage

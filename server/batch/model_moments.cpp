@@ -32,7 +32,7 @@ std::string ModelMoments::pose_at(double frame) const {
   double seconds = frame / fps_;
   if (motion_.loop_seconds) seconds -= *motion_.loop_seconds * std::floor(seconds / *motion_.loop_seconds);
   seconds = std::max(0.0, seconds);
-  return fmt::format("{}@{:.6f}", motion_.animation, seconds);  // a loop comes back to the same microsecond
+  return fmt::format("{}@{:.6f}", motion_.animation, seconds);  // rounded, so that a loop repeats its names
 }
 
 Result<std::string> ModelMoments::digest_of(const std::string& file) const {

@@ -1,4 +1,4 @@
-// Which file shows a job's model at a frame.
+// Finds the files that have a job's model at a frame.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// A model in a file, as it stands at a moment.
+/// The file and pose of a model at one moment in time.
 struct ModelMoment {
   std::string file;
   ModelFormat format = ModelFormat::obj;
@@ -25,17 +25,17 @@ struct ModelMoment {
 
 class ModelMoments {
  public:
-  /// Files lie in `folder`. Refused (invalid) with the pointer into the job: neither numbers nor an animation or both,
-  /// an ending of no model, a loop of no animation.
+  /// Files are in `folder`. Refused (invalid) with a pointer into the job: a file name with neither frame numbers nor
+  /// an animation, or with both; an ending that is not a model's; a loop without an animation.
   static Result<ModelMoments> create(const JobMotion& motion, double fps, const std::string& folder);
 
-  /// Returns the model's moment at a frame or between two. Before the first and after the last numbered file the model
-  /// holds still. Fails with not_found ("/motion/model") where the nearest frame has no file.
+  /// Returns the model's moment at a frame or between two. If one of two numbered files is missing, the nearest frame
+  /// is used instead. Fails with not_found ("/motion/model") if the nearest frame has no file.
   Result<ModelMoment> at(double frame) const;
-  /// Returns a name that follows from the bytes and the pose; "" where there is no file.
+  /// Returns a name that depends on the bytes and the pose only; "" if there is no file.
   Result<std::string> name_of(int frame) const;
 
-  /// The moments that a frame's fur swings by; none without inertia, and none where there is no file.
+  /// Returns the moments that the swing of a frame's fur depends on, except those without a file; none without inertia.
   Result<std::vector<ModelMoment>> swing(int frame) const;
   /// Returns a text that identifies all of these moments; "" without inertia.
   Result<std::string> identity_of_swing(int frame) const;
@@ -52,7 +52,7 @@ class ModelMoments {
   double fps_;
   FilePattern files_;
   ModelFormat format_;
-  mutable std::map<std::string, std::string> digests_;  // by file: one with an animation is read once
+  mutable std::map<std::string, std::string> digests_;  // by file, so that one with an animation is read once
 };
 
 }  // namespace pelage

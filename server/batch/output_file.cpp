@@ -30,7 +30,7 @@ Status cannot_write(const std::string& path, int error) {
                    "see that its folder can be written and has room");
 }
 
-/// Writes all bytes and syncs them. Returns errno where that fails, else 0.
+/// Writes all bytes and syncs them. Returns 0, or errno if that fails.
 int write_synced(const std::string& path, std::string_view bytes) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return errno;
@@ -53,7 +53,7 @@ std::string text_of(const Camera& camera) {
                      list(camera.up), camera.fov_degrees);
 }
 
-/// As EXR wants a rate: a ratio of whole numbers.
+/// Returns the rate as a ratio of whole numbers, as EXR requires.
 std::string ratio_of(double fps) {
   return fps == std::floor(fps) ? fmt::format("{:.0f}/1", fps) : fmt::format("{:.0f}/1000", fps * 1000);
 }
@@ -104,7 +104,7 @@ std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& qualit
       {fingerprint_text, frame.fingerprint}};
   if (frame.moment.request.format != FrameFormat::exr) {
     texts.push_back(
-        {"pelage/request", encode(frame.moment.request)});  // ffmpeg 5.1 cannot handle so long a text of an EXR
+        {"pelage/request", encode(frame.moment.request)});  // ffmpeg 5.1 cannot handle so long a text in an EXR
     return texts;
   }
   const std::time_t now = std::time(nullptr);

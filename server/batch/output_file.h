@@ -1,4 +1,4 @@
-// The files of a farm: whole or not there, and known by what they say of themselves.
+// Writes the files of a farm atomically, and recognizes them by their metadata.
 #pragma once
 
 #include <string>
@@ -11,25 +11,25 @@
 
 namespace pelage {
 
-/// Writes a file under a temporary name in the same folder, which is made where it is missing, then syncs and renames
-/// it. A failure (internal, with the system's reason) leaves nothing.
+/// Writes a file under a temporary name in the same folder, which is made if it is missing, then syncs and renames it.
+/// A failure (internal, with the system's reason) leaves no file.
 Status write_whole(const std::string& path, std::string_view bytes);
 
-/// Returns whether a file can be made in the path's folder, or in the one where that will be made. Leaves nothing;
-/// fails as write_whole.
+/// Checks that a file can be made in the path's folder or, if that is missing, in its nearest parent that exists.
+/// Leaves no file. Fails as write_whole.
 Status try_folder_of(const std::string& path);
 
-/// Returns whether the file is a whole picture with this fingerprint.
+/// Returns whether the file is a complete picture with this fingerprint.
 bool is_drawn(const std::string& path, const std::string& fingerprint);
 
-/// Keys of what a frame's file says of it.
+/// Keys in the metadata of a frame's file.
 inline constexpr const char* fingerprint_text = "pelage/fingerprint";
 inline constexpr const char* quality_text = "pelage/quality";
-inline constexpr const char* render_time_text = "pelage/renderTime";  // seconds; of an EXR
+inline constexpr const char* render_time_text = "pelage/renderTime";  // seconds; EXR only
 
-/// What a frame's file says of it. `quality`: the knobs that it was drawn with, JSON. `scene` is as it was before
-/// keyframes; `seconds` is what drawing took. An EXR has
-/// these, the time and the machine too; a PNG has the same bytes whenever it is drawn.
+/// Returns the metadata of a frame's file. `quality` is the JSON of the knobs that it was drawn with, `scene` the scene
+/// before keyframes, `seconds` the drawing time. Only an EXR has the drawing time, the date and the machine; a PNG has
+/// the same bytes whenever it is drawn.
 std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
                                 double fps, double seconds);
 

@@ -1,4 +1,4 @@
-// Names of the files that frames go to.
+// Names of the files to which frames are written.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace pelage {
 
 class OutputPattern {
  public:
-  /// As FilePattern. Refused (invalid) too: an ending that is neither .png nor .exr, no # where there are `several`
-  /// frames.
+  /// Like FilePattern::create. Also refused (invalid): an ending that is neither .png nor .exr, and no # if there are
+  /// `several` frames.
   static Result<OutputPattern> create(const std::string& pattern, const std::string& folder, bool several);
 
   std::string file(int frame) const { return pattern_.file(frame); }

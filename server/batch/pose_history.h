@@ -1,4 +1,4 @@
-// How a job's model moved before a frame: what makes its fur swing.
+// The motion of a job's model before a frame, which makes its fur swing.
 #pragma once
 
 #include <functional>
@@ -14,22 +14,22 @@ namespace pelage {
 
 class PoseHistory {
  public:
-  /// Where the model stands at each frame.
+  /// The poses of the model at frames.
   struct Source {
-    /// Returns the same name for frames with the same pose, as in a loop; "" before the first and after the last frame
-    /// that there is, where the model holds still.
+    /// Returns the same name for frames with the same pose, as in a loop; "" for frames before the first or after the
+    /// last one that exists, where the model holds still.
     std::function<Result<std::string>(int frame)> name;
     std::function<Result<RawModel>(int frame)> load;
   };
 
-  /// The model outlives it. `strength` is JobMotion::inertia. Takes about 12 bytes for each vertex and frame of the
-  /// warm-up.
+  /// The model must outlive this object. `strength` is JobMotion::inertia. Takes about 12 bytes for each vertex and
+  /// frame of the warm-up.
   PoseHistory(const MovingModel& model, double fps, double strength, Source source);
 
-  /// Returns the accelerations that swing the fur of a frame; `time` is the scene's there. They are second differences
-  /// of the vertices' positions at frames, linear in between, in the coordinates of the skin at each frame, and rotated
-  /// to those at this one. Loads the frames of the warm-up (server/motion) that are not known yet. Fails as the source
-  /// and MovingModel do.
+  /// Returns the accelerations that swing the fur of a frame; `time` is the scene's time at that frame. They are second
+  /// differences of the vertices' positions, interpolated linearly between frames in coordinates that rotate with the
+  /// skin, and then rotated to the skin at this frame. Loads the frames of the warm-up (server/motion) that are not
+  /// known yet. Fails as the source and MovingModel do.
   Result<BodySwing> at(int frame, double time);
 
   /// Returns how many frames before a frame its swing depends on; it depends on one after it, too.
@@ -38,12 +38,12 @@ class PoseHistory {
  private:
   struct Pose {
     std::vector<glm::vec3> positions;
-    std::vector<glm::mat3> turns;  // since the model at rest
+    std::vector<glm::mat3> turns;  // rotations of vertices, relative to the model at rest
   };
-  using Accelerations = std::shared_ptr<const std::vector<glm::vec3>>;  // in coordinates of the model at rest
+  using Accelerations = std::shared_ptr<const std::vector<glm::vec3>>;  // rotated to the model at rest
 
-  Result<std::shared_ptr<const Pose>> pose(int frame);  // null where the model holds still
-  /// How often each name comes in the warm-up of a frame.
+  Result<std::shared_ptr<const Pose>> pose(int frame);  // null if the model holds still
+  /// Counts how often each name occurs in the warm-up of a frame.
   Result<std::map<std::string, int>> names_before(int frame) const;
   Result<Accelerations> acceleration(int frame);
 

@@ -173,7 +173,7 @@ Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<b
 bool JobRenderer::is_there(const Piece& piece) const {
   const JobFrame& frame = piece.frame;
   if (frame.tiles.empty() || !is_drawn(frame.file, frame.fingerprint)) return is_drawn(piece.file, piece.fingerprint);
-  remove_tiles(frame);  // of a process that was killed before it could
+  remove_tiles(frame);  // left by a process that was killed before it could remove them
   return true;
 }
 
@@ -193,7 +193,7 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
   JobOutcome outcome;
   const Stopwatch passed;
   const std::vector<Piece> pieces = pieces_of(frames);
-  std::future<Status> saved;  // saving of the file before, while the next one is drawn
+  std::future<Status> saved;  // saves the previous file while the next one is drawn
   std::atomic<bool> failed{false};
   const auto wait = [&] { return saved.valid() ? saved.get() : Status{}; };
   const auto ends = [&] { return stopped() || failed; };

@@ -1,4 +1,4 @@
-// The batch renderer: a job's frames, one after another, to files.
+// The batch renderer: draws a job's frames, one after another, to files.
 #pragma once
 
 #include <functional>
@@ -20,29 +20,29 @@ namespace pelage {
 
 struct DrawOptions {
   GlChoice gl = GlChoice::automatic;
-  std::optional<int> device = {};  // of several GPUs
+  std::optional<int> device = {};  // number of the EGL device, if there are several GPUs
   int threads = 0;                 // 0 for all cores
-  bool skip_existing = false;      // frames and tiles whose file has their fingerprint
-  int tile = 0;                    // of each frame; 0 for all
+  bool skip_existing = false;      // skips frames and tiles whose file has their fingerprint
+  int tile = 0;                    // number of the tile of each frame; 0 for all
 };
 
-/// The pointer of the failure of a frame that took too long.
+/// The pointer in the failure of a frame that takes too long.
 inline constexpr const char* limit_pointer = "/frame/max_seconds";
 
-/// Files: of frames, or of their tiles.
+/// Numbers of files, of frames or of their tiles.
 struct JobOutcome {
   std::size_t drawn = 0, skipped = 0;
 };
 
-/// What draws the frames of a job; one at a time.
+/// Draws the frames of a job, one at a time.
 class JobRenderer {
  public:
-  /// Fails (unavailable) as FrameService::start. The scene outlives it.
+  /// Fails (unavailable) as FrameService::start. The scene must outlive the renderer.
   static Result<std::unique_ptr<JobRenderer>> start(const JobScene& scene, double fps, const DrawOptions& options);
 
-  /// Draws all frames, or their tiles, and says so in the log. Whoever draws the last tile of a frame writes its file
-  /// (merge_tiles). Ends at the first failure, (unavailable, limit_pointer) at a file that takes longer than the job
-  /// allows, and (unavailable) once `stopped` says so: every file that was begun is whole or not there.
+  /// Draws all frames, or their tiles, and reports them in the log. The process that draws the last tile of a frame
+  /// writes the frame's file (merge_tiles). Ends at the first failure: unavailable with limit_pointer for a file that
+  /// takes longer than the job allows, unavailable once `stopped` returns true. Each file is then complete or missing.
   Result<JobOutcome> draw(const std::vector<JobFrame>& frames, FarmLog& log, const std::function<bool()>& stopped);
 
   /// Draws one frame without a file, and returns the seconds that it took; those of a frame with tiles are estimated
@@ -52,7 +52,7 @@ class JobRenderer {
  private:
   JobRenderer(const JobScene& scene, double fps, const DrawOptions& options, std::unique_ptr<FrameService> frames,
               std::unique_ptr<YieldGate> gate);
-  /// A part of a frame that has a file of its own: a tile, or the whole frame where there are no tiles.
+  /// A part of a frame that has a file of its own: a tile, or the whole frame if it has no tiles.
   struct Piece {
     const JobFrame& frame;
     const std::string& file;
@@ -71,27 +71,27 @@ class JobRenderer {
   bool is_there(const Piece& piece) const;
   /// Writes the file of a part.
   using Save = std::function<Status()>;
-  /// Draws a piece; fails as drawing all does.
+  /// Draws a piece; fails as drawing all frames does.
   Result<Save> draw(const Piece& piece, const std::function<bool()>& stopped);
-  /// Encodes the file of a part that is drawn.
+  /// Encodes the file of a part that has been drawn.
   using Encode = std::function<FrameAnswer()>;
   Result<Encode> picture(const Piece& piece, const std::function<bool()>& stopped);
-  /// The mean of the moments at which the shutter is open.
+  /// Draws the mean of the moments at which the shutter is open.
   Result<PictureService::Encode> mean_picture(const Piece& piece, const FrameRequest& request,
                                               const std::function<bool()>& stopped);
   Result<LinearPicture> blurred(const Piece& piece, const std::function<bool()>& stopped);
 
-  /// Brings the scene to a moment of the frame.
+  /// Sets the scene's settings and pose to a moment of the frame.
   Status prepare(const JobFrame& frame, const JobMoment& moment);
   Status stand(const JobFrame& frame, const ModelMoment& model);
   Result<BodySwing> swing_of(const JobFrame& frame);
 
   const JobScene& job_scene_;
   std::shared_ptr<Scene> scene_;
-  std::optional<MovingModel> moving_;   // once a frame moves
-  std::optional<PoseHistory> history_;  // once one has inertia
+  std::optional<MovingModel> moving_;   // set once a frame's model moves
+  std::optional<PoseHistory> history_;  // set once a frame has inertia
   std::uint64_t stands_as_ = 0;         // id of the model of the last pose
-  const SceneSummary summary_;          // before keyframes
+  const SceneSummary summary_;          // of the scene before keyframes
   const double fps_;
   const DrawOptions options_;
   std::unique_ptr<YieldGate> gate_;

@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// "out/fox.0001.tile3.png" of "out/fox.0001.png".
+/// Returns "out/fox.0001.tile3.png" for "out/fox.0001.png" and 3.
 std::string tile_file(const std::string& file, int number) {
   std::filesystem::path path(file);
   const std::string ending = path.extension().string();
@@ -40,7 +40,7 @@ Status check_frame(const TileGrid& grid, const FrameRequest& request) {
   return {};
 }
 
-/// Sum of the seconds that the tiles say they took; 0 where they say nothing.
+/// Returns the sum of the render times in the tiles' metadata; 0 if there are none.
 double seconds_of(const std::vector<PicturePart>& parts) {
   double seconds = 0;
   for (const PicturePart& part : parts)
@@ -49,7 +49,7 @@ double seconds_of(const std::vector<PicturePart>& parts) {
   return seconds;
 }
 
-/// The files of all tiles; none where one is not there, or is of something else.
+/// Reads the files of all tiles; none if one is missing or has another fingerprint.
 std::optional<std::vector<PicturePart>> read_parts(const JobFrame& frame) {
   std::vector<PicturePart> parts;
   for (const JobTile& tile : frame.tiles) {

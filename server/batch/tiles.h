@@ -1,4 +1,4 @@
-// Frames in tiles: what each draws, and the whole that they become.
+// Splits frames into tiles, and merges the files of tiles.
 #pragma once
 
 #include <string>
@@ -11,16 +11,15 @@
 
 namespace pelage {
 
-/// The tiles of a frame, whose file and fingerprint are known. Refused (invalid) where they are more than its pixels,
-/// and where the frame has a crop, or an end that depends on the machine.
+/// Returns the tiles of a frame, whose file and fingerprint must be set. Refused (invalid) if there are more columns or
+/// rows than pixels, or if the frame has a crop or a time budget, with which tiles would not fit together.
 Result<std::vector<JobTile>> tiles_of(const TileGrid& grid, const JobFrame& frame);
 
-/// Writes the frame's file once the files of all tiles are there, with the same bytes as without tiles (of an EXR but
-/// for the time), and removes them. Returns whether it did. Any number of processes may try at a time. Fails as
-/// write_whole.
+/// If the files of all tiles exist, writes the frame's file, with the same bytes as without tiles (except the times in
+/// an EXR), removes the tiles and returns true. Any number of processes may try at the same time. Fails as write_whole.
 Result<bool> merge_tiles(const JobFrame& frame, const SceneSummary& scene, double fps);
 
-/// Removes the tiles of a frame that is whole.
+/// Removes the files of the tiles of a complete frame.
 void remove_tiles(const JobFrame& frame);
 
 }  // namespace pelage

@@ -13,11 +13,11 @@ glm::dmat3 turn_about_y(double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(std::remainder(degrees, 360.0)), glm::dvec3(0, 1, 0)));
 }
 
-/// The camera with an explicit position in place of an automatic view.
+/// Returns the camera with an explicit position in place of an automatic view.
 Camera placed(const Camera& camera, double aspect, const Mesh& mesh) {
   if (camera.automatic == AutoView::none) return camera;
   const PlacedCamera at = place_camera(camera, aspect, mesh);
-  const double distance = glm::length(at.position);  // it looks at the middle of the model's box, which is 0
+  const double distance = glm::length(at.position);  // the target is the centre of the model's box, which is 0
   return {.automatic = AutoView::none,
           .position = mesh.to_model(at.position),
           .target = mesh.to_model(at.position + at.forward * distance),

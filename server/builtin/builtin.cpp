@@ -52,7 +52,7 @@ struct SheetGrid {
   bool closed = false;  // the last column joins the first, and the last row the first
 };
 
-/// About square cells for a sheet that is `aspect` times as wide as high.
+/// Returns a grid of about square cells for a sheet that is `aspect` times as wide as high.
 SheetGrid grid_for(int triangles, double aspect, int min_columns, int min_rows, bool closed) {
   const double cells = triangles / 2.0;
   const int rows = std::max(min_rows, static_cast<int>(std::lround(std::sqrt(cells / aspect))));
@@ -62,7 +62,7 @@ SheetGrid grid_for(int triangles, double aspect, int min_columns, int min_rows, 
 
 using Sheet = std::function<dvec3(dvec2)>;  // from [0, 1] x [0, 1]; dP/du x dP/dv points outwards
 
-/// The sheet's own coordinates at the corners of its triangles, from 0 to 1 over each round.
+/// Returns the sheet's own coordinates at the corners of its triangles, from 0 to 1 across the whole sheet.
 std::vector<dvec2> sheet_uvs(const SheetGrid& grid) {
   std::vector<dvec2> uvs;
   for (int j = 0; j < grid.rows; ++j)
@@ -90,7 +90,7 @@ RawModel tessellate(const SheetGrid& grid, const Sheet& sheet) {
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 0; i < grid.columns; ++i) {
       const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      // Alternating diagonals, so that the sheet bends the same way in both.
+      // Diagonals alternate, so that the sheet bends equally in both directions.
       if ((i + j) % 2 == 0)
         triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
       else
@@ -101,7 +101,8 @@ RawModel tessellate(const SheetGrid& grid, const Sheet& sheet) {
   return model;
 }
 
-/// A tube along the trefoil, which lies on a torus: the torus gives the tube a frame that closes without a twist.
+/// Returns a point of a tube along the trefoil. The knot lies on a torus, which gives the tube a frame that closes
+/// without a twist.
 dvec3 knot_point(dvec2 uv) {
   constexpr double kRing = 1, kWinding = 0.42, kTube = 0.21;
   const double t = kTurn * uv.x, about = kTurn * uv.y;
@@ -115,7 +116,7 @@ dvec3 knot_point(dvec2 uv) {
   return kRing * outwards + (kWinding + kTube * std::cos(about)) * normal + kTube * std::sin(about) * side;
 }
 
-/// A square sheet, 2 x 2, laid over a round table's edge: flat in the middle, hanging in folds around it.
+/// Returns a point of a square sheet, 2 x 2, on a round table: flat in the middle, hanging in folds around the edge.
 dvec3 cloth_point(dvec2 uv) {
   constexpr double kFlat = 0.35, kBend = 0.45, kDroop = 1.25;  // radius of the top, arc's radius, steepest angle
   const dvec2 flat{2 * uv.x - 1, 1 - 2 * uv.y};
@@ -153,7 +154,7 @@ RawModel make_plane(int triangles) {
 
 RawModel make_cloth(int triangles) { return tessellate(grid_for(triangles, 1, 1, 1, false), cloth_point); }
 
-// The built-in sphere: a platonic solid whose faces are cut up evenly.
+// The built-in sphere: a platonic solid whose faces are subdivided evenly.
 
 namespace {
 
@@ -226,7 +227,8 @@ class Geodesic {
     return found->second;
   }
 
-  /// Even steps of the angle along a face's edges, which keeps the triangles about equal.
+  /// Returns the position of a vertex. Vertices have equal angles along a face's edges, which keeps triangles about
+  /// equal.
   dvec3 place(const Key& key) const {
     dvec3 sum{0};
     for (const auto& [corner, share] : key) sum += std::sin(share * angle_ / cuts_) * solid_.corners[corner];
@@ -245,7 +247,7 @@ int nearest_cuts(const Solid& solid, int triangles) {
   return std::max(1, static_cast<int>(std::lround(std::sqrt(triangles / static_cast<double>(solid.faces.size())))));
 }
 
-/// By how many triangles the solid misses the wished-for count.
+/// Returns by how many triangles the best subdivision of the solid differs from the requested count.
 int miss(const Solid& solid, int triangles) {
   const int cuts = nearest_cuts(solid, triangles);
   return std::abs(static_cast<int>(solid.faces.size()) * cuts * cuts - triangles);
@@ -254,7 +256,7 @@ int miss(const Solid& solid, int triangles) {
 }  // namespace
 
 RawModel make_sphere(int triangles) {
-  // The more faces the evener, so a solid with fewer must come closer by a tenth of the count.
+  // More faces give more even triangles, so a solid with fewer must be closer to the count by a tenth of it.
   Solid best = icosahedron();
   for (const Solid& solid : {octahedron(), tetrahedron()})
     if (miss(solid, triangles) < miss(best, triangles) - triangles / 10) best = solid;
@@ -266,10 +268,10 @@ RawModel make_sphere(int triangles) {
 namespace {
 
 TriangleMesh creature_mesh(int triangles) {
-  constexpr double kCell = 0.0125;            // the ears are about three cells thin
-  constexpr int kEvenest = 2000, kMin = 400;  // fewer even triangles than this lose the ears; the least that has legs
+  constexpr double kCell = 0.0125;            // the ears are about three cells thick
+  constexpr int kEvenest = 2000, kMin = 400;  // below kEvenest, even triangles lose the ears; below kMin, the legs
   static const ImplicitSurface surface(creature_volumes());
-  static const TriangleMesh fine = largest_part(polygonise(surface, kCell));  // whatever the count
+  static const TriangleMesh fine = largest_part(polygonise(surface, kCell));  // the same for all counts
   const TriangleMesh even = remesh(surface, fine, std::max(triangles, kEvenest));
   return triangles < kEvenest ? decimate(even, std::max(triangles, kMin)) : even;
 }

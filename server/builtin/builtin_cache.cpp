@@ -4,7 +4,7 @@ namespace pelage {
 
 namespace {
 
-constexpr int max_triangles = 100'000;  // of one that is remembered, some megabytes
+constexpr int max_triangles = 100'000;  // of a creature that is cached; some megabytes
 
 }  // namespace
 

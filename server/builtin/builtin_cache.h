@@ -1,4 +1,4 @@
-// Remembers the creature that was made last: it takes a second to make, and scenes tend to begin with the same one.
+// Caches the creature that was made last: it takes a second to make, and scenes tend to begin with the same one.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace pelage {
 /// Thread-safe.
 class BuiltinCache {
  public:
-  /// make_builtin, from memory where the last creature was such a one.
+  /// Returns make_builtin(wanted), from the cache if it is the last creature.
   std::shared_ptr<const RawModel> model(const BuiltinModel& wanted);
 
  private:

@@ -1,4 +1,4 @@
-// The creature's volumes, from the trunk outwards.
+// Defines the creature's volumes, from the trunk outwards, its colours and its fur lengths.
 #include "server/builtin/creature.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Cones cone(Joint a, Joint b, dvec3 flat_axis = kX, double flatten = 1) {
   return {{a.at, b.at, a.radius, b.radius, flat_axis, flatten}};
 }
 
-/// Between joints[i] and the next along a Catmull-Rom spline whose ends are repeated; t in [0, 1].
+/// Returns a joint between joints[i] (t = 0) and the next (t = 1) on a Catmull-Rom spline whose ends are repeated.
 Joint on_spline(const std::vector<Joint>& joints, std::size_t i, double t) {
   const std::size_t last = joints.size() - 1;
   const Joint &p = joints[i == 0 ? 0 : i - 1], &q = joints[i], &r = joints[i + 1], &s = joints[std::min(i + 2, last)];
@@ -36,7 +36,7 @@ Joint on_spline(const std::vector<Joint>& joints, std::size_t i, double t) {
   return {blend(p.at, q.at, r.at, s.at), blend(p.radius, q.radius, r.radius, s.radius)};
 }
 
-/// A limb that passes smoothly through the joints.
+/// Returns a limb that passes smoothly through the joints.
 Cones chain(const std::vector<Joint>& joints) {
   constexpr int kPieces = 6;
   Cones cones;
@@ -82,7 +82,7 @@ void add_trunk(Sculpture& s) {
   s.add(cone({{0, .56, .19}, .13}, {{0, .72, .29}, .112}), .09);     // neck
 }
 
-/// Four toes in front of a paw.
+/// Adds four toes in front of a paw.
 void add_toes(Sculpture& s, dvec3 paw) {
   for (const dvec3& toe : {dvec3{-.019, -.012, .047}, dvec3{.021, -.012, .047}})
     s.add_pair(cone({paw + 0.5 * toe, .024}, {paw + toe, .0265}), .012);
@@ -122,7 +122,7 @@ void add_head(Sculpture& s) {
   s.add(cone({creature::kNose - dvec3(.012, 0, 0), .026}, {creature::kNose + dvec3(.012, 0, 0), .026}, kY, 1.15), .012);
 }
 
-/// Thin cups: flattened cones, hollow in front.
+/// Adds the ears as thin cups: flattened cones, hollow in front.
 void add_ears(Sculpture& s) {
   const dvec3 front = glm::normalize(creature::kEarFront);
   s.add_pair(cone({creature::kEarBase, .105}, {creature::kEarTip, .026}, front, 1.55), .04);
@@ -154,32 +154,32 @@ std::vector<Volume> creature_volumes() {
   return std::move(s).volumes();
 }
 
-// The creature's coat as an artist would paint it: a fox's colours, and how long each part's fur is.
+// The creature's coat as an artist would paint it: a fox's colours, and the fur length of each part.
 
 namespace {
 
 constexpr dvec3 kRed{.42, .16, .05}, kDeepRed{.26, .085, .026}, kCream{.75, .62, .47}, kPale{.66, .47, .34};
 constexpr dvec3 kDark{.05, .035, .03}, kBlack{.014, .012, .012};
 
-/// 0 below `low`, 1 above `high`, smooth between.
+/// Returns 0 below `low`, 1 above `high`, and a smooth value between.
 double rise(double low, double high, double x) { return glm::smoothstep(low, high, x); }
 double fall(double low, double high, double x) { return 1 - rise(low, high, x); }
 
-/// 1 inside the ellipsoid around `centre`, 0 outside `outer` times its radii.
+/// Returns 1 inside the ellipsoid around `centre`, 0 outside `outer` times its radii.
 double near(dvec3 p, dvec3 centre, dvec3 radii, double outer) {
   return fall(1, outer, glm::length((p - centre) / radii));
 }
 
-/// 1 on the head, 0 from the neck down.
+/// Returns 1 on the head, 0 from the neck down.
 double head(dvec3 p) { return rise(.66, .74, p.y + .5 * std::max(0.0, p.z - .42)) * rise(.02, .12, p.z); }
 
-/// How far out along the ear: 0 at its base, 1 at the tip.
+/// Returns the coordinate along the ear: 0 at its base, 1 at the tip.
 double along_ear(dvec3 p) {
   const dvec3 axis = creature::kEarTip - creature::kEarBase;
   return glm::dot(p - creature::kEarBase, axis) / glm::dot(axis, axis);
 }
 
-/// 1 in the ear's hollow, 0 on its back.
+/// Returns 1 in the ear's hollow, 0 on its back.
 double in_ear(dvec3 p) {
   const dvec3 axis = creature::kEarHollowTip - creature::kEarHollowBase;
   const double t = std::clamp(glm::dot(p - creature::kEarHollowBase, axis) / glm::dot(axis, axis), 0.0, 1.0);
@@ -193,7 +193,7 @@ double on_tail(dvec3 p) { return rise(.36, .47, -p.z) * rise(.36, .42, p.y); }
 double cheek(dvec3 p) { return fall(.772, .822, p.y - .5 * std::max(0.0, p.x - .07)) * rise(.30, .42, p.z) * head(p); }
 double ear_region(dvec3 p) { return rise(.97, 1.03, p.y); }
 
-/// `p` on the +X side.
+/// Returns the colour of the body. `p` must be on the +X side.
 dvec3 body_colour(dvec3 p) {
   dvec3 c = glm::mix(kRed, kDeepRed, .75 * fall(.02, .09, p.x) * rise(.55, .64, p.y) * (1 - head(p)));
   c = glm::mix(c, kCream, std::max(belly(p), bib(p)));

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Places that both the volumes and the colours refer to. Paired ones are those of the +X side.
+/// Positions that both the volumes and the colours refer to. For paired features they are those of the +X side.
 namespace creature {
 inline constexpr glm::dvec3 kHead{0, .845, .375};
 inline constexpr glm::dvec3 kNose{0, .802, .652};
@@ -18,7 +18,7 @@ inline constexpr glm::dvec3 kEyeball{.0855, .8625, .5155};
 inline constexpr double kEyeballRadius = .0375;
 inline constexpr glm::dvec3 kEarBase{.128, .975, .345};
 inline constexpr glm::dvec3 kEarTip{.205, 1.175, .315};
-inline constexpr glm::dvec3 kEarFront{.36, .08, .93};  // the way the ear's hollow looks; about unit
+inline constexpr glm::dvec3 kEarFront{.36, .08, .93};  // direction that the ear's hollow faces; about unit
 inline constexpr glm::dvec3 kEarHollowBase = kEarBase + .078 * kEarFront + glm::dvec3(0, .035, 0);
 inline constexpr glm::dvec3 kEarHollowTip = kEarTip + .042 * kEarFront - glm::dvec3(0, .02, 0);
 inline constexpr double kEarHollowBaseRadius = .078, kEarHollowTipRadius = .02;
@@ -30,10 +30,10 @@ inline constexpr glm::dvec3 kTailTip{0, .905, -.60};
 
 std::vector<Volume> creature_volumes();
 
-/// How the creature looks at a place on or near its surface.
+/// The look of the creature at a position on or near its surface.
 struct CreatureLook {
   glm::dvec3 colour{1};     // linear
-  double length_scale = 1;  // of the first groom, (0, 4]
+  double length_scale = 1;  // relative fur length of the first groom, (0, 4]
 };
 CreatureLook creature_look(glm::dvec3 position);
 

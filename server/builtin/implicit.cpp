@@ -20,7 +20,7 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 otherwise) {
   return length > 1e-300 ? v / length : otherwise;
 }
 
-/// The smaller of two distances with a quadratic fillet `width` wide.
+/// Returns the smaller of two distances with a quadratic fillet `width` wide.
 DistanceSample smooth_min(const DistanceSample& p, const DistanceSample& q, double width) {
   const bool p_is_less = p.distance < q.distance;
   const DistanceSample& less = p_is_less ? p : q;
@@ -100,7 +100,7 @@ DistanceSample ImplicitSurface::sample_piece(const Piece& piece, glm::dvec3 posi
     flat = {piece.cosine * radial + piece.sine * along - cone.radius_a,
             piece.cosine * unit_or(across, glm::dvec3(0)) + piece.sine * piece.axis};
   }
-  // Dividing by the gradient's length makes a distance again, exact at the surface.
+  // Dividing by the gradient's length gives a distance again, exact at the surface.
   const glm::dvec3 gradient = flattened(cone, flat.gradient);
   const double slope = std::max(glm::length(gradient), 1e-3);
   return {flat.distance / slope, gradient / slope};
@@ -122,7 +122,7 @@ DistanceSample ImplicitSurface::sample(glm::dvec3 position) const {
   for (std::size_t i = 1; i < parts_.size(); ++i) {
     const Part& part = parts_[i];
     const bool adds = part.blend == Blend::add;
-    // A part too far away for its fillet changes nothing. Flattening may make a distance come out that much smaller.
+    // A part too far away for its fillet changes nothing. Flattening can reduce a distance by max_flat.
     const double gap = (glm::distance(position, part.hull.centre) - part.hull.radius) / part.max_flat;
     if (gap > (adds ? sum.distance : -sum.distance) + part.width) continue;
     const DistanceSample other = sample_part(part, position);
@@ -188,10 +188,10 @@ class Polygoniser {
   }
 
  private:
-  static constexpr int kBlock = 8;      // points along a side
-  static constexpr double kSafe = 0.4;  // a flattened volume's distance may be too large, though never twice
+  static constexpr int kBlock = 8;      // grid points along a side of a block
+  static constexpr double kSafe = 0.4;  // the distance of a flattened volume may be too large, by less than 2
 
-  /// Far from the surface all points have the same sign: one is looked at.
+  /// Samples a block of grid points. Far from the surface all points have the same sign, and one sample is enough.
   void sample_block(const ImplicitSurface& surface, glm::ivec3 low) {
     const glm::ivec3 end = glm::min(low + kBlock, count_);
     const glm::dvec3 half = 0.5 * cell_ * glm::dvec3(end - 1 - low);
@@ -208,7 +208,7 @@ class Polygoniser {
     }
   }
 
-  /// The same along a row.
+  /// Samples a row of grid points. Points that must have the same sign as a sample are skipped.
   void sample_row(const ImplicitSurface& surface, glm::ivec3 at, int end, double* row) {
     while (at.x < end) {
       const double distance = surface.sample(point(at)).distance;
@@ -248,14 +248,15 @@ class Polygoniser {
     mesh_.triangles.push_back(one_inside ? face : glm::uvec3(face.x, face.z, face.y));
   }
 
-  /// The vertex on the edge between two corners. In a tetrahedron the lower corner's bits are part of the higher's.
+  /// Returns the vertex on the edge between two corners. In a tetrahedron the lower corner's bits are a subset of the
+  /// higher one's.
   std::uint32_t vertex(glm::ivec3 cube, int from, int to) {
     const glm::ivec3 low = shifted(cube, std::min(from, to));
     const glm::ivec3 high = shifted(cube, std::max(from, to));
     const std::size_t edge = 7 * index(low) + static_cast<std::size_t>((from ^ to) - 1);
     if (vertex_of_edge_[edge] != kNone) return vertex_of_edge_[edge];
     const double at_low = distance_[index(low)], at_high = distance_[index(high)];
-    // Away from the corners, so that no triangle vanishes.
+    // Keeps the vertex away from the corners, so that no triangle vanishes.
     const double share = std::clamp(at_low / (at_low - at_high), 0.1, 0.9);
     vertex_of_edge_[edge] = static_cast<std::uint32_t>(mesh_.positions.size());
     mesh_.positions.push_back(glm::mix(point(low), point(high), share));

@@ -1,4 +1,4 @@
-// Closed surfaces as the zero set of blended volumes.
+// Closed surfaces as the zero set of blended volumes, and their triangle meshes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// The hull of two balls, squeezed by `flatten` (1 or more) along the unit vector `flat_axis` through `a`.
-/// Neither ball holds the other unless both are the same.
+/// The convex hull of two balls, compressed by `flatten` (1 or more) along the unit vector `flat_axis` through `a`.
+/// Neither ball may contain the other unless both are the same.
 struct RoundCone {
   glm::dvec3 a{0}, b{0};
   double radius_a = 1, radius_b = 1;
@@ -17,8 +17,8 @@ struct RoundCone {
 
 enum class Blend { add, carve };
 
-/// One step of a sculpture: cones that make one body (a chain of them bends like a limb), added to what is there so
-/// far or carved out of it, with a fillet about `width` wide (> 0) where they meet it.
+/// One step of a sculpture: cones that make one body (a chain of them bends like a limb), added to the sculpture so far
+/// or carved out of it, with a fillet about `width` wide (> 0) at the junction.
 struct Volume {
   std::vector<RoundCone> cones;  // one or more
   double width = 0.01;
@@ -33,7 +33,7 @@ struct DistanceSample {
   glm::dvec3 gradient{0};
 };
 
-/// The sculpture that the volumes make, in their order.
+/// The sculpture that results from the volumes in their order.
 class ImplicitSurface {
  public:
   /// The first volume must be added, not carved.
@@ -41,10 +41,11 @@ class ImplicitSurface {
 
   DistanceSample sample(glm::dvec3 position) const;
 
-  /// The surface's point near `position`, by at most three steps along the gradient, each at most `reach` long.
+  /// Returns a point of the surface near `position`, by at most three steps along the gradient, each at most `reach`
+  /// long.
   glm::dvec3 project(glm::dvec3 position, double reach) const;
 
-  /// Box around everything added.
+  /// The bounding box of all added volumes.
   glm::dvec3 lower() const { return lower_; }
   glm::dvec3 upper() const { return upper_; }
 
@@ -78,7 +79,7 @@ class ImplicitSurface {
   glm::dvec3 lower_{0}, upper_{0};
 };
 
-// Polygons of an implicit surface: closed, even, with about as many triangles as wished for.
+// Polygonises an implicit surface: closed, even, with about the requested number of triangles.
 
 /// Triangles are wound counter-clockwise seen from outside.
 struct TriangleMesh {
@@ -86,19 +87,21 @@ struct TriangleMesh {
   std::vector<glm::uvec3> triangles;
 };
 
-/// Marching tetrahedra on a grid of cubes `cell` wide (> 0). Always a closed 2-manifold; its triangles are uneven and
-/// its vertices lie within a cell of the surface. Features thinner than two cells may break.
+/// Polygonises by marching tetrahedra on a grid of cubes `cell` wide (> 0). The result is always a closed 2-manifold;
+/// its triangles are uneven and its vertices lie within a cell of the surface. Features thinner than two cells may
+/// break.
 TriangleMesh polygonise(const ImplicitSurface& surface, double cell);
 
-/// The part of a closed mesh with the most triangles.
+/// Returns the connected part of a closed mesh with the largest number of triangles.
 TriangleMesh largest_part(const TriangleMesh& mesh);
 
-/// Makes the edges of a closed mesh near `surface` as even as can be, with about `triangles` of them (a few hundred
-/// or more), and lays the vertices on the surface. Keeps the mesh a closed 2-manifold of the same genus. Deterministic.
+/// Remeshes a closed mesh near `surface` to edges of about equal length and about `triangles` triangles (a few hundred
+/// or more), and projects the vertices onto the surface. The mesh stays a closed 2-manifold of the same genus.
+/// Deterministic.
 TriangleMesh remesh(const ImplicitSurface& surface, const TriangleMesh& mesh, int triangles);
 
-/// Merges edges of a closed mesh until `triangles` are left, those first that change the shape least (quadric error).
-/// Keeps thin features longer than remesh, and edges less even. May stop early rather than fold. Deterministic.
+/// Collapses edges of a closed mesh in the order of their quadric error until `triangles` are left. Preserves thin
+/// features better than remesh, but edges are less even. Stops early if all collapses would fold. Deterministic.
 TriangleMesh decimate(const TriangleMesh& mesh, int triangles);
 
 }  // namespace pelage

@@ -68,7 +68,7 @@ std::uint32_t HalfEdgeMesh::split(std::uint32_t h, glm::dvec3 at) {
 bool HalfEdgeMesh::can_collapse(std::uint32_t h) const {
   const std::uint32_t a = origin(h), b = target(h), c = apex(h), d = apex(twin_[h]);
   if (c == d || valence(c) < 4 || valence(d) < 4) return false;
-  // The ends may share no neighbour but the two apexes.
+  // The ends may share no neighbours except the two apexes.
   bool shared = false;
   around(a, [&](std::uint32_t from_a) {
     const std::uint32_t near = target(from_a);
@@ -160,7 +160,7 @@ TriangleMesh HalfEdgeMesh::compact() const {
 
 namespace {
 
-/// Sum of squared distances to planes, each weighted by its triangle's area.
+/// The sum of squared distances to planes, each weighted by its triangle's area.
 struct Quadric {
   glm::dmat3 square{0.0};
   glm::dvec3 linear{0};
@@ -208,7 +208,7 @@ class Decimator {
   struct Candidate {
     double cost;
     std::uint32_t half_edge, origin, target;
-    unsigned changes;  // of both ends when proposed
+    unsigned changes;  // sum of changes_ of both ends when proposed
     glm::dvec3 to;
     bool operator<(const Candidate& other) const {  // the queue gives the largest first
       return cost != other.cost ? cost > other.cost : half_edge > other.half_edge;
@@ -220,7 +220,7 @@ class Decimator {
            changes_[c.origin] + changes_[c.target] == c.changes;
   }
 
-  /// The ends may meet at either one or half way.
+  /// Queues the collapse of an edge, to the best of its ends and its middle.
   void propose(std::uint32_t h) {
     const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);
     Quadric sum = quadrics_[a];
@@ -229,7 +229,7 @@ class Decimator {
     const std::array<glm::dvec3, 3> places = {0.5 * (at_a + at_b), at_a, at_b};
     const auto less = [&](glm::dvec3 p, glm::dvec3 q) { return sum.at(p) < sum.at(q); };
     const glm::dvec3 to = *std::min_element(places.begin(), places.end(), less);
-    // A little of the length too, which keeps flat parts even.
+    // A small cost for the length keeps flat parts even.
     const double length = mesh_.length(h);
     queue_.push({sum.at(to) + 5e-3 * length * length * length * length, h, a, b, changes_[a] + changes_[b], to});
   }
@@ -253,15 +253,15 @@ TriangleMesh decimate(const TriangleMesh& mesh, int triangles) {
   return Decimator(mesh).run(static_cast<std::size_t>(std::max(triangles, 4)));
 }
 
-// Isotropic remeshing: split long edges, collapse short ones, even the valences out, relax along the surface.
+// Isotropic remeshing: split long edges, collapse short ones, even out the valences, relax along the surface.
 
 namespace {
 
-// Above and below these shares of the wished-for length an edge is split or merged.
+// An edge is split if longer than kLong, and collapsed if shorter than kShort, times the target length.
 constexpr double kLong = 4.0 / 3.0;
 constexpr double kShort = 4.0 / 5.0;
 
-/// Edge of an equilateral triangle when `count` of them make up the mesh's area.
+/// Returns the edge of an equilateral triangle with 1/`count` of the mesh's area.
 double edge_for(const TriangleMesh& mesh, int count) {
   double area = 0;
   for (const glm::uvec3& t : mesh.triangles)
@@ -303,8 +303,8 @@ class Remesher {
     }
   }
 
-  /// Returns whether the fan around the origin of `h` neither folds nor gets too long an edge when its hub moves to
-  /// `to`.
+  /// Returns whether the fan around the origin of `h` neither folds nor gets an edge of `longest` or more if the origin
+  /// moves to `to`.
   bool stays_sound(std::uint32_t h, glm::dvec3 to, double longest) const {
     bool sound = !mesh_.folds(h, to);
     mesh_.around(mesh_.origin(h), [&](std::uint32_t spoke) {
@@ -321,7 +321,7 @@ class Remesher {
     }
   }
 
-  /// Returns whether a flip brings the four valences nearer to six.
+  /// Returns whether a flip brings the four valences closer to six.
   bool flip_evens(std::uint32_t h) const {
     const auto excess = [&](std::uint32_t vertex) { return mesh_.valence(vertex) - 6; };
     const int a = excess(mesh_.origin(h)), b = excess(mesh_.target(h));
@@ -346,7 +346,8 @@ class Remesher {
       if (mesh_.vertex_live(v)) mesh_.move(v, moved[v]);
   }
 
-  /// Towards the mean of the neighbours, along the surface, weighted so that triangles get equal areas.
+  /// Returns the vertex moved along the surface towards the mean of its neighbours, weighted so that triangles get
+  /// equal areas.
   glm::dvec3 relaxed(std::uint32_t v, double edge) const {
     const glm::dvec3 here = mesh_.position(v);
     glm::dvec3 sum{0}, normal{0};

@@ -1,4 +1,4 @@
-// A closed triangle mesh that can be changed edge by edge.
+// A closed triangle mesh that can be edited edge by edge.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,11 @@
 
 namespace pelage {
 
-/// The triangle's normal, as long as its area.
+/// Returns the triangle's normal with the length of its area.
 inline glm::dvec3 area_vector(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return 0.5 * glm::cross(b - a, c - a); }
 
-/// Half-edges of closed triangle meshes: half-edge h is side h % 3 of triangle h / 3. Every vertex keeps one fan.
+/// Half-edges of closed triangle meshes: half-edge h is side h % 3 of triangle h / 3. Every vertex has one fan of
+/// triangles, also after edits.
 class HalfEdgeMesh {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -49,7 +50,7 @@ class HalfEdgeMesh {
   }
   int valence(std::uint32_t vertex) const;
 
-  /// Puts a vertex into the edge; returns it.
+  /// Splits the edge by a new vertex at `at`, and returns the vertex.
   std::uint32_t split(std::uint32_t h, glm::dvec3 at);
 
   /// Returns whether merging the edge's ends keeps the mesh a manifold of the same genus.

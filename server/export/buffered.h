@@ -1,4 +1,4 @@
-// Gathers small pieces of a file for a sink.
+// Buffers small writes to a sink.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ class Buffered {
   }
 
   bool going() const { return going_; }
-  /// Hands over the rest. Returns whether the sink took all.
+  /// Writes the rest to the sink. Returns false if the sink has ended the writing.
   bool finish() {
     flush();
     return going_;

@@ -16,7 +16,8 @@ constexpr int lock_width = 128, lock_height = 256;  // texels
 constexpr int margin = 6;                           // texels without a strand at each side of a lock
 constexpr int strands_of_lock = 56;
 
-/// One strand of a lock, in texels from its left; `height` from the root, [0, 1].
+/// One strand of a lock. `root` and `sway` are in texels, `root` from the lock's left; `reach` is a share of the lock's
+/// height. `height` is a share of the lock's height, too, from the root.
 struct LockStrand {
   double root = 0, sway = 0, reach = 1, lightness = 1;
 
@@ -27,7 +28,7 @@ LockStrand random_strand(Random& random) {
   constexpr double inner = lock_width - 2 * margin;
   LockStrand strand;
   strand.root = margin + inner * random.uniform(0.08, 0.92);
-  const double gathered = 0.35 * (0.5 * lock_width - strand.root);  // tips of a lock come together
+  const double gathered = 0.35 * (0.5 * lock_width - strand.root);  // tips of a lock converge
   strand.sway = std::clamp(gathered + 0.12 * inner * (random.uniform() - 0.5), margin - strand.root,
                            lock_width - margin - strand.root);
   strand.reach = random.uniform(0.35, 1);
@@ -39,7 +40,7 @@ class Lock {
  public:
   Lock() : lightness_(texels, 1), opacity_(texels, 0) {}
 
-  /// `root`, `tip`: half widths, texels.
+  /// `root` and `tip` are half widths in texels.
   void draw(const LockStrand& strand, double root, double tip) {
     for (int y = 0; y < lock_height; ++y) {
       const double height = (lock_height - y - 0.5) / lock_height, along = height / strand.reach;
@@ -70,7 +71,7 @@ class Lock {
     return static_cast<std::size_t>(y) * lock_width + static_cast<std::size_t>(x);
   }
 
-  /// Draws a stretch of a row over what is there, by how much it covers of each texel.
+  /// Composites a span of a row over earlier strands, by its coverage of each texel.
   void draw_row(int y, double middle, double half, double lightness) {
     const int first = clamped_index(middle - half, 0, lock_width);
     const int last = clamped_index(std::floor(middle + half), -1, lock_width - 1);
@@ -90,7 +91,7 @@ class Lock {
 }  // namespace
 
 Image card_texture(const Coat& coat, double width) {
-  constexpr double thinnest = 0.35;  // texels: thinner ones are not seen
+  constexpr double thinnest = 0.35;  // texels; thinner strands would be invisible
   const double texels_per_size = lock_width / width;
   const auto half = [&](double strand_width) {
     return std::clamp(0.5 * strand_width * texels_per_size, thinnest, 0.1 * lock_width);

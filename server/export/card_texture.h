@@ -6,14 +6,14 @@
 
 namespace pelage {
 
-/// Locks in a row, each for a quarter of the cards; roots are at the bottom.
+/// Number of locks in a row, each for a quarter of the cards; roots are at the bottom.
 inline constexpr int card_locks = 4;
 
-/// How light the texture is where a strand is of the mean lightness, linear.
+/// The linear value that a strand of the mean lightness has in the texture.
 inline constexpr float card_lightness = 0.75f;
 
-/// sRGB: how light strands are over their mean, in grey; alpha: what they cover. Strands are as thick as the coat's
-/// against a card `width` sizes wide, become thinner towards their tips as they do, and their lengths differ.
+/// Draws the texture. sRGB: lightness of the strands relative to their mean, in grey; alpha: their coverage. Strands
+/// have the coat's widths at root and tip, for a card that is `width` sizes wide, and different lengths.
 Image card_texture(const Coat& coat, double width);
 
 }  // namespace pelage

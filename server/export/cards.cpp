@@ -17,10 +17,10 @@ namespace pelage {
 
 namespace {
 
-constexpr double overlap = 1.9;   // width of a card over the distance to the next
-constexpr double max_turn = 0.4;  // around its middle line, radians
+constexpr double overlap = 1.9;   // width of a card, relative to the distance to the next
+constexpr double max_turn = 0.4;  // of a card around its middle line, radians
 
-/// Rows of quads of each level.
+/// Number of rows of quads for each level.
 constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
 
 struct CardMesh {
@@ -30,7 +30,7 @@ struct CardMesh {
   std::vector<glm::uvec3> triangles;
 };
 
-/// A unit vector that a card's sides are level with: the skin's normal, unless the strand stands along it.
+/// Returns the unit vector that a card faces: the skin's normal or, for a strand along the normal, a random tangent.
 glm::vec3 level_of(const CardLine& clump, glm::vec3 along) {
   const glm::vec3 across = glm::cross(along, clump.normal);
   if (glm::length(across) > 0.25f * glm::length(along)) return clump.normal;
@@ -40,7 +40,7 @@ glm::vec3 level_of(const CardLine& clump, glm::vec3 along) {
   return std::cos(turn) * u + std::sin(turn) * v;
 }
 
-/// From the middle of the card to its right side, unit.
+/// Returns the unit vector from the middle line of the card to its right side, with the card's random turn.
 glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
   const auto turn = static_cast<float>(max_turn * (2 * std::fmod(7.0 * double{clump.number}, 1.0) - 1));
   const glm::vec3 across = glm::cross(along, level);
@@ -50,7 +50,7 @@ glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
   return std::cos(turn) * side + std::sin(turn) * glm::cross(glm::normalize(along), side);
 }
 
-/// `width`: sizes.
+/// Adds a card that is `width` sizes wide.
 void add_card(const CardLine& clump, double width, std::size_t rows, const Slices& slices, double size,
               CardMesh& mesh) {
   const glm::vec3 level = level_of(clump, clump.places.back() - clump.places.front());
@@ -61,7 +61,7 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
     const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
     const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
-    const float light = glm::mix(light_at(slices, height), 1.0f, 0.5f);  // cards hide the roots of those below
+    const float light = glm::mix(light_at(slices, height), 1.0f, 0.5f);  // halved: cards hide the roots of others, too
     const glm::vec4 colour(glm::min(light * clump.colours[at] / card_lightness, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
       mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
@@ -86,7 +86,7 @@ GltfJson add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
           {"material", material}};
 }
 
-/// What a file has beside skin: materials that nothing uses are left out, and numbers follow.
+/// The materials that a file uses besides the skin's. Unused materials are left out, so that later numbers change.
 struct CardMaterials {
   bool eyes = false, cards = false;
 
@@ -108,8 +108,8 @@ void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat,
   file.set("materials", std::move(materials));
 }
 
-/// Mesh 0 is the body; mesh 1 + k are the cards of level k, where there are any. Each scene has nodes of its own:
-/// readers move those that two scenes share from one to the other.
+/// Mesh 0 is the body; the next meshes are the cards of the levels that have any. Each scene has nodes of its own,
+/// because readers move a node that two scenes share from one to the other.
 void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, const FilePlace& place) {
   GltfJson scenes = GltfJson::array(), nodes = GltfJson::array(), meshes = GltfJson::array();
   const auto add_mesh = [&](const std::string& name, GltfJson primitives) {

@@ -1,4 +1,4 @@
-// Fur as games draw it: textured strips along its clumps, in levels of detail.
+// Exports fur as hair cards, as games draw it: textured strips along its clumps, in levels of detail.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct CardFile {
   std::uint64_t cards = 0;      // of the finest level
 };
 
-/// A GLB with a scene for each level of detail, "LOD0" the finest and first: the skin with the eyes, and one mesh of
-/// cards ("fur_LOD0"), about request.cards of them, in the next levels a half and a quarter, wider and with fewer rows.
-/// A card follows the mean of the strands of a clump, flat on the fur but for a turn of its own. Its texture is cut at
-/// an opacity of .4; COLOR_0 is the colour of the `strands`, darker where fur shades it, NORMAL that of the skin.
-/// Whiskers are left out.
+/// Makes a GLB with a scene for each level of detail; "LOD0" is the finest and first. A scene has the skin with the
+/// eyes, and one mesh of cards ("fur_LOD0"). The finest level has about request.cards cards, the next ones a half and a
+/// quarter of that, wider and with fewer rows. A card follows the mean strand of a clump, and lies flat on the fur
+/// except for a random turn. Its texture has an alpha cutoff of .4; COLOR_0 is the colour of the `strands`, darker
+/// where fur shades it, NORMAL that of the skin. Whiskers are left out.
 Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 
 }  // namespace pelage

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// A cube, and which of six directions the skin faces.
+/// The three indices of a cube, and which of six directions the skin faces.
 using CellKey = std::tuple<int, int, int, int>;
 
 int facing_of(glm::vec3 normal) {
@@ -28,7 +28,7 @@ CellKey key_of(glm::vec3 root, glm::vec3 normal, double cell) {
   return {held(cube.x), held(cube.y), held(cube.z), facing_of(normal)};
 }
 
-/// Calls use(set, number of the strand in it, its first point) for each strand of the fur.
+/// Calls use(set, index of the strand in the set, index of its first point) for each strand of the fur.
 template <class Use>
 void for_each_strand(const ExportedStrands& strands, const Use& use) {
   for (std::size_t k = 0; k + strands.curve_sets < strands.sets.size(); ++k) {
@@ -46,7 +46,7 @@ std::size_t count_clumps(const ExportedStrands& strands, double cell) {
   return keys.size();
 }
 
-/// Sums of a clump's strands.
+/// The sums over a clump's strands.
 struct Sum {
   std::array<glm::dvec3, CardLine::rows> places{}, colours{};
   glm::dvec3 normal{0};

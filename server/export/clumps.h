@@ -1,4 +1,4 @@
-// Strands that stand together, as one: what a card of hair is laid along.
+// Combines neighbouring strands to clumps, along which hair cards are laid.
 #pragma once
 
 #include <array>
@@ -10,22 +10,21 @@
 
 namespace pelage {
 
-/// What a card is laid along: the mean of the strands of a clump, at even steps from root to tip.
+/// The middle line of a card: the mean of the strands of a clump, at even steps from root to tip.
 struct CardLine {
   static constexpr std::size_t rows = 6;
 
-  std::array<glm::vec3, rows> places{};   // internal
+  std::array<glm::vec3, rows> places{};   // positions, internal
   std::array<glm::vec3, rows> colours{};  // linear
   glm::vec3 normal{0, 1, 0};              // of the skin, unit
-  float number = 0;                       // [0, 1), its first strand's
+  float number = 0;                       // random number of its first strand, [0, 1)
 };
 
-/// The fur of the strands, gathered by the cubes with sides of `cell` sizes that their roots lie in, and by the side
-/// that the skin faces there, so that the two sides of an ear stay apart. In an order that depends on nothing but the
-/// strands.
+/// Returns the clumps of the fur. A clump has the strands with roots in one cube with sides of `cell` sizes, where the
+/// skin faces the same of six directions, so that the two sides of an ear stay apart. The order is deterministic.
 std::vector<CardLine> make_clumps(const ExportedStrands& strands, double cell);
 
-/// The sides of cubes that make about `count` clumps, within a tenth where that can be had.
+/// Returns the side of the cubes, in sizes, that gives about `count` clumps, within a tenth if possible.
 double cell_of(const ExportedStrands& strands, int count);
 
 }  // namespace pelage

@@ -31,7 +31,7 @@ std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel) 
 
 namespace {
 
-/// Files of strands, which are made as they are sent.
+/// Makes a file of strands. Its bytes are generated while it is sent.
 ExportFile strand_file(const std::shared_ptr<const ExportedStrands>& strands, const ExportRequest& request,
                        ExportFile file) {
   file.about.strands = strands->count(), file.about.points = strands->points();
@@ -75,7 +75,7 @@ Result<ExportFile> file_of(const SceneView& scene, ExportedStrands gathered, con
   return strand_file(std::make_shared<const ExportedStrands>(std::move(gathered)), request, std::move(file));
 }
 
-/// The settings with all coats muted but those that the file is to hold.
+/// Returns the settings with all coats muted except those that the file is to hold.
 Result<SceneSettings> with_asked_coats(SceneSettings settings, const ExportRequest& request) {
   std::vector<NamedCoat>& coats = settings.coats;
   const auto seen = coats.size() - static_cast<std::size_t>(std::ranges::count(coats, true, &NamedCoat::muted));

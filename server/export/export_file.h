@@ -1,4 +1,4 @@
-// A scene's fur as a file of another program: what it holds is known before its bytes are made, piece by piece.
+// Exports a scene's fur as a file for another program. Its description is known before its bytes are made, in chunks.
 #pragma once
 
 #include <cstdint>
@@ -15,46 +15,47 @@
 
 namespace pelage {
 
-/// Takes the next bytes of a file; false ends the writing.
+/// Takes the next bytes of a file. Returns false to end the writing.
 using Sink = std::function<bool(std::string_view)>;
 
-/// Makes the same bytes each time; false when the sink ended it.
+/// Writes a part of a file, with the same bytes each time. Returns false if the sink has ended the writing.
 using FilePart = std::function<bool(const Sink&)>;
 
 struct ExportFile {
   ExportAnswer about;
   const char* content_type = "";
   std::string ending;           // ".usda"
-  std::vector<FilePart> parts;  // one after the other they are the file; each can be made on a thread of its own
+  std::vector<FilePart> parts;  // the file is all parts in order; each can be written on a thread of its own
 
   bool write(const Sink& sink) const;
 };
 
-/// Exports the scene itself, or a file that is made of a snapshot of it. Fails as both do.
+/// Exports the scene by export_saved or export_scene, depending on the format. Fails as they do.
 Result<ExportFile> export_file(const SceneStore& store, const Scene& scene, const ExportRequest& request,
                                const Cancel& cancel = {});
 
-/// Grows all strands of the scene, which stay in memory as long as the file: about 160 bytes each, curls more. Refused
-/// (too_large): "/every" where more than limits::export_strands are expected, and a GLB that cannot be so large;
-/// unavailable once nobody waits, which is asked on several threads.
+/// Grows all strands of the scene in memory: about 160 bytes each, curls more. A file of strands keeps them. Refused:
+/// too_large ("/every") if more than limits::export_strands are expected, or if a GLB would be too large; invalid
+/// ("/coat") if the file needs the name of a coat or no coat has the name; unavailable once `cancel`, which is asked on
+/// several threads, says so.
 Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest& request, const Cancel& cancel = {});
 
-/// The limits of what open_saved takes.
+/// The limits of a file that open_saved accepts.
 struct SavedLimits {
-  std::uint64_t bytes = limits::model_bytes;     // of the file
-  std::uint64_t unpacked = limits::saved_bytes;  // after decompression
+  std::uint64_t bytes = limits::model_bytes;     // size of the file
+  std::uint64_t unpacked = limits::saved_bytes;  // size after decompression
 };
 
-/// The scene itself: what SceneStore::save writes, as gzip. The file lies in a temporary folder as long as this does.
-/// Refused (too_large) where no server would open it; unavailable once nobody waits.
+/// Exports the scene itself: the output of SceneStore::save, compressed by gzip. It is kept in a temporary folder as
+/// long as the returned file lives. Refused: too_large if no server would open it, unavailable once `cancel` says so.
 Result<ExportFile> export_saved(const SceneStore& store, const Scene& scene, const Cancel& cancel = {},
                                 const SavedLimits& max = {});
 
-/// Makes a scene of the bytes of such a file, as SceneStore::open_saved.
+/// Makes a scene from the bytes of such a file by SceneStore::open_saved.
 Result<std::shared_ptr<Scene>> open_saved(SceneStore& store, const std::string& bytes, const std::string& name,
                                           const Cancel& cancel = {});
 
-/// Returns the size of all parts, which are made on all cores to know it. Throws Cancelled.
+/// Returns the total size of all parts in bytes. Writes them, on all cores, to count their bytes. Throws Cancelled.
 std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel);
 
 }  // namespace pelage

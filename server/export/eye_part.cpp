@@ -10,14 +10,14 @@ namespace pelage {
 
 namespace {
 
-constexpr int rings = 96, sectors = 96;  // of a ball, from where it looks to its back
+constexpr int rings = 96, sectors = 96;  // of a ball; the first ring is at its front, the last at its back
 
-/// Returns 1 from `edge` on, and 0 at `soft` below it.
+/// Returns 1 from `edge` on, 0 up to edge - soft, and a linear ramp between.
 float step(double edge, double soft, double value) {
   return static_cast<float>(std::clamp((value - edge) / soft + 1, 0.0, 1.0));
 }
 
-/// Returns whether the lids leave the place open: between two arcs that meet in the corners.
+/// Returns whether a direction is in the opening of the lids, between two arcs that meet in the corners.
 bool is_open(const FurLids& lids, glm::vec3 direction) {
   const glm::dvec3 at(glm::transpose(lids.frame) * direction);
   const glm::dvec3 opening(lids.opening);
@@ -26,7 +26,7 @@ bool is_open(const FurLids& lids, glm::vec3 direction) {
   return std::abs(across) < 1 && up < opening.y * bow && up > -opening.z * bow;
 }
 
-/// `direction`: from the middle of the ball, unit. Linear.
+/// Returns the linear colour in a direction from the centre of the ball, unit.
 glm::vec3 colour_of(const FurEye& eye, glm::vec3 direction) {
   constexpr double soft = 0.06;
   if (eye.lids && !is_open(*eye.lids, direction)) return eye.lids->colour;

@@ -1,4 +1,4 @@
-// The eyes of a scene as plain balls, for viewers that know nothing of corneas.
+// Exports the eyes of a scene as plain balls, for viewers that do not draw corneas.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace pelage {
 
-/// Adds balls with pupil, iris, white and the opening of the lids as colours of their vertices, `size` model units a
-/// size, in the same place as all other parts. The primitive with the material of that number; null where there are
-/// no eyes. Without a size a pupil is half as wide as the iris.
+/// Adds balls whose vertex colours show pupil, iris, sclera and lids. Positions are multiplied by `size` (model units
+/// per size), like those of all other parts. Returns the primitive, with the material of that number; null if there are
+/// no eyes. A pupil without a size is half as wide as the iris.
 GltfJson add_eyes(GlbWriter& file, const std::vector<FurEye>& eyes, double size, int material);
 
 }  // namespace pelage

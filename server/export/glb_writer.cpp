@@ -40,7 +40,7 @@ GltfJson json_of(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 int GlbWriter::add_view(const void* bytes, std::size_t size, int target) {
   const int number = static_cast<int>(views_.size());
   is_full_ = is_full_ || binary_.size() + size + 3 > max_bytes_;
-  if (is_full_) return number;  // finish() says so
+  if (is_full_) return number;  // finish() fails
   binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
   GltfJson& view = views_.emplace_back(GltfJson{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}});
   if (target != no_target) view["target"] = target;

@@ -1,4 +1,4 @@
-// Binary glTF 2.0 files, put together accessor by accessor.
+// Writes binary glTF 2.0 files, accessor by accessor.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +18,32 @@ using GltfJson = nlohmann::ordered_json;
 
 class GlbWriter {
  public:
-  /// Makes files of at most `max_bytes`, because sizes in a GLB have 32 bits. What would make the file larger is not
-  /// stored.
+  /// Makes files of at most `max_bytes`, because sizes in a GLB have 32 bits. Data beyond that is not stored, and
+  /// finish() fails.
   explicit GlbWriter(std::uint64_t max_bytes = std::numeric_limits<std::uint32_t>::max()) : max_bytes_(max_bytes) {}
 
-  /// Accessors of floats; each gives its number. Those of positions need their bounds (glTF 2.0, 3.7.2.1).
+  /// These add an accessor of floats and return its index. add_positions also stores the bounds, which accessors of
+  /// positions need (glTF 2.0, 3.7.2.1).
   int add(std::span<const float> values);
   int add(std::span<const glm::vec2> values);
   int add(std::span<const glm::vec3> values);
   int add(std::span<const glm::vec4> values);
   int add_positions(std::span<const glm::vec3> values);
-  /// An accessor of triangles, in 16 bits where `vertices` are few enough.
+  /// Adds an accessor of triangles and returns its index. Indices have 16 bits if the number of `vertices` permits
+  /// that.
   int add_triangles(std::span<const glm::uvec3> triangles, std::size_t vertices);
-  /// Adds an image and returns its number.
+  /// Adds an image and returns its index.
   int add_png(std::string_view file);
 
-  /// A member of the file's object: "nodes", "meshes", "materials" and so on.
+  /// Sets a member of the document: "nodes", "meshes", "materials" and so on.
   void set(const std::string& name, GltfJson value) { document_[name] = std::move(value); }
-  /// The sampler of all textures: trilinear, and at the borders `wrap`.
+  /// Sets the sampler of all textures: trilinear, with the wrap mode `wrap`.
   void set_sampler(int wrap);
-  /// One scene with one node, of mesh 0, which has these primitives.
+  /// Sets one scene with one node for mesh 0, which has these primitives and extras.
   void set_scene(GltfJson node, GltfJson primitives, GltfJson extras = {});
 
-  /// The whole file. Buffers, views, accessors, images and asset are what was added. Refused (too_large) where it would
-  /// be larger than it may be.
+  /// Returns the whole file, with the buffers, views, accessors and images that were added. Refused (too_large) if it
+  /// would exceed the limit.
   Result<std::string> finish() const;
 
  private:
@@ -61,10 +63,10 @@ class GlbWriter {
 
 GltfJson json_of(glm::dvec3 v);
 
-/// A node with a mesh, which stands at a centre, turned (a rotation) and scaled about it.
+/// Returns a node with a mesh, which is scaled, rotated by `turn` and moved to `centre`.
 GltfJson node_of(const std::string& name, std::size_t mesh, glm::dvec3 centre, const glm::dmat3& turn = glm::dmat3(1),
                  double scale = 1);
 
-inline constexpr int clamped = 33071, repeated = 10497;  // GL's numbers, which glTF takes
+inline constexpr int clamped = 33071, repeated = 10497;  // wrap modes; glTF uses GL's numbers
 
 }  // namespace pelage

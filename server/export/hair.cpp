@@ -8,12 +8,12 @@ namespace pelage {
 
 namespace {
 
-/// As the format's description has it (cemyuksel.com/research/hairmodels).
+/// The header as described at cemyuksel.com/research/hairmodels.
 struct HairHeader {
   std::array<char, 4> signature{'H', 'A', 'I', 'R'};
   std::uint32_t strands = 0, points = 0;
   std::uint32_t arrays = 1 | 2 | 4 | 16;  // segments, points, thickness, colours
-  std::uint32_t segments = 0;             // of all, where there is no array of them
+  std::uint32_t segments = 0;             // default for all strands; unused, as there is an array
   float thickness = 0, transparency = 0;
   std::array<float, 3> colour{};
   std::array<char, 88> about{};

@@ -21,7 +21,7 @@ LayerTexture::LayerTexture(const SliceLevel& level, const SliceBin& bin) : texel
       const std::size_t texel = 4 * (static_cast<std::size_t>(slice) * count + i);
       const double here = level.shape[texel + 3] / 255.0 * stored_depth * level.depth_scale[0];
       for (std::size_t k = 0; k < 3; ++k) {
-        const double root = level.colour[texel + k] / 255.0;  // of linear
+        const double root = level.colour[texel + k] / 255.0;  // stored as the root of linear
         sum += here * root * root / 3;
       }
       depth += here;

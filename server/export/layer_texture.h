@@ -1,4 +1,4 @@
-// The slices of a coat's tile, several at a time, as textures for other programs.
+// Merges the slices of a coat's tile into fewer shell textures for other programs.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace pelage {
 
-/// The slices that one layer of a number of them stands for.
+/// The slices that one exported shell combines.
 struct SliceBin {
-  int first = 0, last = 0;  // half open
+  int first = 0, last = 0;  // [first, last)
   double height = 0;        // s of its middle, (0, 1)
 };
 SliceBin bin_of(int layer, int layers);
 
-/// Where strands stand in one layer, and how light they are.
+/// The texture of one exported shell: opacity and lightness of its strands.
 class LayerTexture {
  public:
-  static constexpr float headroom = 1.6f;  // strands may be lighter than their mean by so much
+  static constexpr float headroom = 1.6f;  // maximum lightness of strands, relative to their mean
 
   LayerTexture(const SliceLevel& level, const SliceBin& bin);
 
-  /// sRGB: lightness over the layer's mean and over the headroom, in grey. Alpha: opacity.
+  /// Returns the texture. sRGB: lightness divided by the shell's mean and by the headroom, in grey. Alpha: opacity.
   Image image() const;
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int atlas_columns = 4;
 
-/// The layers of the tile in rows from the top, at half the finest resolution.
+/// Returns the shell textures of the tile in rows from the top, at half the finest resolution.
 Image atlas_of(const Coat& coat) {
   const Slices slices = bake_slices(coat);
   const SliceLevel& level = slices.levels[1];
@@ -35,7 +35,7 @@ Image atlas_of(const Coat& coat) {
   return atlas;
 }
 
-/// One value for each corner.
+/// Returns of(corner) for each corner.
 template <class Value, class Of>
 std::vector<Value> of_corners(const CornerMesh& shells, const Of& of) {
   std::vector<Value> values;
@@ -57,7 +57,7 @@ std::string attribute_of(Field field) {
   return name;
 }
 
-/// Adds every field of numbers to the attributes.
+/// Adds every scalar field to the attributes.
 void add_fields(const SceneView& scene, const CornerMesh& shells, GlbWriter& file, GltfJson& attributes) {
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);

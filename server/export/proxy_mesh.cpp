@@ -17,11 +17,12 @@ namespace pelage {
 
 namespace {
 
-/// Vertices that differ in the file can be one in 32 bits. The simplifier would take them for the two sides of a seam.
+/// The mesh with equal positions merged. Vertices that differ in the file can coincide in 32 bits, and the simplifier
+/// would take them for the two sides of a seam.
 struct Welded {
   std::vector<glm::vec3> positions;     // internal, all different
-  std::vector<std::uint32_t> vertices;  // of each position: one of the mesh
-  std::vector<glm::uvec3> triangles;    // positions, three different ones each
+  std::vector<std::uint32_t> vertices;  // for each position: one of its vertices in the mesh
+  std::vector<glm::uvec3> triangles;    // indices of positions, three different ones each
 };
 
 Welded weld_positions(const Mesh& mesh) {
@@ -51,12 +52,12 @@ std::vector<glm::uvec3> with_vertices_of_mesh(std::vector<glm::uvec3> triangles,
   return triangles;
 }
 
-/// Empty where the whole model would vanish.
+/// Returns about `triangles` triangles, as indices of vertices of the mesh; empty if the whole model would vanish.
 std::vector<glm::uvec3> fewer_triangles(const Mesh& mesh, std::size_t triangles) {
-  constexpr float any_error = 1;  // of the model's box: only the number of triangles ends the work
+  constexpr float any_error = 1;  // relative to the model's box: only the number of triangles is a limit
   const Welded welded = weld_positions(mesh);
   std::vector<glm::uvec3> fewer = welded.triangles;
-  if (fewer.size() > triangles) {  // which the simplifier insists on
+  if (fewer.size() > triangles) {  // required by the simplifier
     fewer.resize(meshopt_simplify(&fewer.front().x, &welded.triangles.front().x, 3 * welded.triangles.size(),
                                   &welded.positions.front().x, welded.positions.size(), sizeof(glm::vec3),
                                   3 * triangles, any_error, 0, nullptr) /
@@ -65,7 +66,7 @@ std::vector<glm::uvec3> fewer_triangles(const Mesh& mesh, std::size_t triangles)
   return with_vertices_of_mesh(std::move(fewer), welded);
 }
 
-/// Numbers the vertices of the triangles anew, in order of their first use, and copies them.
+/// Renumbers the vertices of the triangles in order of their first use, and copies them.
 void copy_used(const Mesh& mesh, ProxyMesh& proxy) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> numbers(mesh.positions.size(), unused);
@@ -100,7 +101,7 @@ Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles) {
 
 namespace {
 
-/// A coat that is seen, and its fields.
+/// A coat that is not muted, and its fields.
 struct StandingCoat {
   FieldSet fields;
   const Coat& coat;
@@ -144,7 +145,7 @@ std::string glb_of(const ProxyMesh& mesh, const ProxyFur* fur) {
   }
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}};
   file.set_scene(node_of("skin", 0, mesh.centre), GltfJson::array({skin}));
-  return std::move(file.finish()).value();  // limits::proxy_triangles take some megabytes
+  return std::move(file.finish()).value();  // limits::proxy_triangles take only some megabytes
 }
 
 std::string npy_of_vertices(const Mesh& mesh) {

@@ -42,8 +42,8 @@ Status cannot_be_written() {
   return failure(Code::internal, "a temporary file cannot be written; see that TMPDIR has room");
 }
 
-/// As gzip, whose checksum tells what is damaged. Fails (internal) where a file cannot be read or written. `between` is
-/// called between pieces, and ends it by throwing.
+/// Compresses a file by gzip, whose checksum detects damage. Fails (internal) if a file cannot be read or written.
+/// `between` is called before each chunk and may throw to stop the work.
 Status compress_file(const std::string& from, const std::string& to, const std::function<void()>& between) {
   std::ifstream input(from, std::ios::binary);
   GzipFile output(gzopen(to.c_str(), "wb"));

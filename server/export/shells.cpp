@@ -23,7 +23,7 @@ namespace pelage {
 
 namespace {
 
-/// What all layers share, and the members of the file that grow with each.
+/// The data that all shells share, and the members of the file that grow with each shell.
 class ShellFile {
  public:
   ShellFile(const SceneView& scene, const FilePlace& place, const CornerMesh& shells, const VertexColours& colours,
@@ -98,7 +98,7 @@ class ShellFile {
   GltfJson primitives_ = GltfJson::array(), materials_ = GltfJson::array(), textures_ = GltfJson::array();
 };
 
-/// Of each layer, as PNG: compressing them takes longer than all the rest.
+/// Returns the texture of each shell as PNG. Works in parallel, since the compression takes longer than all the rest.
 std::vector<std::string> layer_textures(const Slices& slices, int layers) {
   std::vector<std::string> textures(static_cast<std::size_t>(layers));
   for_each_in_parallel(static_cast<std::uint32_t>(layers), [&](std::uint32_t layer) {

@@ -1,4 +1,4 @@
-// Fur for viewers of glTF that know nothing of fur: the skin and layers of shells over it, baked.
+// Bakes fur for glTF viewers that do not draw fur: the skin, and textured shells over it.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct BakedShells {
   std::uint64_t triangles = 0;
 };
 
-/// A GLB with a primitive for the skin, one for the eyes and one for each of request.shells layers, which lie along the
-/// lean of the fur from its root to its tip, to be blended in their order. A layer's texture repeats the coat's sample
-/// tile: how opaque its strands are, and how light; COLOR_0 is their colour, of the `strands`, darkened by those above,
-/// and in alpha the density and the share of the patch. Positions are in the model's unit, on a node at the model's
+/// Makes a GLB with a primitive for the skin, one for the eyes and one for each of request.shells shells, which follow
+/// the lean of the fur from root to tip and have to be blended in their order. A shell's texture repeats the coat's
+/// sample tile: opacity and lightness of its strands. COLOR_0 is the colour of the `strands`, darkened by those above;
+/// its alpha is the density times the share of the patch. Positions are in the model's unit, on a node at the model's
 /// centre.
 Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 

@@ -8,8 +8,8 @@
 namespace pelage {
 
 float light_at(const Slices& slices, double height) {
-  constexpr float deepest_light = 0.35f;  // that reaches the skin
-  constexpr float shade = 0.08f;          // light that a strand above takes
+  constexpr float deepest_light = 0.35f;  // share of the light under infinitely dense fur
+  constexpr float shade = 0.08f;          // extinction per strand above
   const auto slice = std::min(static_cast<std::size_t>(height * slice_count), std::size_t{slice_count - 1});
   return deepest_light + (1 - deepest_light) * std::exp(-shade * slices.depth_above[slice]);
 }

@@ -15,8 +15,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double strands_each = 6000;  // of a set
-constexpr int strands_of_card = 8;     // enough to find clumps
+constexpr double strands_each = 6000;  // aimed number of strands in a set
+constexpr int strands_of_card = 8;     // strands grown for each card; enough to find clumps
 
 std::vector<GrowRecipe> recipes_for(const FurFrame& frame, const FurModel& model, const ExportRequest& request) {
   std::vector<GrowRecipe> recipes = recipes_of(frame, model.has_colours, fur_area(model));
@@ -27,7 +27,7 @@ std::vector<GrowRecipe> recipes_for(const FurFrame& frame, const FurModel& model
   return recipes;
 }
 
-/// Texture coordinates at the roots of one set, by the triangle that is nearest to each.
+/// Writes the texture coordinates at the roots of one set, interpolated on the nearest triangle.
 void find_root_uvs(const Surface& surface, const StrandSet& set, glm::vec2* uvs) {
   const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
   for (std::size_t i = 0; i < set.count(); ++i) {

@@ -1,4 +1,4 @@
-// All strands of a scene, as the tracer grows them, for files.
+// Gathers all strands of a scene, as the tracer grows them, for files.
 #pragma once
 
 #include <array>
@@ -15,49 +15,49 @@
 
 namespace pelage {
 
-/// Where what is exported stands in the file.
+/// The placement of exported geometry in the file.
 struct FilePlace {
-  glm::dvec3 centre{0};  // of the model's box
-  glm::dmat3 turn{1};    // of what stands about it in Pelage's axes
-  double metres = 1;     // that a unit is
+  glm::dvec3 centre{0};  // of the model's box, in the file's axes
+  glm::dmat3 turn{1};    // rotation from Pelage's axes to the file's
+  double metres = 1;     // metres per unit
   Axis up = Axis::plus_y;
 };
 FilePlace file_place(const Mesh& mesh, const ExportRequest& request);
 
-/// The model's mesh, in its unit and in the file's axes, from the place's centre.
+/// The model's mesh, in its unit and in the file's axes, relative to the place's centre.
 struct ExportedSkin {
   std::vector<glm::vec3> points, normals;
   std::vector<glm::uvec3> triangles;
-  std::vector<std::array<glm::vec2, 3>> uvs;  // of each triangle, v up; empty: none
+  std::vector<std::array<glm::vec2, 3>> uvs;  // for each triangle, v up; empty if there are none
 };
 
-/// What files call strands of one coat, or the curves.
+/// The id and name that files give to the strands of one coat, or to the curves.
 struct StrandGroup {
-  int id = 0;  // NamedCoat::id; of curves limits::coats
+  int id = 0;  // NamedCoat::id; limits::coats for the curves
   std::string name;
 };
 
-/// Places are internal: (model - centre) / size.
+/// The strands of a scene. Positions are internal: (model - centre) / size.
 struct ExportedStrands {
-  std::vector<StrandSet> sets;        // of the fur, in an order that depends on nothing but the scene; then the curves
-  std::vector<std::size_t> group_of;  // of each set, in `groups`
+  std::vector<StrandSet> sets;        // of the fur, in a deterministic order; then the curves
+  std::vector<std::size_t> group_of;  // for each set: index in `groups`
   std::vector<StrandGroup> groups;
-  std::size_t curve_sets = 0;       // the last ones: whiskers, lashes and brows
-  std::vector<glm::vec2> root_uvs;  // of each strand the texture coordinates of its root, v up; empty: none
+  std::size_t curve_sets = 0;       // number of sets at the end with whiskers, lashes and brows
+  std::vector<glm::vec2> root_uvs;  // texture coordinates of each strand's root, v up; empty if there are none
   FilePlace place;
-  double size = 1;                   // model's unit
-  std::optional<ExportedSkin> skin;  // where it was asked for
+  double size = 1;                   // model units per internal unit
+  std::optional<ExportedSkin> skin;  // if requested
 
   std::uint64_t count() const;
   std::uint64_t points() const;
-  /// From the place's centre, in the file's axes.
+  /// Returns the offset from the place's centre, in the model's unit and the file's axes.
   glm::vec3 file_offset(const StrandPoint& point) const {
     return glm::vec3(place.turn * glm::dvec3(point.place) * size);
   }
   float model_width(const StrandPoint& point) const { return static_cast<float>(2 * double{point.radius} * size); }
 };
 
-/// Refused as export_scene says. Deterministic at any thread count. Throws Cancelled.
+/// Grows the strands. Refused as export_scene says. Deterministic at any thread count. Throws Cancelled.
 Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportRequest& request, const Cancel& cancel = {});
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// A place for files that are needed for a while.
+// A folder for temporary files.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace pelage {
 
-/// A folder of its own below the system's temporary one, which goes with all that lies in it.
+/// A new folder in the system's temporary folder. Its destructor removes it with its content.
 class TemporaryFolder {
  public:
-  /// Fails (internal) where it cannot be made.
+  /// Fails (internal) if the folder cannot be made.
   static Result<TemporaryFolder> make();
   ~TemporaryFolder();
   TemporaryFolder(TemporaryFolder&& other) noexcept;

@@ -18,7 +18,7 @@ struct FileSet {
   std::size_t before;  // strands in earlier sets
 };
 
-/// Lists the parts of a file in their order.
+/// Collects the parts of a file in their order.
 class Parts {
  public:
   explicit Parts(std::shared_ptr<const ExportedStrands> strands) : strands_(std::move(strands)) {}
@@ -27,7 +27,7 @@ class Parts {
     parts_.push_back([text = std::move(text)](const Sink& sink) { return sink(text); });
   }
 
-  /// An array with `print(out, set, i)` for each point, or for each strand, of all sets.
+  /// Adds an array with `print(out, set, i)` for each point, or for each strand, of all sets.
   template <class Print>
   void add_array(std::string_view declaration, bool of_points, std::string_view interpolation, const Print& print) {
     add_text(fmt::format("        {} = [", declaration));
@@ -49,7 +49,7 @@ class Parts {
     add_text(fmt::format("] (\n            interpolation = \"{}\"\n        )\n", interpolation));
   }
 
-  /// What `print(out)` writes.
+  /// Adds the text that `print(out)` writes.
   template <class Print>
   void add(const Print& print) {
     parts_.push_back([print](const Sink& sink) {
@@ -66,10 +66,10 @@ class Parts {
   std::vector<FilePart> parts_;
 };
 
-/// USD knows Y and Z alone.
+/// Returns whether the up axis is Z; USD has only Y and Z.
 bool is_z(Axis up) { return up == Axis::plus_z || up == Axis::minus_z; }
 
-/// Numbers that follow each other, between brackets.
+/// Prints a declaration with an array of values in brackets.
 template <class Values, class Print>
 void print_list(Buffered& out, std::string_view declaration, const Values& values, const Print& print) {
   out.print("        {} = [", declaration);
@@ -101,7 +101,7 @@ void print_skin(Buffered& out, const ExportedSkin& skin) {
   out.print("    }}\n");
 }
 
-/// The curve through the points, which cubic ones reach from end to end where they are pinned.
+/// Returns the tokens of a curve through the points. A cubic curve only reaches both end points if it is pinned.
 const char* tokens_of(CurveBasis basis) {
   return basis == CurveBasis::linear ? "\"linear\"\n        uniform token wrap = \"nonperiodic\""
                                      : "\"cubic\"\n        uniform token basis = \"catmullRom\"\n"
@@ -179,7 +179,7 @@ void add_root_uvs(const ExportedStrands& strands, Parts& parts) {
   }
 }
 
-/// A string of USD.
+/// Returns the text as a quoted USD string.
 std::string quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {

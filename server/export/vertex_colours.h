@@ -1,5 +1,5 @@
-// The colours of fur at the vertices of the mesh: the means of the strands that grow around them, so that patterns,
-// paint and the model's own colours are in them.
+// Computes the colours of fur at the vertices of the mesh: the means of the strands that grow around them, so that they
+// include patterns, paint and the model's own colours.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace pelage {
 
 class VertexColours {
  public:
-  /// Takes the colours of the fur's strands; whiskers do not count.
+  /// Averages the colours of the fur's strands, without whiskers.
   VertexColours(const Surface& surface, const ExportedStrands& strands);
 
   /// Returns the linear colour at a height s in [0, 1] of the fur. Where no strand grows it is the mean of all.
@@ -25,7 +25,7 @@ class VertexColours {
 
   void add(const StrandSet& set, const Surface& surface);
 
-  std::vector<Ramp> ramps_;  // sums, with their weights
+  std::vector<Ramp> ramps_;  // for each vertex: weighted sums of colours, and of weights in w
   Ramp all_{};
 };
 

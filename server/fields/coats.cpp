@@ -21,7 +21,7 @@ std::string listed(const std::vector<NamedCoat>& coats) {
   return names;
 }
 
-/// The coat that an entry is about; null for a new one.
+/// Returns the coat that an entry refers to; null for a new coat.
 const NamedCoat* coat_of(const CoatEntry& entry, const std::vector<NamedCoat>& coats) {
   const auto found = std::ranges::find_if(
       coats, [&](const NamedCoat& coat) { return entry.id ? coat.id == *entry.id : coat.name == entry.name; });
@@ -34,8 +34,8 @@ const NamedCoat& beginning_of(const CoatEntry& entry, const std::vector<NamedCoa
   return *from;
 }
 
-/// Gives the lowest number that is free to each entry that has none; limits::coats or more where there is none. Those
-/// of coats that are removed are free for the next command.
+/// Returns the id of the coat of each entry. A new coat without an id gets the lowest free one; limits::coats or more
+/// if there is none. The ids of removed coats are free only for the next command.
 std::vector<CoatId> ids_of(const SetCoats& command, const std::vector<NamedCoat>& coats) {
   std::array<bool, limits::coats> taken{};
   for (const NamedCoat& coat : coats) taken[coat.id] = true;
@@ -125,7 +125,7 @@ std::vector<EditLayer> with_coats(std::vector<EditLayer> layers, const std::vect
 
 namespace {
 
-/// Adds what has to flip so that a coat holds the given values.
+/// Adds the change that gives a coat value(part, vertex) in all of its own fields on all sheets.
 template <class Value>
 void put_all(const FieldSet& fields, CoatId coat, FieldDelta& delta, const Value& value) {
   for (std::size_t s = 0; s < sheet_count; ++s) {
@@ -144,7 +144,8 @@ glm::vec4 density_in(CoatRegion region, const FieldSet& fields, glm::vec4 densit
   return density;
 }
 
-/// A new coat has what is seen of the one that it begins from; edit layers add nothing to it yet.
+/// Adds the first values of a new coat: the visible values of the one that it begins from. Edit layers add nothing to
+/// it.
 void begin_coat(const CoatBeginning& how, CoatId from, CoatId coat, const FieldSet& fields, FieldDelta& delta) {
   const FieldSet other = fields.of_coat(from), none(fields.size());
   put_all(fields, coat, delta, [&](const FieldDelta::Part& part, std::uint32_t v) {

@@ -13,7 +13,7 @@ namespace {
 
 Sheet sheet_of(std::size_t layer) { return static_cast<Sheet>(first_edit_layer + layer); }
 
-/// Returns a sum as the seen and the under sheet store it.
+/// Returns a sum as seen_sheet and under_sheet store it.
 glm::vec4 stored_sum(Field field, glm::dvec4 sum) {
   if (field == Field::direction) return glm::vec4(stored_direction(glm::dvec2(sum)), 0, 0);
   const glm::dvec4 value = from_summable(field, sum);
@@ -110,7 +110,7 @@ Status unknown(const char* pointer) {
   return failure(Code::invalid, "the scene has no edit layer of this name", pointer);
 }
 
-/// New edit layers, and for each the number of the old one whose contents it takes.
+/// New edit layers, and for each the index of the old one whose contents it takes.
 struct Arrangement {
   std::vector<EditLayer> layers;
   std::vector<int> from;
@@ -212,7 +212,7 @@ std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const C
   return arranged(layers, command).layers;
 }
 
-/// The same for the coat that is selected; fields that all share count as the first one's.
+/// Adds the change of the selected coat. Fields that all coats share belong to coat 0.
 static void change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
                                const FieldSet& fields, FieldDelta& delta) {
   const Arrangement next = arranged(layers, command);

@@ -1,4 +1,4 @@
-// The stack of edit layers of a field at a vertex, the value that is seen through it, and commands that change
+// The stack of edit layers of a field at a vertex, the visible value that it gives, and commands that change edit
 // layers.
 #pragma once
 
@@ -14,34 +14,34 @@
 
 namespace pelage {
 
-/// The values of a field at one vertex, in summable form (to_summable): the groom, and what each edit layer adds. seen
-/// = base + weight times added, edit layer by edit layer, clamped to the range each time.
+/// The values of a field at one vertex, in summable form (to_summable): the groom, and what each edit layer adds. The
+/// visible value is base + weight times added, edit layer by edit layer, clamped to the range each time.
 struct EditLayerStack {
-  bool covered = false;  // whether any edit layer adds something, or did
+  bool covered = false;  // true if any edit layer adds something, or did before a change
   glm::dvec4 base{0};
   std::array<glm::dvec4, limits::edit_layers> added{};
 };
 
 EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers);
 
-/// Clamps a sum to the field's range.
+/// Returns a sum clamped to the field's range.
 glm::dvec4 held(Field field, glm::dvec4 sum);
-/// Clamps what an edit layer adds, so that it stays finite however often it is groomed.
+/// Returns an edit layer's addition, clamped so that it stays finite however often it is groomed.
 glm::dvec4 held_addition(Field field, glm::dvec4 added);
 glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers);
 
 /// Takes one field's stacks, vertex by vertex in rising order, and records the bits that they flip on every sheet.
 class StackWriter {
  public:
-  /// `sheets`: how many edit layers there are before or after, whichever are more.
+  /// `sheets` is the number of edit layers before or after the change, whichever is larger.
   StackWriter(const FieldSet& fields, Field field, std::size_t sheets);
 
-  /// `layers` are the edit layers that the stack is seen through.
+  /// `layers` gives the weights with which the visible value is computed.
   void put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers);
-  /// A value that no edit layer covers.
+  /// Records a visible value that no edit layer covers.
   void put_seen(std::uint32_t vertex, glm::vec4 value) { put(vertex, seen_sheet, value); }
 
-  /// Adds the parts to the delta, which finish_parts puts in order.
+  /// Adds the parts to the delta; finish_parts has to sort them afterwards.
   void finish(FieldDelta& delta);
 
  private:
@@ -52,32 +52,32 @@ class StackWriter {
   std::vector<FieldDelta::Part> parts_;  // by sheet
 };
 
-/// Puts the parts of writers for several fields in order.
+/// Sorts the parts that writers for several fields have added.
 void finish_parts(FieldDelta& delta);
 
-// How edit layers produce the visible values, and how changes of either are carried out.
+// Commands on edit layers, and changes of the visible values.
 
-/// Refused (invalid): names that are unknown or taken, more than limits::edit_layers, merging what is muted.
+/// Refuses (invalid): names that are unknown or taken, more than limits::edit_layers, merging muted edit layers.
 Status check(const ChangeEditLayer& command, const std::vector<EditLayer>& layers);
 
-/// Refused (invalid, "/edit_layer"): an edit layer that is not there, is muted, or hardly shows, so that it could not
-/// take what a tool does to what is seen.
+/// Refuses (invalid, "/edit_layer") an edit layer that is missing, is muted, or has so small a weight that it could not
+/// store a tool's change of the visible values.
 Status check_groomed(const std::string& layer, const std::vector<EditLayer>& layers);
 
-/// The edit layers, from the lowest, once a command that was checked is carried out.
+/// Returns the edit layers, from the lowest, after a command, which has been checked.
 std::vector<EditLayer> with_change(const std::vector<EditLayer>& layers, const ChangeEditLayer& command);
 
-/// Returns what the command does to the sheets: the contents move, and the visible values are computed anew.
+/// Returns the change of the sheets: the contents of edit layers move, and the visible values are computed anew.
 FieldDelta change_edit_layers(const ChangeEditLayer& command, const std::vector<EditLayer>& layers,
                               const FieldSet& fields);
 
 /// Converts a change of the visible values into one that the named edit layer stores ("" for the groom below them all).
-/// The edit layer comes to hold what is missing for the values that the tool wanted, as far as the field's range and
-/// the edit layers above allow it. Without edit layers the change stays as it is.
+/// The edit layer then adds the difference to the values that the tool asked for, as far as the field's range and the
+/// edit layers above permit. Without edit layers the change is returned unchanged.
 FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer, const std::vector<EditLayer>& layers,
                                 const FieldSet& fields);
 
-/// The number of the edit layer of this name, which is there.
+/// Returns the index of the edit layer of this name, which must exist.
 std::size_t number_of(const std::string& layer, const std::vector<EditLayer>& layers);
 
 }  // namespace pelage

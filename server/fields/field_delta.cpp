@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Merges two rising lists; where both have a vertex, bits that flip twice stay.
+/// Merges two parts with rising vertices. Bits that flip in both do not change.
 FieldDelta::Part compose(const FieldDelta::Part& first, const FieldDelta::Part& second) {
   const auto channels = static_cast<std::size_t>(shape_of(first.field).channels);
   FieldDelta::Part both{first.field, {}, {}, first.sheet, first.coat};

@@ -17,19 +17,20 @@ struct VertexRange {
   std::uint32_t begin = 0, end = 0;
 };
 
-/// A field lies on sheets: what is seen; what lies under all edit layers, where any of them adds to it; and from
-/// first_edit_layer on, for each edit layer from the lowest, what it adds at full weight.
+/// A field is stored on sheets: seen_sheet has the visible values; under_sheet has the values below all edit layers,
+/// where any of them adds to it; from first_edit_layer on there is a sheet for each edit layer, from the lowest, with
+/// what it adds at full weight.
 using Sheet = std::uint8_t;
 inline constexpr Sheet seen_sheet = 0, under_sheet = 1, first_edit_layer = 2;
 inline constexpr std::size_t sheet_count = first_edit_layer + limits::edit_layers;
 
-/// Applied once it leads from one state to another, applied again it leads back.
+/// Applied once, it leads from one state to another; applied again, it leads back.
 struct FieldDelta {
   /// The change of one field of one coat on one sheet.
   struct Part {
     Field field = Field::direction;
     std::vector<std::uint32_t> vertices;  // rising
-    std::vector<std::uint32_t> flips;     // for each vertex its channels: the bits before xor the bits after; not all 0
+    std::vector<std::uint32_t> flips;     // for each channel of each vertex: bits before xor bits after; not all 0
     Sheet sheet = seen_sheet;
     CoatId coat = 0;  // 0 for a field that all coats share
     bool operator==(const Part&) const = default;
@@ -38,18 +39,19 @@ struct FieldDelta {
   std::vector<Part> parts;  // by rising sheet, then coat, then field; none is empty
 
   bool empty() const { return parts.empty(); }
-  /// Null when the field does not change there.
+  /// Returns the part of a field; null if the field does not change there.
   const Part* part(Field field, Sheet sheet = seen_sheet, CoatId coat = 0) const;
-  /// The vertices at which any field changes on any sheet, rising.
+  /// Returns the vertices at which any field changes on any sheet, rising.
   std::vector<std::uint32_t> vertices() const;
-  /// Runs of vertices at which something changes that is seen, and of no others.
+  /// Returns the ranges of exactly those vertices at which a visible value changes.
   std::vector<VertexRange> dirty_ranges() const;
-  /// What it takes in memory.
+  /// Returns the size in memory.
   std::size_t bytes() const;
   bool operator==(const FieldDelta&) const = default;
 };
 
-/// Adds a vertex, larger than those before it, with the bits in which its value changes; nothing where none does.
+/// Adds a vertex, which must be larger than those before it, with the bits in which its value changes, if there are
+/// any.
 inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::vec4& before, const glm::vec4& after) {
   const int channels = shape_of(part.field).channels;
   std::uint32_t flips[4] = {}, any = 0;
@@ -65,10 +67,10 @@ inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::
 /// Returns whether the first part comes before the second in a delta.
 bool comes_before(const FieldDelta::Part& first, const FieldDelta::Part& second);
 
-/// Returns both changes as one, in either order; bits that flip twice are dropped.
+/// Returns both changes as one; the order does not matter. Bits that flip twice are dropped.
 FieldDelta compose(const FieldDelta& first, const FieldDelta& second);
 
-/// Sorts, and joins ranges that touch.
+/// Sorts ranges, and joins those that touch or overlap.
 std::vector<VertexRange> merge_ranges(std::vector<VertexRange> ranges);
 
 }  // namespace pelage

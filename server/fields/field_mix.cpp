@@ -35,7 +35,7 @@ glm::vec4 stored(Field field, glm::dvec4 value) {
   return result;
 }
 
-/// The value of a vertex that enters a mean.
+/// Returns the value of a vertex, in summable form, for a mean.
 using ValueOf = std::function<glm::dvec4(std::uint32_t vertex)>;
 
 glm::dvec4 mixed_direction(const ValueOf& value, std::span<const MixShare> shares, const Mesh& from, const Mesh& to,
@@ -52,7 +52,7 @@ glm::dvec4 mixed_direction(const ValueOf& value, std::span<const MixShare> share
   return {glm::dot(sum, frame.tangent), glm::dot(sum, frame.bitangent), 0, 0};
 }
 
-/// The mean of values that add up.
+/// Returns the mean of values in summable form.
 glm::dvec4 mean(Field field, const ValueOf& value, std::span<const MixShare> shares, const Mesh& from, const Mesh& to,
                 std::uint32_t vertex) {
   if (field == Field::direction) return mixed_direction(value, shares, from, to, vertex);
@@ -61,7 +61,8 @@ glm::dvec4 mean(Field field, const ValueOf& value, std::span<const MixShare> sha
   return sum;
 }
 
-/// What lies under the edit layers and what each of them adds: the mean of what they are at the vertices that count.
+/// Returns the mean of the stacks of several vertices: of the groom under the edit layers, and of what each of them
+/// adds.
 EditLayerStack mixed_stack(const FieldSet& fields, Field field, std::span<const MixShare> shares, const Mesh& from,
                            const Mesh& to, std::uint32_t vertex, std::size_t layers) {
   const auto at = [&](std::uint32_t v) { return stack_at(fields, field, v, layers); };
@@ -74,8 +75,7 @@ EditLayerStack mixed_stack(const FieldSet& fields, Field field, std::span<const 
   return stack;
 }
 
-/// Calls fill(own, field) for each coat and each of its fields that anything has touched, with both sets seen from that
-/// coat.
+/// Calls fill(own, field) for each coat and each of its touched fields; the coat is selected in both sets.
 template <class Fill>
 void fill_each(const FieldSet& fields, FieldSet& result, const Fill& fill) {
   for (std::size_t c = 0; c < fields.coats(); ++c) {
@@ -88,7 +88,7 @@ void fill_each(const FieldSet& fields, FieldSet& result, const Fill& fill) {
   result.select(fields.coat());
 }
 
-/// Puts what edit layers cover into `result`, vertex by vertex; does nothing where none covers the field.
+/// Writes the stacks of vertices that edit layers cover into `result`; does nothing if none covers the field.
 void put_stacks(FieldSet& result, Field field, const FieldSet& fields, const std::vector<EditLayer>& layers,
                 const std::function<EditLayerStack(std::uint32_t)>& stack_of) {
   if (fields.untouched(under_sheet, field)) return;

@@ -1,4 +1,4 @@
-// Fields between vertices, and on another mesh: means in the frame of the vertex that they are for.
+// Interpolates fields between vertices, and transfers them to other meshes, by means in the target vertex's frame.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace pelage {
 
-/// A vertex that counts in a mean.
+/// A vertex and its weight in a mean.
 struct MixShare {
   std::uint32_t vertex = 0;
   double weight = 0;  // [0, 1]; the weights of a mean sum to 1
 };
 
-/// The mean of a field over vertices of `from`, for vertex `vertex` of `to`. Directions are 3-vectors in the tangent
-/// planes, turned by the smallest rotation to the vertex's own (science.md 3), so that each keeps its inclination;
-/// colours count by how much they cover (premultiplied). A single vertex with the same frame gives its bits.
+/// Returns the mean of a field over vertices of `from`, for vertex `vertex` of `to`. Directions are 3-vectors in the
+/// tangent planes, rotated by the smallest rotation to the plane of `vertex` (science.md 3), so that each keeps its
+/// inclination; colours are premultiplied by their coverage. A single vertex with the same frame gives its exact value.
 glm::dvec4 mixed(const FieldSet& fields, Field field, std::span<const MixShare> shares, const Mesh& from,
                  const Mesh& to, std::uint32_t vertex);
 
-/// All fields and edit layers on a subdivided mesh: what was there, and at each new vertex the mean of its parents
-/// (SubdividedSurface::parents).
+/// Returns all fields and edit layers on a subdivided mesh: old vertices keep their values, and each new vertex has the
+/// mean of its parents (SubdividedSurface::parents).
 FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& after,
                     const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
 
-/// All fields and edit layers on another mesh: at each of its vertices the mean of vertices of the mesh before, lengths
-/// times `longer`.
+/// Returns all fields and edit layers on another mesh: each of its vertices has the mean of vertices of the mesh
+/// before. Lengths are multiplied by `longer`.
 FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
                  const std::vector<std::array<MixShare, 3>>& shares, double longer,
                  const std::vector<EditLayer>& layers = {});
 
-/// All fields and edit layers on a mesh that has been turned: directions turn along. Both meshes have the same
-/// vertices, which `turn` rotates from `before` to `after`.
+/// Returns all fields and edit layers on a rotated mesh, with rotated directions. Both meshes have the same vertices,
+/// which `turn` rotates from `before` to `after`.
 FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
                 const std::vector<EditLayer>& layers = {});
 

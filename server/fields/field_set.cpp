@@ -18,13 +18,13 @@ static_assert(sizeof(glm::vec2) == 2 * sizeof(float) && alignof(glm::vec2) == al
 
 std::uint64_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-/// What every channel holds before anything has touched it.
+/// Returns the value of every channel before anything has touched it.
 float default_of(Sheet sheet, Field field) {
   if (sheet == seen_sheet) return shape_of(field).default_value;
   return sheet == under_sheet ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
 }
 
-/// Adds a vertex's channels, two by two, to the sum, or takes them away.
+/// Adds the hash of a vertex's channels, two by two, to the sum, or subtracts it.
 void add_hash(FieldsHash& sum, const FieldDelta::Part& part, std::uint32_t vertex, const float* channels, bool remove) {
   const int count = shape_of(part.field).channels;
   const float default_value = default_of(part.sheet, part.field);
@@ -47,7 +47,7 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
     channels[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(channels[c]) ^ flips[c]);
 }
 
-/// Returns whether the array exists from the beginning on.
+/// Returns whether the array of a part must always exist.
 bool never_cleared(const FieldDelta::Part& part) {
   const Field field = part.field;
   return part.coat == 0 && part.sheet == seen_sheet && (field == Field::direction || field == Field::length);
@@ -64,7 +64,7 @@ glm::vec2 stored_direction(glm::dvec2 direction) {
   if (glm::dot(direction, direction) > 1) direction /= glm::length(direction);
   glm::vec2 rounded(direction);
   const glm::dvec2 wide(rounded);
-  if (glm::dot(wide, wide) > 1) rounded = glm::vec2(direction * (1 - 2e-7));  // rounding must not pass 1
+  if (glm::dot(wide, wide) > 1) rounded = glm::vec2(direction * (1 - 2e-7));  // rounding must not exceed 1
   return rounded + 0.0f;
 }
 
@@ -133,7 +133,7 @@ std::vector<float>& FieldSet::touched(Sheet sheet, Field field, CoatId coat) {
   else if (values.use_count() > 1)
     values = std::make_shared<std::vector<float>>(*values);
   else
-    std::atomic_thread_fence(std::memory_order_acquire);  // after the last of those who shared it has read it
+    std::atomic_thread_fence(std::memory_order_acquire);  // after the last read by another sharer
   return *values;
 }
 
@@ -235,7 +235,7 @@ void FieldSet::apply(const FieldDelta& delta) {
       for (std::size_t c = 0; c < channels; ++c)
         to_default = to_default && bits_of(stored[c]) == bits_of(default_value);
     }
-    // A field that is back at its default everywhere takes no drawing time and no memory any more.
+    // Frees a field that is back at its default everywhere, so that it takes no drawing time and no memory.
     if (to_default && !never_cleared(part) && all_at_default(values, default_value))
       coats_[part.coat][part.sheet][static_cast<std::size_t>(part.field)].reset();
   }
@@ -276,7 +276,7 @@ FieldDelta difference(const FieldSet& from, const FieldSet& to) {
 
 namespace {
 
-/// What is known of a field's change so far: `mean_change` is still a sum.
+/// Adds a part to a field's change, in which `mean_change` is still a sum.
 void add_part(const FieldDelta::Part& part, const FieldSet& fields, FieldChange& change) {
   const int channels = shape_of(part.field).channels;
   const std::uint32_t* flips = part.flips.data();

@@ -1,4 +1,4 @@
-// Turns the values that a tool computes into a change.
+// Converts the values that a tool computes into a FieldDelta.
 #pragma once
 
 #include <algorithm>
@@ -14,24 +14,24 @@
 
 namespace pelage {
 
-/// Takes new values of one field, vertex by vertex in rising order, and keeps those whose bits differ.
+/// Takes new values of one field, vertex by vertex in rising order, and records those that differ.
 class FieldWriter {
  public:
   FieldWriter(const FieldSet& fields, Field field)
       : fields_(fields), part_{field, {}, {}, seen_sheet, fields.owner(field)} {}
 
-  /// Puts a value, rounded and clamped to the field's range. Returns true when the limit stopped a value that was
-  /// moving further out; never for directions, whose inclination may be asked for beyond 1.
+  /// Puts a value, rounded and clamped to the field's range. Returns true if it was out of range; always false for
+  /// directions, because tools may ask for an inclination beyond 1.
   bool put(std::uint32_t vertex, glm::dvec4 value);
   bool put(std::uint32_t vertex, double value) { return put(vertex, glm::dvec4(value, 0, 0, 0)); }
   bool put(std::uint32_t vertex, glm::dvec2 value) { return put(vertex, glm::dvec4(value, 0, 0)); }
 
-  /// Makes room for the changes of as many vertices.
+  /// Reserves memory for the changes of this number of vertices.
   void reserve(std::size_t vertices);
 
-  /// Adds the change to the delta. Writers of one command finish in the order of their fields.
+  /// Adds the change to the delta. Writers of one command must finish in the order of their fields.
   void finish(FieldDelta& delta);
-  /// The same for writers of one field whose vertices follow one another.
+  /// Adds the changes of several writers of one field as one part; their vertices must follow one another.
   static void finish_together(std::span<FieldWriter> writers, FieldDelta& delta);
 
  private:
@@ -39,9 +39,8 @@ class FieldWriter {
   FieldDelta::Part part_;
 };
 
-/// Writes one field on all cores: put(i, writer) is called once for each i < count and puts what it has for the i-th of
-/// rising vertices, if anything. Gives how many calls were true (a limit held a value back). The same bits at any
-/// number of threads.
+/// Writes one field on all cores: calls put(i, writer) once for each i < count, which may put a value for the i-th of
+/// rising vertices. Returns how many calls returned true (a value was clamped). Deterministic at any number of threads.
 template <class Put>
 std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t count, FieldDelta& delta,
                               const Put& put) {
@@ -57,16 +56,16 @@ std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t
   return std::accumulate(held.begin(), held.end(), std::size_t{0});
 }
 
-/// Values of one field that a tool visits again and again while it is evaluated, in double. Its cost follows the
-/// vertices that were asked for, never the mesh.
+/// Values of one field that a tool accesses repeatedly while it is evaluated, in double. The cost depends on the number
+/// of accessed vertices, not on the mesh.
 class WorkingField {
  public:
   WorkingField(const FieldSet& fields, Field field) : fields_(fields), field_(field) {}
 
-  /// What the vertex holds by now; the reference lasts until the next call.
+  /// Returns the present value of a vertex for reading and writing; the reference is valid until the next call.
   glm::dvec4& at(std::uint32_t vertex);
 
-  /// Adds the change since the beginning, rounded once. Returns how many values were clamped to a limit.
+  /// Adds the change since construction to the delta, rounded once. Returns how many values were clamped.
   std::size_t finish(FieldDelta& delta) const;
 
  private:

@@ -27,7 +27,7 @@ std::string today() {
 }  // namespace
 
 Result<double> measure_price(Renderer& renderer) {
-  constexpr std::size_t every = 2;  // row of the dial
+  constexpr std::size_t every = 2;  // uses every second row of the dial
   constexpr int repetitions = 3;
   const DialModel& model = default_model();
   std::vector<double> ratios;

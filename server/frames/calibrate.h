@@ -1,4 +1,4 @@
-// Calibration: what frames cost on this machine, and the program that measures it.
+// Calibration: measures the cost of frames on this machine and stores it.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace pelage {
 
-/// Draws a view of each of the calibration's scenes with some rows of the dial: the median of what they cost over the
-/// default prices (Calibration::price). Takes seconds. Fails as Renderer::draw.
+/// Draws a view of each calibration scene with some rows of the dial. Returns the median ratio of the measured cost to
+/// that of the cost model (Calibration::price). Takes seconds. Fails as Renderer::draw does.
 Result<double> measure_price(Renderer& renderer);
 
-/// What `pelaged --calibrate` does: measures this machine and writes the calibration, named after the day, to `file`,
-/// whose folder is made where it is missing. Fails as select_context and measure_price do, and with internal when the
-/// file cannot be written.
+/// Implements `pelaged --calibrate`: measures this machine and writes the calibration, named after the day, to `file`,
+/// whose folder is created if missing. Fails as select_context and measure_price do, and with internal if the file
+/// cannot be written.
 Status calibrate_machine(GlChoice gl, int threads, const std::string& file);
 
 }  // namespace pelage

@@ -8,7 +8,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::chrono::milliseconds pause_length{20};  // between two looks at whether room was made
+constexpr std::chrono::milliseconds pause_length{20};  // interval at which room for a coat is checked
 
 }  // namespace
 
@@ -41,7 +41,7 @@ CoatBaker::Handle CoatBaker::ask(const Coat& coat) {
 }
 
 std::shared_ptr<const Slices> CoatBaker::wait(const Coat& coat) {
-  for (Handle bake = ask(coat);; bake = ask(coat)) {  // anew where it was given up as it was asked for
+  for (Handle bake = ask(coat);; bake = ask(coat)) {  // again if it was cancelled just as it was requested
     {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [&] { return bake->settled(); });
@@ -67,7 +67,7 @@ std::size_t CoatBaker::held_bytes() const {
   return bytes;
 }
 
-/// Takes the bake that was requested first among those that wait and fit the room. Returns null if there is none.
+/// Takes the earliest requested bake among those that wait and fit into the room. Returns null if there is none.
 CoatBaker::BakePtr CoatBaker::take_fitting() {
   const std::size_t held = held_bytes();
   for (const std::weak_ptr<Bake>& known : bakes_) {
@@ -89,7 +89,7 @@ CoatBaker::BakePtr CoatBaker::next() {
   };
   while (!stopping_) {
     if (BakePtr bake = take_fitting()) return bake;
-    // Nobody says that a coat is let go of.
+    // Polls, because nothing signals that a coat was released.
     if (std::any_of(bakes_.begin(), bakes_.end(), waits))
       changed_.wait_for(lock, pause_length);
     else

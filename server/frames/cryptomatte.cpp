@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t layers = 3, ranks = 2 * layers;
-constexpr float min_share = 1e-4f;  // of a pixel that is written
+constexpr float min_share = 1e-4f;  // minimum coverage that is written
 constexpr const char* layer_name = "CryptoObject";
 
 std::uint32_t mixed(std::uint32_t block) { return std::rotl(block * 0xcc9e2d51u, 15) * 0x1b873593u; }
@@ -41,9 +41,9 @@ std::string hex_of(std::uint32_t bits) {
   return text.data();
 }
 
-using Share = std::pair<float, std::size_t>;  // of an object by its number
+using Share = std::pair<float, std::size_t>;  // coverage, and the object's number
 
-/// The objects of a pixel, most first.
+/// Returns the coverages of a pixel's objects, highest first.
 std::array<Share, max_objects> sorted_shares(std::span<const FloatImage> shares, std::size_t pixel) {
   std::array<Share, max_objects> all{};
   for (std::size_t k = 0; k < max_objects; ++k) {

@@ -1,5 +1,5 @@
-// Cryptomatte: which objects cover each pixel, and how much, as channels and a manifest of an EXR. By Psyop's
-// "Cryptomatte Specification", version 1.2.0.
+// Cryptomatte: the objects that cover each pixel and their coverage, as channels and a manifest of an EXR. Follows
+// Psyop's "Cryptomatte Specification", version 1.2.0.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,25 @@
 
 namespace pelage {
 
-/// MurmurHash3 of 32 bits (x86, seed 0) of a name, read as a float. The last bit of an exponent of 0 or 255 is flipped,
-/// so that all are finite and normal.
+/// Returns the 32-bit MurmurHash3 (x86, seed 0) of a name, reinterpreted as a float. The last bit of an exponent of 0
+/// or 255 is flipped, so that all ids are finite and normal.
 float matte_id(std::string_view name);
 
-/// Which objects cover the pixels of a frame.
+/// The Cryptomatte data of a frame.
 class Cryptomatte {
  public:
-  /// `shares`: Aov::objects_1 to objects_4 of the frame, of one size.
+  /// `shares` are the AOVs objects_1 to objects_4 of the frame, all of one size.
   Cryptomatte(const FurFrame& frame, std::span<const FloatImage> shares);
 
-  /// CryptoObject00 to 02: id and share of the six objects that cover most of a pixel, most first; 0 where there are
-  /// fewer. The views last as long as this does.
+  /// Returns CryptoObject00 to 02: ids and coverages of the six objects with the highest coverage of each pixel,
+  /// highest first; 0 if there are fewer. The planes are views that are valid as long as this object.
   std::vector<ExrPlane> planes() const;
-  /// The layer's name, how it was hashed, and the id of each name as a manifest.
+  /// Returns the metadata: the EXR layer's name, the hash, and the manifest with the id of each name.
   std::vector<ImageText> texts() const;
 
  private:
-  std::vector<std::pair<std::string, float>> objects_;  // names with their ids, by their numbers
-  std::vector<FloatImage> ranks_;                       // id, share, id, share of each pixel
+  std::vector<std::pair<std::string, float>> objects_;  // names and ids, by object number
+  std::vector<FloatImage> ranks_;                       // for each pixel: id, coverage, id, coverage
 };
 
 }  // namespace pelage

@@ -73,7 +73,7 @@ Channels channels_of(Aov aov) {
   return {};
 }
 
-/// Half would lose what lies behind, and numbers of strands.
+/// Returns the sample type of an AOV. Half floats would lose distant positions and depths, and strand numbers.
 ExrSample sample_of(Aov aov, ExrType type) {
   const bool single = aov == Aov::depth || aov == Aov::position || aov == Aov::strand || aov == Aov::root;
   return single || type == ExrType::single ? ExrSample::single : ExrSample::half;
@@ -105,12 +105,12 @@ std::string encode_array(int width, int height, const std::vector<ExrPlane>& pla
   return encode_npy(array_shape(width, height, planes.size()), std::span(std::as_const(values)));
 }
 
-/// From row vectors in the model's coordinates.
+/// Returns the camera's matrices, for row vectors in the model's coordinates.
 ExrCamera exr_camera(const FurCamera& camera, const ModelPlacement& placement, double aspect) {
   const glm::dvec3 right(camera.right), up(camera.up), forward(camera.forward);
   const double high = double{camera.tan_half_fov}, wide = aspect * high;
   const glm::dvec3 position = glm::dvec3(camera.position) * placement.size + placement.centre;
-  // Homogeneous NDC: x / z from -wide to wide becomes 0 to 1, y / z from high to -high.
+  // Homogeneous NDC: maps x / z from [-wide, wide] to [0, 1], and y / z from [high, -high] to [0, 1].
   const std::array<glm::dvec3, 4> to_camera{right, up, forward, glm::dvec3(0)};
   const std::array<glm::dvec3, 4> to_ndc{right / (2 * wide) + 0.5 * forward, 0.5 * forward - up / (2 * high), forward,
                                          forward};

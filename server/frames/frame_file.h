@@ -1,4 +1,4 @@
-// The file of a frame: what is drawn for each format, and how it is encoded.
+// Draws and encodes a frame for each file format.
 #pragma once
 
 #include <span>
@@ -13,29 +13,29 @@
 
 namespace pelage {
 
-/// What the renderer gave for a format: 8 bit, 16 bit, or the AOVs that were asked for.
+/// The renderer's output for a format: 8 bits, 16 bits, or the requested AOVs.
 using DrawnPicture = std::variant<Image, Image16, std::vector<FloatImage>>;
 
-/// Refuses (invalid) what no file can be made of: a colour space that there is not.
+/// Refuses (invalid) a request that no file can be made of: one with an unknown colour space.
 Status can_encode(const FrameRequest& request);
 
-/// On the render thread.
+/// Draws a frame for the request's format. Called on the render thread.
 Result<DrawnPicture> draw_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                      DrawTimes& times, const Pause& pause = {});
 
-/// Finishes traced light as draw_for_format finishes drawn light, for all formats but linear ones. Returns conflict if
-/// an overlay needs a model that the renderer no longer has.
+/// Finishes traced radiance as draw_for_format finishes a drawn picture, for all formats but linear ones. Fails
+/// (conflict) if an overlay needs a model that the renderer no longer has.
 Result<DrawnPicture> finish_for_format(Renderer& renderer, const FurFrame& frame, const FrameRequest& request,
                                        const FloatImage& beauty);
 
-/// AOVs of a whole frame, as they were traced, for a request that may have a crop.
+/// Returns the AOVs of a whole frame, cropped if the request has a crop.
 DrawnPicture crop_of(const std::vector<FloatImage>& aovs, const FrameRequest& request);
 
 /// Encodes the picture as a file of the requested format; the same picture gives the same bytes. The channels of an EXR
 /// are R, G, B and A of beauty, A of alpha, Z of depth, AOV.X, .Y, .Z of position, normal and tangent, AOV.R, .G, .B of
-/// albedo and direct, AOV.Y of shadow and sample_count, and those of Cryptomatte. The request passes can_encode. `png`
-/// remembers 8-bit pictures. PNG and EXR carry the texts, an EXR the frame's camera too. `knobs` are those that the
-/// picture was drawn with: they determine the quality of a lossy format, unless the request names one.
+/// albedo and direct, AOV.Y of shadow and sample_count, and those of Cryptomatte. The request must pass can_encode.
+/// `png` caches 8-bit pictures. PNG and EXR contain the texts, an EXR the frame's camera too. `knobs` are those that
+/// the picture was drawn with; they determine the quality of a lossy format unless the request states one.
 std::string encode_frame(DrawnPicture picture, const FrameRequest& request, const Knobs& knobs, const FurFrame& frame,
                          const ModelPlacement& placement, PngEncoder& png, std::span<const ImageText> texts = {});
 

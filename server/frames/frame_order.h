@@ -1,4 +1,4 @@
-// A frame on its way to be drawn: what of a scene it shows, with which knobs, and for whom.
+// A frame to be drawn: the scene's state, the knobs and the client.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,19 @@
 
 namespace pelage {
 
-/// What of a scene a frame shows.
+/// The state of a scene that a frame shows.
 struct FrameView {
-  SnapshotPtr snapshot;  // of the scene when it was asked for
-  /// Returns whether that is drawn, as it is named or compared with; else the newest one when drawing begins.
+  SnapshotPtr snapshot;  // the scene's state at the time of the request
+  /// True if `snapshot` itself must be drawn, because the request names it or compares it with another state; else the
+  /// newest state is drawn.
   bool fixed = false;
-  std::shared_ptr<const FieldSet> compared = {};  // what the overlay compares with
+  std::shared_ptr<const FieldSet> compared = {};  // the fields that the overlay compares with
 };
 
-/// How a frame is drawn, and what that is expected to cost.
+/// The knobs of a frame, and its expected cost.
 struct FramePlan {
   Knobs knobs;
-  std::optional<FrameEstimate> estimate = {};  // none of knobs that are no row of the dial
+  std::optional<FrameEstimate> estimate = {};  // absent for knobs that are not a row of the dial
   FrameCost cost = {};
 };
 
@@ -31,7 +32,7 @@ struct FrameOrder {
   FrameRequest request;
   FrameView view;
   FramePlan plan;
-  std::function<bool()> abandoned = {};  // whether nobody waits any more; empty for never
+  std::function<bool()> abandoned = {};  // returns whether nobody waits any more; empty for never
 
   bool left() const { return abandoned && abandoned(); }
 };

@@ -15,7 +15,8 @@ namespace pelage {
 
 namespace {
 
-/// Between 1, the slow machine that the model's prices are of, and half of that, which faster ones take.
+/// Price per thread, relative to the slow machine that the cost model was fitted on (1); fast machines take half of
+/// that.
 constexpr double usual_price = 0.7;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The stored calibration, and the dial that plans frames by it.
+// Stores the calibration, and plans the knobs of frames with it.
 #pragma once
 
 #include <mutex>
@@ -13,29 +13,29 @@
 
 namespace pelage {
 
-/// Returns the calibration to assume for a machine that was never measured, on which `threads` threads share the work.
+/// Returns the default calibration for a machine that was never measured, on which `threads` threads share the work.
 Calibration default_calibration(int threads);
 
-/// Reads a file that write_calibration wrote. Fails with not_found if there is no file, and with invalid, saying what
-/// is wrong, if the file cannot be read as a calibration or was measured with another GL or another number of threads.
+/// Reads a file that write_calibration wrote. Fails with not_found if there is no file, and with invalid, with the
+/// reason, if the file is not a calibration or was measured with another GL or number of threads.
 Result<Calibration> read_calibration(const std::string& path, const std::string& machine, int threads);
 
-/// Writes the file and renames it into place, so that readers never see half of it. Fails with internal.
+/// Writes a temporary file and renames it into place, so that readers never see a partial file. Fails with internal.
 Status write_calibration(const std::string& path, const Calibration& calibration);
 
-/// The dial of a server: the price of its machine, and what its scenes' frames have cost. Thread-safe.
+/// Plans frames by the machine's calibration and the measured costs of earlier frames of each scene. Thread-safe.
 class FramePlanner {
  public:
-  /// Counts from the next frame on.
+  /// Sets the calibration, from the next frame on, and drops the measured costs.
   void use(Calibration calibration);
 
-  /// Chooses the knobs where the request asks for a budget or an error, and estimates what they give and cost.
+  /// Chooses the knobs if the request asks for a budget or an error, and estimates their error and cost.
   FramePlan plan(const FrameRequest& request, const SceneView& scene) const;
   /// Learns from the measured cost of a frame with an estimate. Ignores frames with a linear format or an overlay.
   void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
  private:
-  mutable std::mutex mutex_;  // held for a look-up only
+  mutable std::mutex mutex_;  // held only briefly
   Calibration calibration_;
   CostLog costs_;
 };

@@ -1,5 +1,4 @@
-// The queue of waiting frames, which takes the shortest first and lets subjects take turns, and the renderer that draws
-// them.
+// The queue of waiting frames, in which short frames go first and scenes take turns; and the creation of the renderer.
 #pragma once
 
 #include <algorithm>
@@ -20,25 +19,24 @@
 
 namespace pelage {
 
-/// Threads that the CPU draws on; `asked` as of select_context: 0 for all cores.
+/// Returns the number of threads that draw on the CPU. `asked` is as in select_context: 0 for all cores.
 int drawing_threads(int asked);
 
-/// Makes a renderer, with a GL if there is a context. Fails as Renderer::create does.
+/// Makes a renderer, which uses GL if there is a context. Fails as Renderer::create does.
 Result<std::unique_ptr<Renderer>> make_renderer(const Context* context, int threads, CoatSource coats = bake_here);
-/// Describes what draws: "AVX2 on the CPU"; with a GPU "EGL device 0, NVIDIA ..., OpenGL 4.5"; with a software GL,
-/// which draws only shells, "AVX2 on the CPU, shells by OSMesa, ...".
+/// Returns a description of what draws: "AVX2 on the CPU"; with a GPU "EGL device 0, NVIDIA ..., OpenGL 4.5"; with a
+/// software GL, which draws only shells, "AVX2 on the CPU, shells by OSMesa, ...".
 std::string drawn_by(const Context* context, bool strands_by_gl);
 
-// The order in which requests are served: what is short goes first, and nothing waits for ever.
+// The order of service: short requests go first, but none waits for ever.
 
-/// Whose job it is: viewers of one scene share its turns.
+/// The owner of a job, for fairness. Viewers of one scene share its turns.
 struct Subject {
   std::uint64_t scene = 0, view = 0;
   bool operator<(const Subject& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
 };
 
-/// Counts the turns that each waiting subject has had. A new subject starts with as many turns as the one with the
-/// fewest.
+/// Counts the turns of each waiting subject. A new subject starts with as many turns as the one with the fewest.
 class Turns {
  public:
   void join(Subject subject);
@@ -52,22 +50,21 @@ class Turns {
   std::map<Subject, Waits> waiting_;
 };
 
-/// A queue in which scenes take turns, and within a scene its views: a scene with a thousand waiting frames holds up no
-/// other scene. Within a subject, a job is due `idle_timeout` times its expected cost after it came, and the job that
-/// is due first goes first: short jobs overtake long ones, unless they come much later. Of jobs that are due at the
-/// same time, the one that came first goes first. The caller supplies the clock, in milliseconds from any moment.
+/// A queue in which scenes take turns, and within a scene its views: a scene with a thousand waiting frames delays no
+/// other scene. Within a subject, each job has a due time, `idle_timeout` times its expected cost after its arrival,
+/// and the earliest due time goes first: short jobs overtake long ones unless they arrive much later. Of equal due
+/// times the first arrival goes first. The caller supplies the clock, in milliseconds from any origin.
 template <class Job>
 class ShortestFirst {
  public:
   static constexpr double idle_timeout = 8;
-  /// The maximum cost of a job that is let in between the pieces of a running job, as a share of the running job's
-  /// cost.
+  /// The maximum cost of a job that may be drawn in the pauses of a running job, relative to the running job's cost.
   static constexpr double let_in_share = 0.5;
 
   bool empty() const { return waiting_.empty(); }
   std::size_t size() const { return waiting_.size(); }
 
-  /// `cost` in milliseconds, as expected.
+  /// Adds a job. `cost` is the expected cost in milliseconds.
   void add(Job job, double cost, double now, Subject subject = {}) {
     scene_turns_.join({subject.scene, 0}), view_turns_.join(subject);
     waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, came_++, subject});
@@ -75,16 +72,16 @@ class ShortestFirst {
 
   struct Taken {
     Job job;
-    double cost, due;  // as it was expected
+    double cost, due;  // expected cost and due time, milliseconds
     std::uint64_t came;
     Subject subject;
   };
-  /// The first that is `ready`; none where none is.
+  /// Takes the first job that is `ready`; nothing if there is none.
   std::optional<Taken> take(const std::function<bool(const Job&)>& ready = [](const Job&) { return true; }) {
     return take_of([&](const Taken& one) { return ready(one.job); });
   }
 
-  /// A job that was taken waits again, as long as it has waited. It has used its turn.
+  /// Puts a taken job back at its old position in the queue. It has used its turn.
   void put_back(Taken taken) {
     scene_turns_.join({taken.subject.scene, 0}), view_turns_.join(taken.subject);
     const auto later =
@@ -96,23 +93,24 @@ class ShortestFirst {
     return std::any_of(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
   }
 
-  /// Returns a mark for take_beside: the jobs that wait now came before it.
+  /// Returns a mark for take_beside, later than the arrival of all jobs that wait now.
   std::uint64_t moment() const { return came_; }
-  /// Takes the first job that came before the moment, costs at most let_in_share of the running job and is accepted by
-  /// `may`. A running job that lets in only the jobs that wait when it pauses thus continues, however many come.
+  /// Takes the first job that arrived before the mark `moment`, costs at most let_in_share of the running job, and is
+  /// accepted by `may`. By the mark a running job admits only jobs that wait when it pauses, so it continues however
+  /// many arrive.
   std::optional<Taken> take_beside(double running_cost, std::uint64_t moment,
                                    const std::function<bool(const Job&)>& may) {
     return take_of(
         [&](const Taken& one) { return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job); });
   }
 
-  /// All that wait, in the order that they came in.
+  /// Visits all waiting jobs, in order of arrival.
   template <class Use>
   void for_each(const Use& use) const {
     for (const Taken& one : waiting_) use(one.job);
   }
 
-  /// The first job, in the order that they came in, that is `wanted`; null where none is.
+  /// Returns the first job, in order of arrival, that is `wanted`; null if there is none.
   Job* find(const std::function<bool(const Job&)>& wanted) {
     const auto found =
         std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
@@ -136,7 +134,7 @@ class ShortestFirst {
     return taken;
   }
 
-  std::vector<Taken> waiting_;  // in the order that they came in
+  std::vector<Taken> waiting_;  // in order of arrival
   Turns scene_turns_, view_turns_;
   std::uint64_t came_ = 0;
 };

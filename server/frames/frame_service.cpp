@@ -16,9 +16,9 @@ namespace pelage {
 
 namespace {
 
-/// Names of the request's members that the picture missed, with ", " between them; "" where it kept all. `budget_ms`
-/// and `seconds` of tracing are missed where more than budget_margin times as much passed, `max_error` where no knobs
-/// are known that keep it.
+/// Returns the names of the request's goals that the picture missed, separated by ", "; "" if it met all. `budget_ms`
+/// and the `seconds` of tracing are missed if more than budget_margin times as much time passed, `max_error` if the
+/// estimated error exceeds it.
 std::string missed_goals(const FrameRequest& request, const FrameAnswer& answer) {
   std::string missed;
   const auto name_if = [&](bool is_missed, const char* name) {
@@ -163,7 +163,7 @@ Result<DrawnFrame> FrameService::finish(const LinearPicture& light, const FrameR
                    .trace = light.report};
   const Stopwatch asked;
   Result<DrawnPicture> finished = crop_of(light.aovs, request);
-  if (!is_linear(request.format)) {  // which is light as it was traced
+  if (!is_linear(request.format)) {  // linear formats need no finishing
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Stopwatch passed;
       Result<DrawnPicture> shown = finish_for_format(renderer, *light.frame, request, light.aovs.front());

@@ -1,4 +1,4 @@
-// Frames: the one render thread, which owns the one GL context, and the queue in front of it.
+// The frame service: one render thread, which owns the GL context, and the queue in front of it.
 #pragma once
 
 #include <functional>
@@ -26,18 +26,18 @@ struct FrameAnswer {
   std::string bytes;
   const char* content_type = "";
   Revision revision = 0;
-  Knobs knobs;  // as used
+  Knobs knobs;  // the knobs used
   FrameTimings timings;
   FrameCounters counters;
-  std::optional<TraceReport> trace = {};       // of a traced picture, and of a request with progressive
-  std::optional<FrameEstimate> estimate = {};  // of shells whose knobs were planned or are a row of the dial
-  std::string missed = {};                     // missed_goals of the request
+  std::optional<TraceReport> trace = {};       // set for a traced picture and for a request with progressive
+  std::optional<FrameEstimate> estimate = {};  // set if the knobs were planned or are a row of the dial
+  std::string missed = {};                     // names of the request's goals that the picture missed (missed_goals)
 };
 
-/// Texts that the file of a picture carries, by all of the answer but its bytes; null for none.
+/// Makes the texts of a picture's file from the answer without its bytes; null for no texts.
 using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
 
-/// Everything that a picture is traced from, all of one revision.
+/// The start of tracing a picture: the scene's state and the backplate, of one revision.
 struct TraceStart {
   Shown shown = {};
   Backplate base = {};
@@ -48,68 +48,67 @@ struct TraceStart {
 /// Thread-safe.
 class FrameService {
  public:
-  /// Starts the render thread and opens its context there. Fails (unavailable), saying what was tried, if a GL that was
-  /// asked for does not work. `threads` is the maximum number of threads that the CPU draws on, 0 for all cores. Work
-  /// that yields at the gate waits while frames are drawn and encoded. Coats that are baked at the same time take at
-  /// most `coat_memory` bytes together; one alone is always baked. If a context is lost, it is opened again and its
-  /// frame is drawn again; if that fails twice, the frame is refused (unavailable). If there is no GL any more, the
-  /// next frames are drawn as by a server without one.
+  /// Starts the render thread and opens its context there. Fails (unavailable), listing the attempts, if a requested GL
+  /// does not work. `threads` is the maximum number of CPU threads that draw, 0 for all cores. Work that yields at the
+  /// gate waits while frames are drawn and encoded. Coats that are baked at the same time take at most `coat_memory`
+  /// bytes together; a single one is always baked. If a context is lost, it is opened again and its frame is drawn
+  /// again; if that fails twice, the frame is refused (unavailable). If no GL is available any more, later frames are
+  /// drawn as by a server without GL.
   static Result<std::unique_ptr<FrameService>> start(ContextSource contexts, int threads, YieldGate& gate,
                                                      std::size_t coat_memory = std::numeric_limits<std::size_t>::max());
   ~FrameService();
 
-  /// Sets the calibration that frames are planned by from now on; until the first call the safe defaults apply.
+  /// Sets the calibration by which later frames are planned; until then default_calibration applies.
   void plan_by(Calibration calibration);
-  /// Returns the number of threads that the CPU draws on.
+  /// Returns the number of CPU threads that draw.
   int threads() const;
 
-  /// What of the scene the frame shows (view_of).
+  /// Returns the state of the scene that the frame shows (view_of).
   Result<FrameView> view(const Scene& scene, const FrameRequest& request);
-  /// Chooses the knobs where a budget or an error is asked for, and estimates the cost; on the caller's thread. Refused
-  /// (invalid) where drawing is expected to take longer than asked ("/max_seconds"), and where nothing draws with such
-  /// knobs.
+  /// Chooses the knobs if the request has a budget or an error, and estimates the cost; on the caller's thread. Refuses
+  /// (invalid) a frame expected to take longer than allowed ("/max_seconds"), and knobs that this server cannot draw
+  /// with.
   Result<FramePlan> plan(const FrameView& view, const FrameRequest& request) const;
-  /// Draws what the order plans, and finishes it. Scenes take turns, and short frames of a scene go before its long
-  /// ones; they are let in between the pieces of a frame that is being drawn. A frame whose scene changes meanwhile
-  /// begins anew. A coat that is not there yet is baked in the background, once for all who wait for it. Returns
-  /// conflict if a newer request of the same scene and named view supersedes the frame. It is asked whether the frame
-  /// was abandoned before drawing starts and between pieces; a frame that nobody waits for is dropped (unavailable).
-  /// Refused (invalid, "/max_seconds") if drawing takes longer than asked.
+  /// Draws and finishes a frame. Scenes take turns, and short frames of a scene go before its long ones; they are also
+  /// drawn in the pauses of a running frame. A frame whose scene changes meanwhile restarts. A missing coat is baked in
+  /// the background, once for all who wait for it. Fails with conflict if a newer request of the same scene and named
+  /// view supersedes the frame, and with unavailable if it was abandoned, which is checked before drawing starts and in
+  /// its pauses. Refuses (invalid, "/max_seconds") a frame that takes longer than allowed.
   Result<DrawnFrame> draw(FrameOrder order);
-  /// Makes the picture's file. On the caller's thread, while other frames are drawn.
+  /// Encodes the picture's file, on the caller's thread, while other frames are drawn.
   FrameAnswer encode(DrawnFrame drawn, const FrameRequest& request, const FileTexts& texts = {});
 
-  /// A frame's light before it is finished: `view`, `plan` and `draw`.
+  /// Draws a frame in linear light, without finishing it: combines `view`, `plan` and `draw`.
   Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                               const std::function<bool()>& abandoned = {});
 
-  /// The scene's frames that are drawn or wait.
+  /// Returns the scene's frames that are being drawn or wait.
   FrameProgressList progress(const Scene& scene) const;
 
-  /// Prepares tracing of the scene as it is now, or at the request's revision; draws what lies under the strands. Waits
-  /// until no frame is drawn or waits. Refused as `frame` is.
+  /// Prepares tracing of the scene at present, or at the request's revision, and draws the backplate. Waits until no
+  /// frame is being drawn or waits. Fails as `view` and the renderer do.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
-  /// Finishes light by the request that it was drawn or traced for. Conflict where an overlay shows fields of a model
-  /// that the scene no longer has. Waits until no frame does.
+  /// Finishes a linear picture as the request says that it was drawn or traced for. Fails (conflict) if an overlay
+  /// shows fields of a model that the scene no longer has. Waits until no frame is being drawn or waits.
   Result<DrawnFrame> finish(const LinearPicture& light, const FrameRequest& request);
 
-  /// Returns the bytes of memory that the renderer's copies of a model take, with their GL objects, as of its last
-  /// frame, plus those of its cached earlier revisions. Waits for no frame.
+  /// Returns the bytes of memory of the renderer's copies of a model, with their GL objects, as of its last frame, plus
+  /// those of its cached earlier revisions. Does not wait for frames.
   std::size_t copy_bytes(std::uint64_t model_id) const;
-  /// Returns the bytes of memory that baked coats take, and those that are being baked.
+  /// Returns the bytes of memory of baked coats and of those being baked.
   std::size_t coat_bytes() const;
-  /// Since the start.
+  /// Returns the number of coats baked since the start.
   std::uint64_t coats_baked() const;
-  /// Storage of all GL objects, as of the last frame.
+  /// Returns the bytes of all GL objects, as of the last frame.
   std::size_t gl_bytes() const;
-  /// Forgets GPU copies of a model that is gone, and its earlier revisions.
+  /// Drops the renderer's copies of a removed model and of its earlier revisions.
   void forget(std::uint64_t model_id);
 
-  /// What draws now (drawn_by).
+  /// Returns a description of what draws now (drawn_by).
   std::string description() const;
-  /// False once drawing has failed for no reason of the frame's; the server is then not ready.
+  /// Returns false once drawing has failed for a reason other than the frame itself; the server is then not ready.
   bool healthy() const;
-  /// Returns how many times the GL was lost.
+  /// Returns how many times the GL context was lost.
   std::size_t lost_contexts() const;
   std::size_t frames_drawn() const;
   double seconds_drawing() const;

@@ -27,7 +27,7 @@ FurGuide make_guide(const GuideCurve& curve, const SceneView& scene) {
 
 namespace {
 
-/// Of each triangle of the model whether it is hidden; empty where none is.
+/// Returns for each triangle of the model whether it is hidden; empty if none is.
 std::vector<bool> hidden_triangles(const SceneView& scene) {
   if (!scene.masked || scene.fields.at_default(Field::mask)) return {};
   const std::span<const float> mask = scene.fields.values(Field::mask);
@@ -69,7 +69,7 @@ FurSkinRegion make_region(const SkinRegion& region, const Mesh& mesh) {
   if (region.facing) {
     const SkinFacing& facing = *region.facing;
     made.facing = glm::normalize(facing.direction);
-    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // whole at 180 degrees after rounding
+    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // 180 degrees must cover everything
     made.cosine_none = std::cos(glm::radians(std::min(180.0, facing.angle_degrees + facing.fade_degrees)));
   }
   made.colour = region.colour;
@@ -90,7 +90,8 @@ std::vector<FurSkinRegion> make_skin(const std::vector<SkinRegion>& regions, con
 
 namespace {
 
-/// A rectangle shines by the cosine: seen from its middle, a cone of 90 degrees that fades over all of it.
+/// Converts a light. An area light emits by the cosine law: as a spot light from its middle, with a cone of 90 degrees
+/// that fades over its whole width.
 FurLight make_light(const Light& light, const Mesh& mesh) {
   const double length = glm::length(light.direction);
   const glm::dvec3 direction = length > 0 ? light.direction / length : glm::dvec3(0, -1, 0);
@@ -196,7 +197,7 @@ std::vector<NamedCoat> seen_coats(const SceneSettings& settings) {
   std::vector<NamedCoat> seen;
   for (const NamedCoat& coat : settings.coats)
     if (!coat.muted) seen.push_back(coat);
-  constexpr std::uint32_t apart = 0x9e3779b9;  // so that coats of one seed do not stand on the same roots
+  constexpr std::uint32_t apart = 0x9e3779b9;  // keeps coats of the same seed off each other's roots
   for (NamedCoat& coat : seen) coat.coat.seed += static_cast<std::uint32_t>(coat.id) * apart;
   return seen;
 }
@@ -205,7 +206,7 @@ std::vector<FurFields> make_fields(const SceneView& scene, std::span<const FurSk
                                    std::span<const DirtyRange> dirty, const MovedFur* moved) {
   std::vector<FurFields> all;
   for (const NamedCoat& coat : seen_coats(scene.settings)) {
-    const FieldSet fields = scene.fields.of_coat(coat.id);  // whose arrays are the scene's
+    const FieldSet fields = scene.fields.of_coat(coat.id);  // shares the scene's arrays
     FurFields& made = all.emplace_back(FurFields{fields.direction(), fields.length(), dirty, skin, make_paint(fields)});
     if (moved) made.direction = (*moved)[all.size() - 1];
     made.coat = coat.id;
@@ -224,7 +225,7 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
   const std::uint64_t copy = copy_id(scene);
   const bool known = renderer.has(copy);
   if (known && (!shells || renderer.has_shells(copy))) return renderer.update(copy, fields);
-  if (!known) renderer.forget(scene.copy_id);  // in other colours, or with other triangles hidden
+  if (!known) renderer.forget(scene.copy_id);  // it has other colours or hidden triangles
   const ModelArrays arrays = make_arrays(scene);
   const FurModel model = make_model(scene, arrays);
   UploadCount count = known ? renderer.update(copy, fields) : renderer.add(model, fields);

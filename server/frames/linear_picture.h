@@ -1,4 +1,4 @@
-// A picture in linear light, as far as it is: what its file is finished from.
+// Pictures in linear light, from which files are finished.
 #pragma once
 
 #include <memory>
@@ -14,46 +14,48 @@
 
 namespace pelage {
 
-/// A picture with everything that its file needs. Never changes once it is made.
+/// A linear picture with everything that its file needs. Immutable.
 struct LinearPicture {
   Revision revision = 0;
   TraceReport report = {};            // of traced strands
-  std::vector<FloatImage> aovs = {};  // those of linear_aovs(request), of the whole frame; a crop alone is drawn
+  std::vector<FloatImage> aovs = {};  // linear_aovs(request), for the whole frame; with a crop, only that part is drawn
   std::shared_ptr<const FurFrame> frame = {};
   ModelPlacement placement = {};
   FrameTimings timings = {};
-  FrameCounters counters = {};  // of shells, or of what lies under traced strands
-  // Of an earlier revision what it was drawn from: for as long as it lives, the renderer has it for overlays.
+  FrameCounters counters = {};  // of the drawing, or of a traced picture's backplate
+  // The snapshot of an earlier revision that it was drawn from; while it lives, the renderer keeps its copy for
+  // overlays.
   SnapshotPtr past = {};
 };
 
-/// The AOVs that a request's file is made of: those of an EXR, with the parts of cryptomatte in its place; else beauty.
+/// Returns the AOVs that a request's file is made of. For a linear format, those it names, with cryptomatte replaced by
+/// its parts; else beauty.
 std::vector<Aov> linear_aovs(const FrameRequest& request);
 
-/// The request for them.
+/// Returns the request for those AOVs, as an EXR.
 FrameRequest linear_request(const FrameRequest& request);
 
-/// The knobs that draw the same picture again: of a frame, with the report of traced strands.
+/// Returns the knobs that reproduce the picture of a frame; `report` is that of traced strands.
 Knobs knobs_of(const FurFrame& frame, const std::optional<TraceReport>& report);
 
-/// The picture that an open shutter sees while a scene moves: the mean of pictures of one frame at several moments.
-/// Depth, position, normal and tangent, whose mean would lie nowhere, come from the middle picture.
+/// The picture of an open shutter while a scene moves: the mean of pictures of one frame at several times. AOVs whose
+/// mean is meaningless, such as depth, position, normal and tangent, come from the middle picture.
 class MeanPicture {
  public:
-  /// `aovs`: of each picture.
+  /// `aovs` are those of each picture; `count` is the number of pictures.
   MeanPicture(std::vector<Aov> aovs, int count) : kinds_(std::move(aovs)), count_(count) {}
 
-  /// Adds the next picture, in the order of the moments. All pictures have the same size.
+  /// Adds the next picture, in order of time. All pictures have the same size.
   void add(LinearPicture picture);
-  /// Returns the mean, once `count` pictures were added.
+  /// Returns the mean, after `count` pictures were added.
   LinearPicture take() &&;
 
  private:
   std::vector<Aov> kinds_;
   int count_;
   int added_ = 0;
-  LinearPicture mean_;                     // the middle one, until it is taken
-  std::vector<std::vector<double>> sums_;  // of each AOV
+  LinearPicture mean_;                     // the middle picture, until take()
+  std::vector<std::vector<double>> sums_;  // for each AOV
   TraceReport report_;
   double noise_square_ = 0;
 };

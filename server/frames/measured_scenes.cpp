@@ -32,7 +32,7 @@ Coat striped(Coat coat) {
 
 MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id) {
   Result<Mesh> mesh = prepare(make_builtin(scene.builtin));
-  assert(mesh);  // a built-in can be prepared
+  assert(mesh);  // built-in models are valid
   PatchMap patches = lay_patches(*mesh);
   FieldSet fields = first_groom(*mesh, scene.fur);
   MeasuredScene made{{Surface(std::move(mesh).value()), std::move(patches), id, "measured"}, std::move(fields), {}};

@@ -1,4 +1,4 @@
-// Furred built-in models that are drawn to be measured, without a server's scenes.
+// Furred built-in models for measurements, without a server's scenes.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct MeasuredScene {
   SceneView view() const { return {model, fields, settings, 0}; }
 };
 
-/// A scene and the views that it is measured from: `distance` over that which frames the model.
+/// A scene and the views that it is measured from. `distance` is relative to the distance that frames the model.
 struct CalibrationScene {
   BuiltinModel builtin;
   FirstGroom fur;
@@ -32,23 +32,23 @@ struct CalibrationScene {
   std::vector<View> views;
 };
 
-/// Made and prepared as the server does it. `id` is unique in the renderer.
+/// Makes a scene as the server does. `id` must be unique in the renderer.
 MeasuredScene make_measured_scene(const CalibrationScene& scene, std::uint64_t id);
 
-/// Coats of different length, width, colour and form.
+/// Returns scenes with coats of different length, width, colour and form.
 std::vector<CalibrationScene> calibration_scenes();
 
-/// A frame with a transparent background, of a scene that the renderer has.
+/// Returns a frame with a transparent background.
 FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& view);
 
-/// A frame's first picture, and the least of so many drawings in milliseconds, above 0.
+/// A frame's picture, and the minimum cost of several drawings in milliseconds, above 0.
 struct TimedPicture {
   Image picture;
   double cost_ms = 0;  // FrameEstimate
-  double cpu_ms = 0;   // of all threads
+  double cpu_ms = 0;   // CPU time of all threads
 };
 
-/// Draws the frame with the knobs. Fails as Renderer::draw does.
+/// Draws the frame `repetitions` times with the knobs. Fails as Renderer::draw does.
 Result<TimedPicture> draw_often(Renderer& renderer, FurFrame frame, const Knobs& knobs, int repetitions);
 
 }  // namespace pelage

@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr float stiffness_of_curves = 8;  // fur has 1
+constexpr float stiffness_of_curves = 8;  // that of fur is 1
 
 double length_of(const std::vector<glm::dvec3>& points) {
   double length = 0;
@@ -17,14 +17,14 @@ double length_of(const std::vector<glm::dvec3>& points) {
   return length;
 }
 
-/// Any unit vector across a unit one, the same for the same.
+/// Returns a unit vector orthogonal to a unit vector, deterministically.
 glm::dvec3 across(glm::dvec3 along) {
   const glm::dvec3 other = std::abs(along.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   return glm::normalize(other - glm::dot(other, along) * along);
 }
 
-/// Bends a curve about `axis`: turns its last segment by `angle`, and earlier segments by less, in proportion to their
-/// arc length from the root.
+/// Bends a curve about `axis`: rotates its last segment by `angle`, and earlier segments by less, in proportion to
+/// their arc length from the root.
 void bend(std::vector<glm::dvec3>& points, double length, glm::dvec3 axis, double angle) {
   double passed = 0;
   glm::dvec3 place = points.front(), before = place;
@@ -48,7 +48,7 @@ BodyMotion motion_under(const FurCurves& curves, const Surface& surface, const B
   return {acceleration, swing.step};
 }
 
-/// Moves the curves as `swayed` moves fur that stands along them.
+/// Moves the curves as `swayed` moves strands that stand along them.
 void sway_curves(FurCurves& curves, const Wind& wind, double moment, const BodyMotion* body) {
   if (!blows(wind) && !body) return;
   std::vector<glm::vec3> roots, along, side;

@@ -1,4 +1,4 @@
-// Fur that the wind moves, or the body.
+// Fur moved by the wind or by the body.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// The direction field of each coat that is seen, in the scene's order, at a moment.
+/// The direction field of each visible coat, in the scene's order, at one time.
 using MovedFur = std::vector<std::vector<glm::vec2>>;
 
 }  // namespace pelage

@@ -14,7 +14,8 @@ Result<SnapshotPtr> PastScenes::find(const Scene& scene, Revision revision) {
   made->copy_id = new_copy_id(), made->pose = nullptr;
   auto copy = std::make_shared<const SceneSnapshot>(std::move(*made));
   keep({now->copy_id, revision, copy});
-  // Whoever gives the scene another model or removes it says so first, and has its copies forgotten then.
+  // The scene may have been removed or got another model meanwhile. Both are visible here before the store forgets the
+  // scene's copies, so a copy that was cached too late is dropped here.
   if (scene.removed() || scene.snapshot()->copy_id != now->copy_id) forget(now->copy_id);
   return SnapshotPtr(std::move(copy));
 }
@@ -28,10 +29,10 @@ SnapshotPtr PastScenes::find_kept(std::uint64_t present, Revision revision) {
   return kept_.back().copy;
 }
 
-/// Caches a copy, and evicts the least recently used one if there are too many. Two callers that ask for the same copy
-/// at once may both make it; the older one is then evicted first.
+/// Caches a copy, and evicts the least recently used one if there are too many. Two concurrent callers may both make
+/// the same copy; the older one is then evicted first.
 void PastScenes::keep(Kept copy) {
-  SnapshotPtr dropped;  // freed without the lock
+  SnapshotPtr dropped;  // freed after the lock is released
   const std::lock_guard lock(mutex_);
   made_.push_back({copy.copy->copy_id, copy.copy});
   kept_.push_back(std::move(copy));
@@ -40,7 +41,7 @@ void PastScenes::keep(Kept copy) {
   kept_.erase(kept_.begin());
 }
 
-/// Scenes have ids that count from 1.
+/// Returns a copy_id outside the range of scene ids, which count from 1.
 std::uint64_t PastScenes::new_copy_id() {
   const std::lock_guard lock(mutex_);
   return (std::uint64_t{1} << 63) + ids_++;

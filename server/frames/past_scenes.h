@@ -1,4 +1,4 @@
-// Scenes as they were at earlier revisions, for frames that show them.
+// A cache of scenes at earlier revisions, for frames that show them.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace pelage {
 
-/// Thread-safe. Keeps the copies that were asked for last, of all scenes together, so that the next frame of the same
-/// revision builds and uploads nothing again. The renderer knows each copy by a copy_id of its own.
+/// Thread-safe. Caches the most recently used copies, over all scenes, so that the next frame of the same revision
+/// rebuilds and uploads nothing. Each copy has a copy_id of its own for the renderer.
 class PastScenes {
  public:
   static constexpr std::size_t max_kept = 2;
 
-  /// The scene at a revision: its own snapshot for the present one. Another that is not cached is made from the
-  /// journal; commands continue meanwhile. Refused (invalid, "/revision") if the scene's model has no such revision.
+  /// Returns the scene at a revision: its own snapshot for the present one, else a cached copy, or a new one made from
+  /// the journal while commands continue. Refuses (invalid, "/revision") a revision that the scene's model does not
+  /// have.
   Result<SnapshotPtr> find(const Scene& scene, Revision revision);
 
-  /// Drops the copies of a scene, by its own copy_id.
+  /// Drops the cached copies of a scene; `present` is its own copy_id.
   void forget(std::uint64_t present);
 
-  /// The copy_id of each copy that nobody holds any more, once: the renderer has no use for it.
+  /// Returns, once, the copy_id of each copy that nobody holds any more, so that the renderer can drop it.
   std::vector<std::uint64_t> take_gone();
   bool has_gone() const;
 
-  /// Returns the cached copies of a scene, which is named by its own copy_id.
+  /// Returns the cached copies of a scene; `present` is its own copy_id.
   std::vector<SnapshotPtr> kept(std::uint64_t present) const;
 
  private:
@@ -47,8 +48,8 @@ class PastScenes {
   std::uint64_t new_copy_id();
 
   mutable std::mutex mutex_;
-  std::vector<Kept> kept_;  // the one that was asked for last comes last
-  std::vector<Made> made_;  // kept, and held by frames alone
+  std::vector<Kept> kept_;  // most recently used last
+  std::vector<Made> made_;  // all living copies, cached or held only by frames
   std::uint64_t ids_ = 0;
 };
 

@@ -7,23 +7,22 @@ namespace pelage {
 Result<PictureService::Encode> PictureService::begin_frame(const std::shared_ptr<Scene>& scene,
                                                            const FrameRequest& request,
                                                            const std::function<bool()>& abandoned) {
-  // What of the scene is shown: a snapshot, which commands leave as it is.
+  // The state of the scene: a snapshot, which commands do not change.
   Result<FrameView> view = frames_.view(*scene, request);
   if (!view) return view.status();
 
-  // The knobs, where a budget or an error is asked for, and what they are expected to cost.
+  // The knobs, chosen if a budget or an error is given, and the expected cost.
   const bool traced = request.knobs.method == Method::strands;
   Result<FramePlan> plan = traced ? FramePlan{request.knobs} : frames_.plan(*view, request);
   if (!plan) return plan.status();
 
-  // Light, pass by pass, which is then finished to a picture; or a picture, of which only what has changed is drawn and
-  // finished.
+  // The picture: traced pass by pass and then finished, or rasterized, where only what has changed is drawn again.
   if (!traced && !request.progressive) traces_.turn_from(*scene, request);
   Result<DrawnFrame> drawn = traced ? trace(scene, request, abandoned)
                                     : frames_.draw({scene, request, std::move(*view), std::move(*plan), abandoned});
   if (!drawn) return drawn.status();
 
-  // The file, on the thread of whoever wants it.
+  // The file, encoded on the thread of the caller.
   return Encode([this, request, picture = std::make_shared<DrawnFrame>(std::move(*drawn))](const FileTexts& texts) {
     return frames_.encode(std::move(*picture), request, texts);
   });
@@ -42,7 +41,7 @@ Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, c
   FrameAnswer answer = (*encode)(texts);
   if (!request.progressive) return answer;
   answer.trace = TraceReport{};
-  // Where too many wait, whoever asks for a better picture is told so; the first one is there all the same.
+  // If too many wait, the request for a better picture reports that; the first picture is valid anyway.
   static_cast<void>(traces_.improve(scene, request, answer.revision));
   return answer;
 }
@@ -60,12 +59,12 @@ Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, cons
     const Result<FrameView> view = frames_.view(*scene, request);
     if (!view) return view.status();
     FrameRequest patient = request;
-    patient.max_seconds = limits::frame_seconds;  // whoever asks wants to know
+    patient.max_seconds = limits::frame_seconds;  // a cost above the request's limit is reported, not refused
     const Result<FramePlan> plan = frames_.plan(*view, patient);
     return plan ? Result<FrameCost>(plan->cost) : plan.status();
   }
   const FrameRequest probe = probe_of(request);
-  // The first one also pays for what is then kept for the frame itself.
+  // The first probe also pays for data that is cached for the frame itself, so the second is measured.
   if (const auto first = traces_.trace(scene, probe, abandoned); !first) return first.status();
   const auto picture = traces_.trace(scene, probe, abandoned);
   return picture ? trace_cost(request, (*picture)->report) : Result<FrameCost>(picture.status());

@@ -1,4 +1,4 @@
-// What traces a picture.
+// The interface of the tracer that the trace queue uses.
 #pragma once
 
 #include <memory>
@@ -11,34 +11,34 @@
 
 namespace pelage {
 
-/// The request that draws a progressive picture's pictures: by strands, and without `progressive`.
+/// Returns the request that traces the pictures of a progressive request: traced strands, without `progressive`.
 FrameRequest traced_request(const FrameRequest& request);
 
-/// Traces a picture at a time, on one thread: the tracer with what it needs of a scene and of the render thread.
+/// Traces one picture at a time, called from one thread: the tracer with its inputs from the scene and the render
+/// thread.
 class PictureTracer {
  public:
   virtual ~PictureTracer() = default;
 
-  /// Begins a picture of the scene as it is now, of no passes; the revision. Fails as Tracer::begin and FrameService
+  /// Begins a picture of the scene, with 0 passes, and returns its revision. Fails as Tracer::begin and FrameService
   /// do.
   virtual Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                  const GoOn& go_on) = 0;
-  /// As Tracer::add_pass.
+  /// Calls Tracer::add_pass.
   virtual Status add_pass(const GoOn& go_on) = 0;
 
-  /// A picture that gave way to another.
+  /// A picture set aside for another one.
   struct Aside {
     virtual ~Aside() = default;
   };
-  /// Takes the picture out; another may be begun or resumed then.
+  /// Sets the picture aside, so that another may be begun or resumed.
   virtual std::unique_ptr<Aside> set_aside() = 0;
-  /// What that takes in memory.
+  /// Returns the bytes of memory that a picture takes when it is set aside.
   virtual std::size_t bytes() const = 0;
-  /// Continues a picture, at its own revision and with the same bits as without the interruption. Fails as `begin`
-  /// does.
+  /// Continues a picture at its own revision, with the same bits as without the interruption. Fails as `begin` does.
   virtual Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) = 0;
   virtual TraceReport report() const = 0;
-  /// Returns the picture so far, of at least one pass.
+  /// Returns the picture so far. Requires at least one pass.
   virtual LinearPicture picture() const = 0;
 };
 

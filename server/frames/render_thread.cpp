@@ -9,13 +9,13 @@ namespace pelage {
 
 namespace {
 
-constexpr int max_restarts = 2;                       // of a frame whose scene changed meanwhile
-constexpr std::size_t max_running = 4;                // frames that were let in one by another: each holds its picture
-constexpr std::chrono::milliseconds look_again{250};  // at whether clients of frames that wait have left
+constexpr int max_restarts = 2;                       // maximum restarts of a frame whose scene changed meanwhile
+constexpr std::size_t max_running = 4;                // nesting of frames drawn in pauses; each holds its picture
+constexpr std::chrono::milliseconds look_again{250};  // interval of checks for clients that have left
 
 Status left_alone() { return failure(Code::unavailable, "nobody waits for this frame any more"); }
 
-/// Each bakes on two threads, beside the one that draws.
+/// Returns the number of coats to bake at a time. Each bakes on two threads, in addition to the render thread.
 int baking_threads() { return std::max(1, default_threads() / 4); }
 
 }  // namespace
@@ -39,7 +39,7 @@ void FrameService::Impl::run(std::promise<Status>& started) {
   draws_shells = context != nullptr;
   started.set_value({});
   serve(**renderer);
-  renderer->reset(), context.reset();  // GL objects before their context
+  renderer->reset(), context.reset();  // GL objects must be freed before their context
 }
 
 void FrameService::Impl::renew_gl(Renderer& renderer) {
@@ -59,7 +59,7 @@ bool FrameService::Impl::has_work() const {
 }
 
 void FrameService::Impl::serve(Renderer& renderer) {
-  // An exception outside a frame's drawing has lost one job, whose client gets an error; the loop serves the others.
+  // An exception outside a frame's drawing loses one job, whose client gets an error; the loop serves the others.
   for (Result<bool> go_on = true; !go_on || *go_on;) go_on = caught([&] { return Result<bool>(serve_next(renderer)); });
   while (auto job = jobs.take()) job->job->answer.set_value(server_stopping());
   for (const RenderTask& task : tasks) task(nullptr);
@@ -111,7 +111,7 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
     job.outdated = job.given_up = false;
     frame = drawn_or_status();
   }
-  for (; renderer.lost_gl(); ++job.lost_contexts) {  // its coat may have to be baked again, so that it waits in between
+  for (; renderer.lost_gl(); ++job.lost_contexts) {  // its coat may need baking again, and it waits meanwhile
     renew_gl(renderer);
     if (job.lost_contexts == 0) frame = drawn_or_status();
   }
@@ -128,7 +128,7 @@ bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
   const auto may = [&](const std::unique_ptr<FrameJob>& other) {
     return other->ready() && (job.restarts < max_restarts || other->snapshot()->view().copy_id != job.copy_id);
   };
-  // Once it has taken longer than was expected, others are short beside it.
+  // Once it has taken longer than expected, the time taken counts as its cost, so that longer frames count as short.
   const double taken = job.begun.milliseconds() - job.paused;
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
@@ -167,7 +167,7 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   job.copy_id = shown.copy_id(), job.revision = shown.revision(), job.moment = shown.moment;
   mark_outdated(job);
   shown.fur.knobs = job.order.plan.knobs;
-  if (Status can = can_draw(shown.fur.knobs); !can.ok()) return can;  // its GL may be lost since
+  if (Status can = can_draw(shown.fur.knobs); !can.ok()) return can;  // the GL may have been lost meanwhile
   if (job.coat && job.coat->failed()) return status_of(job.coat->error());
   if (waits_for_coat(renderer, shown.fur, job)) return failure(Code::unavailable, "its coat is being baked");
   renderer.grow(shown.fur);
@@ -185,7 +185,7 @@ Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& 
   Result<DrawnPicture> picture = draw_for_format(renderer, shown.fur, job.linear ? linear_request(request) : request,
                                                  times, [&] { return let_in(renderer, job); });
   memory.measure(renderer, shown.copy_id());
-  const bool of_frame = picture || renderer.lost_gl();  // what is lost comes again
+  const bool of_frame = picture || renderer.lost_gl();  // a lost GL is renewed
   count(passed.milliseconds() - (job.paused - paused), of_frame ? Status{} : picture.status());
   if (job.given_up && job.overdue) return too_slow(request, job.order.plan.cost);
   if (job.given_up) return job.outdated || !job.order.left() ? server_stopping() : left_alone();
@@ -209,7 +209,7 @@ bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame
 void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
   const std::lock_guard lock(mutex);
   std::unique_ptr<FrameJob>* older = jobs.find([&](const auto& other) { return other->same_view(*job); });
-  if (older) {  // whose turn it takes
+  if (older) {  // the new frame takes its place in the queue
     (*older)->answer.set_value(failure(Code::conflict, "superseded by a newer frame of the same view"));
     job->coat = std::move((*older)->coat);
     *older = std::move(job);

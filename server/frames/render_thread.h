@@ -1,4 +1,4 @@
-// The thread that draws frames, and what it shares with those who ask.
+// The render thread, and the state that it shares with callers of FrameService.
 #pragma once
 
 #include <atomic>
@@ -28,20 +28,20 @@
 
 namespace pelage {
 
-/// A task that tracing runs on the render thread; the renderer is null if that thread is stopping.
+/// A task for the render thread from tracing. The renderer is null if the thread is stopping.
 using RenderTask = std::function<void(Renderer*)>;
 
 struct FrameService::Impl {
   Impl(ContextSource source, YieldGate& yield_gate, std::size_t coat_memory, int asked_threads);
 
   const ContextSource contexts;
-  std::unique_ptr<Context> context;  // of the render thread; null where there is no GL
+  std::unique_ptr<Context> context;  // used by the render thread only; null without GL
   YieldGate& gate;
   std::mutex mutex;
   std::condition_variable wake;
   CoatBaker baker;
   ShortestFirst<std::unique_ptr<FrameJob>> jobs;
-  std::deque<RenderTask> tasks;  // after all jobs
+  std::deque<RenderTask> tasks;  // run after all jobs
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
   std::string description;
@@ -50,41 +50,41 @@ struct FrameService::Impl {
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
-  ShownFur shown_fur;  // of the render thread
+  ShownFur shown_fur;  // used by the render thread only
   FramePlanner planner;
-  const int threads;  // that fur is drawn on
-  PngEncoder png;     // of whoever asked, not of the render thread
+  const int threads;  // CPU threads that draw
+  PngEncoder png;     // used by callers, not by the render thread
   const Stopwatch running_time;
-  std::vector<FrameJob*> running;  // on the render thread; each was let in by the one before it
+  std::vector<FrameJob*> running;  // frames being drawn; each is drawn in a pause of the one before it
   std::thread thread;
 
   void run(std::promise<Status>& started);
   void serve(Renderer& renderer);
-  /// Waits for something to do and does it; false at the end.
+  /// Waits for work and does it. Returns false at the end.
   bool serve_next(Renderer& renderer);
   void wake_up() {
     const std::lock_guard lock(mutex);
     wake.notify_one();
   }
-  /// Returns whether the render thread has anything to do. Needs the lock.
+  /// Returns whether the render thread has work. The caller must hold the lock.
   bool has_work() const;
-  /// Returns whether the frame waits for its coat to be baked, which it then asks for.
+  /// Returns whether the frame has to wait for its coat; if so, requests its baking.
   bool waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job);
-  /// Drops the copies of models that are gone; whether there were any. Needs the lock.
+  /// Drops the copies of removed models. Returns whether there were any. The caller must hold the lock.
   bool forget_gone(Renderer& renderer);
-  /// Draws a job that was taken and answers it, or puts it back where its coat is not there yet.
+  /// Draws a taken job and answers it, or puts it back if its coat is not baked yet.
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
-  /// The picture of what is shown, and what drawing it took. Counts it.
+  /// Draws the shown scene. Returns the picture with its timings, and updates the counters.
   Result<DrawnFrame> draw_shown(Renderer& renderer, FrameJob& job, Shown shown, const Stopwatch& passed);
-  /// Refused (invalid) for shells where there is no GL.
+  /// Refuses (invalid) shells if there is no GL.
   Status can_draw(const Knobs& knobs) const;
-  /// Runs between the pieces of a job: draws the jobs that wait now and are short compared to it. Returns whether the
-  /// job continues.
+  /// Called in the pauses of a job: draws the jobs that wait now and are short compared to it. Returns whether the job
+  /// continues.
   bool let_in(Renderer& renderer, FrameJob& job);
-  /// Replaces a lost GL by another one, or by none if none can be had.
+  /// Replaces a lost GL by a new one, or by none if none is available.
   void renew_gl(Renderer& renderer);
-  /// Running frames of the job's scene that show another revision have to begin anew.
+  /// Marks running frames of the job's scene that show another revision or time; they have to restart.
   void mark_outdated(const FrameJob& job);
   void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<FrameJob> job);

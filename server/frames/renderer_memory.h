@@ -1,4 +1,4 @@
-// What the renderer holds, for those who may not wait for it.
+// The memory that the renderer holds, for threads that must not wait for it.
 #pragma once
 
 #include <atomic>
@@ -10,16 +10,16 @@
 
 namespace pelage {
 
-/// Thread-safe; the renderer's thread measures. Bytes as of the last frame.
+/// Thread-safe. The render thread measures; values are those of the last frame, in bytes.
 class RendererMemory {
  public:
-  /// After the model was drawn.
+  /// Called after the model was drawn.
   void measure(const Renderer& renderer, std::uint64_t model) {
     const std::lock_guard lock(mutex_);
     copies_[model] = renderer.bytes_of(model);
     gl_ = renderer.gl_bytes();
   }
-  /// After its copies were dropped.
+  /// Called after the model's copies were dropped.
   void forget(const Renderer& renderer, std::uint64_t model) {
     const std::lock_guard lock(mutex_);
     copies_.erase(model);
@@ -32,11 +32,11 @@ class RendererMemory {
     const auto found = copies_.find(model);
     return found == copies_.end() ? 0 : found->second;
   }
-  /// Storage of all GL objects.
+  /// Returns the bytes of all GL objects.
   std::size_t of_gl() const { return gl_; }
 
  private:
-  mutable std::mutex mutex_;  // held for a look-up only
+  mutable std::mutex mutex_;  // held only briefly
   std::map<std::uint64_t, std::size_t> copies_;
   std::atomic<std::size_t> gl_{0};
 };

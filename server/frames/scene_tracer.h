@@ -1,4 +1,4 @@
-// The tracer, with what it needs of a scene: its copy, and a picture of what lies under the strands.
+// The tracer for scenes: holds a snapshot of the scene, and the backplate drawn by the frame service.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ namespace pelage {
 
 class SceneTracer : public PictureTracer {
  public:
-  /// `threads` that trace where no other thread of the machine wants to, 0 for as many as there are cores; `memory`
-  /// bounds strands, their index and the film, bytes. The frame service outlives it.
+  /// `threads` is the number of threads, which trace at low priority, 0 for as many as there are cores. `memory` bounds
+  /// strands, their index and the film, in bytes. The frame service must outlive this object.
   SceneTracer(FrameService& frames, int threads, std::size_t memory);
 
   Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
@@ -27,17 +27,17 @@ class SceneTracer : public PictureTracer {
   LinearPicture picture() const override;
 
  private:
-  /// A picture with what it is traced from.
+  /// A picture with its inputs.
   struct Begun : Aside {
     SnapshotPtr scene;
     bool masked = false;
     SceneView view() const { return scene->view(masked); }
-    MovedDirection opening, closing;  // null for fur at rest, and for none that is blurred
+    MovedDirection opening, closing;  // at the shutter's ends; null for fur at rest, `closing` also without blur
     std::vector<Aov> aovs;
-    LinearPicture picture;  // all but report and AOVs
+    LinearPicture picture;  // without report and AOVs
     std::shared_ptr<Tracer::Picture> traced;
   };
-  /// Calls use(model, fields) with views of what a picture is traced from.
+  /// Calls use(model, fields) with views of a picture's inputs.
   Status with_views(const Begun& begun,
                     const std::function<Status(const FurModel&, const std::vector<FurFields>&)>& use);
   const ModelArrays& arrays_of(const Begun& begun);
@@ -45,9 +45,9 @@ class SceneTracer : public PictureTracer {
   FrameService& frames_;
   Tracer tracer_;
   std::unique_ptr<Begun> begun_;
-  // Of the last model in its colours, which `arrays_of_` keeps alive.
+  // Cache of the last model's arrays, which `arrays_of_` keeps alive.
   SnapshotPtr arrays_of_;
-  std::uint64_t arrays_id_ = 0;  // copy_id of these
+  std::uint64_t arrays_id_ = 0;  // copy_id of the cached arrays
   ModelArrays arrays_;
 };
 

@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-constexpr int max_side = 2048;  // pixels: larger views are drawn smaller, since a frame's memory has all of its pixels
+constexpr int max_side = 2048;  // pixels; larger views are drawn smaller, because a frame allocates all of its pixels
 
 FrameRequest pixel_request(const View& view, glm::dvec2 pixel) {
   const int part = (std::max(view.width, view.height) + max_side - 1) / max_side;
@@ -44,7 +44,7 @@ Result<std::optional<PickedStrand>> seen_strand(FrameService& frames, const std:
   PickedStrand picked;
   picked.id = static_cast<int>(strand[0]);
   picked.along = std::clamp(double{strand[1]}, 0.0, 1.0);
-  const auto number = static_cast<std::size_t>(strand[2]);  // of its coat, from 1 on
+  const auto number = static_cast<std::size_t>(strand[2]);  // of its coat, from 1
   picked.kind = number > limits::coats ? StrandKind::curve : StrandKind::coat;
   for (const NamedCoat& coat : picture->frame->coats)
     if (coat.id + 1 == number) picked.coat = coat.name;

@@ -1,4 +1,4 @@
-// The strand that a frame shows at a pixel.
+// Finds the strand that a frame shows at a pixel.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace pelage {
 
-/// Returns whether the request asks for a strand: it names a pixel, and not skin alone.
+/// Returns whether the request asks for a strand: it names a pixel and does not restrict the pick to skin.
 bool reaches_fur(const PickRequest& wanted);
 
-/// The strand that covers most of the pixel in an interactive frame of the view, of which the pixel alone is drawn;
-/// nothing where skin, an eye or nothing shows more. Fails as FrameService::light does.
+/// Returns the strand that covers most of the pixel in an interactive frame of the view, of which only that pixel is
+/// drawn; nothing if skin, an eye or the background covers more. Fails as FrameService::light does.
 Result<std::optional<PickedStrand>> seen_strand(FrameService& frames, const std::shared_ptr<Scene>& scene,
                                                 const View& view, glm::dvec2 pixel);
 

@@ -1,4 +1,4 @@
-// What the renderer's copies of scenes show: which change of the fields, and fur at which moment of the wind.
+// The state of the renderer's copies of scenes: the last change of the fields, and the time of moving fur.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,28 @@
 
 namespace pelage {
 
-/// Null for fur at rest.
+/// Directions of moving fur; null for fur at rest.
 using MovedDirection = std::shared_ptr<const MovedFur>;
 
-/// The scene's at a moment.
+/// Returns the directions of the scene's fur at a time.
 MovedDirection moved_at(const SceneView& scene, double moment);
 
-/// The moment at which a frame shows the scene; empty if no wind blows and nothing swings.
+/// Returns the time at which a frame shows the scene, in seconds; nothing if no wind blows and no body moves.
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request);
 
-/// Belongs to the render thread. A renderer's copy of a scene has the fields after one change, and one direction field:
-/// the scene's own, or that of a moment of one revision.
+/// Used by the render thread only. A renderer's copy of a scene has the fields as of one change, and one direction
+/// field: the scene's own, or that of moving fur at one time and revision.
 class ShownFur {
  public:
-  /// What the copy lacks to show a snapshot.
+  /// The data that the copy needs to show a snapshot.
   struct Difference {
     std::vector<VertexRange> touched;
-    MovedDirection direction;  // of the fur at the moment; null for fur at rest
+    MovedDirection direction;  // at the time to show; null for fur at rest
   };
-  /// What the copy is about to be given. Computes the direction unless the copy has it already.
+  /// Returns the difference to upload, and marks the copy as invalid until taken_over(). Computes the direction unless
+  /// the copy has it already.
   Difference update(const SceneSnapshot& snapshot, std::optional<double> moment);
-  /// The copy has been given that. Until then, and where giving it fails, it counts as one that shows nothing.
+  /// Records that the copy has received the difference. Until then, or if the upload fails, the copy counts as empty.
   void taken_over(const SceneSnapshot& snapshot);
 
   /// Forgets a copy; `copy` is a SceneView::copy_id.

@@ -45,7 +45,7 @@ Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, con
 
 namespace {
 
-/// The change that counts as much.
+/// Returns the change that counts as 1.
 double full_change(Field field, const FieldSet& from, const FieldSet& to) {
   const FieldShape& shape = shape_of(field);
   if (field != Field::length) return shape.channels > 1 ? 1 : double{shape.max} - double{shape.min};
@@ -56,7 +56,7 @@ double full_change(Field field, const FieldSet& from, const FieldSet& to) {
   return longest;
 }
 
-/// Raises the shares to those of the coat that is selected.
+/// Raises the shares to those of the changes of one coat.
 void add_shares(const FieldSet& from, const FieldSet& to, std::vector<float>& shares) {
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
@@ -66,7 +66,7 @@ void add_shares(const FieldSet& from, const FieldSet& to, std::vector<float>& sh
       const glm::vec4 before = from.value(field, v), after = to.value(field, v);
       if (before == after) continue;
       const double share = glm::length(glm::dvec4(after) - glm::dvec4(before)) / full;
-      // The least share that shows: a change is never drawn as none.
+      // The minimum share keeps any change visible.
       shares[v] = std::max(shares[v], static_cast<float>(std::clamp(share, 1e-6, 1.0)));
     }
   }

@@ -1,4 +1,4 @@
-// A scene as one frame shows it.
+// The state of a scene that one frame shows.
 #pragma once
 
 #include <cstdint>
@@ -17,32 +17,32 @@
 
 namespace pelage {
 
-/// What of a scene a request asks for. Reads the journal for earlier revisions. Refused (invalid, "/revision" or
-/// "/overlay_from") where the scene's model has no such revision.
+/// Returns the state of a scene that a request asks for. Reads the journal for earlier revisions. Refuses (invalid,
+/// "/revision" or "/overlay_from") revisions that the scene's model does not have.
 Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes);
 
-/// What is drawn of a scene, and which of it.
+/// A snapshot as it is drawn.
 struct Shown {
   SnapshotPtr snapshot = {};
   FurFrame fur = {};
   ModelPlacement placement = {};
-  std::optional<double> moment = {};  // of fur that the wind moves
+  std::optional<double> moment = {};  // time of moving fur, seconds
   MovedDirection direction = {};
 
   Revision revision() const { return snapshot->revision; }
   std::uint64_t copy_id() const { return snapshot->view().copy_id; }
 };
 
-/// Brings the renderer's copy of the scene up to date with a snapshot. `compared`: FrameView::compared.
+/// Updates the renderer's copy of the scene to a snapshot. `compared` is FrameView::compared.
 Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
            const FieldSet* compared = nullptr);
 
-// What two states of the fields differ in, as one number for each vertex.
+// The difference of two states of the fields, as one number for each vertex.
 
 /// Returns for each vertex how much it changed: the largest over all fields of |change| / reference, clamped to 1. The
-/// reference is 1 for direction and colours (the change is the length of the difference), the longest fur of either
+/// reference is 1 for direction and colours (whose change is the length of the difference), the longest fur of either
 /// state for length, and the range for other fields. The result is above 0 wherever any value differs, and 0 elsewhere.
-/// Both sets have the same vertices.
+/// Both sets must have the same vertices.
 std::vector<float> change_shares(const FieldSet& from, const FieldSet& to);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// What tracing a picture takes, measured by a small one.
+// Estimates the cost of tracing a picture from a small probe.
 #pragma once
 
 #include "protocol/commands/frame.h"
@@ -6,11 +6,11 @@
 
 namespace pelage {
 
-/// The small picture that tells what `request`, a frame of strands, costs: two passes at a quarter of its size.
+/// Returns the request of the probe for `request`, a frame of traced strands: two passes at a quarter of its size.
 FrameRequest probe_of(const FrameRequest& request);
 
-/// `probe`: of `request`, as traced. Growing strands takes the same for any size, a pass as long as there are pixels;
-/// the request's own seconds are its most.
+/// Returns the estimated cost of `request`; `probe` is the report of its probe. Growing strands takes the same time for
+/// any size, and a pass takes time in proportion to the pixels; the request's own seconds are an upper limit.
 FrameCost trace_cost(const FrameRequest& request, const TraceReport& probe);
 
 }  // namespace pelage

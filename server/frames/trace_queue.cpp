@@ -11,12 +11,13 @@ namespace pelage {
 
 namespace {
 
-constexpr std::chrono::milliseconds abandoned_slice{250};  // how soon a trace is dropped that nobody waits for
-constexpr int max_turn = 64;                               // passes of a picture while another has fewer
+constexpr std::chrono::milliseconds abandoned_slice{250};  // interval at which abandoned traces are detected
+constexpr int max_turn = 64;                               // maximum passes of a turn while another picture has fewer
 
 enum class Stage { waiting, running, ended };
 
-/// 1, 2, 4, 6, 8, 12, 16, 24, ...: what is offered without being waited for.
+/// Returns whether a picture of so many passes (1, 2, 4, 6, 8, 12, 16, 24, ...) is offered even if no client waits for
+/// it.
 bool on_schedule(int passes) {
   int power = 1;
   while (power <= passes / 2) power *= 2;
@@ -34,18 +35,18 @@ Status nobody_waits(const Scene& scene) {
 struct TraceQueue::Job {
   const std::shared_ptr<Scene> scene;
   const FrameRequest request;              // traced_request
-  const std::string key;                   // of the request as it was asked
-  const std::optional<Revision> revision;  // of a progressive picture
+  const std::string key;                   // JSON of the original request
+  const std::optional<Revision> revision;  // set for a progressive picture
   const Clock::time_point start = Clock::now();
   Clock::time_point asked = start, offered = start;
   double queue_ms = 0;
-  bool wanted = false;  // somebody has looked for a better picture since the last was offered
+  bool wanted = false;  // a client has asked for a better picture since the last one was offered
   Stage stage = Stage::waiting;
-  Status status = {};  // why it ended, ok at the end of its passes
+  Status status = {};  // why it ended; ok if its passes are complete
   std::shared_ptr<const LinearPicture> picture = {};
   std::atomic<bool> dropped{false};
-  int passes = 0, turn_began = 0;                         // of them, when it was last taken
-  std::unique_ptr<PictureTracer::Aside> aside = nullptr;  // of a picture that gave way
+  int passes = 0, turn_began = 0;                         // passes done; passes at the beginning of its turn
+  std::unique_ptr<PictureTracer::Aside> aside = nullptr;  // the picture while it is set aside
   std::size_t aside_bytes = 0;
 
   Job(std::shared_ptr<Scene> in, const FrameRequest& asked_for, std::optional<Revision> at)
@@ -68,7 +69,7 @@ void TraceQueue::stop() {
   changed_.notify_all();
 }
 
-// What callers ask for.
+// Functions for callers.
 
 Result<std::shared_ptr<const LinearPicture>> TraceQueue::trace(const std::shared_ptr<Scene>& scene,
                                                                const FrameRequest& request,
@@ -87,7 +88,7 @@ Result<std::shared_ptr<const LinearPicture>> TraceQueue::trace(const std::shared
 }
 
 Status TraceQueue::improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision) {
-  if (!scene->is_at(revision)) return {};  // whoever asks again is told of the new revision
+  if (!scene->is_at(revision)) return {};  // the client learns of the new revision when it asks again
   const auto job = std::make_shared<Job>(scene, request, revision);
   const std::lock_guard lock(mutex_);
   const JobPtr known = find(*scene, job->key);
@@ -123,7 +124,7 @@ TraceCounts TraceQueue::counts() const {
   return counts_;
 }
 
-// The list of jobs. All of these need the lock.
+// The list of jobs. The caller of these must hold the lock.
 
 Status TraceQueue::admit(const JobPtr& job) {
   if (stopping_) return server_stopping();
@@ -144,7 +145,7 @@ std::size_t TraceQueue::count_waiting() const {
   return static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), waits));
 }
 
-/// The progressive picture of that scene and request.
+/// Returns the progressive job of that scene and request, or null.
 TraceQueue::JobPtr TraceQueue::find(const Scene& scene, const std::string& key) const {
   const auto found = std::find_if(jobs_.begin(), jobs_.end(), [&](const JobPtr& job) {
     return job->revision && job->scene.get() == &scene && job->key == key;
@@ -171,7 +172,7 @@ void TraceQueue::drop_view(const Scene& scene, const std::string& view, const Jo
   }
 }
 
-/// Drops the ended progressive picture that nobody has requested for the longest, if the queue has no room.
+/// Drops the ended progressive picture that was requested least recently, if the list is full.
 void TraceQueue::make_room() {
   if (jobs_.size() < limits_.max_progressive) return;
   const auto oldest = std::min_element(jobs_.begin(), jobs_.end(), [](const JobPtr& a, const JobPtr& b) {
@@ -207,7 +208,7 @@ std::size_t TraceQueue::aside_bytes() const {
   return bytes;
 }
 
-/// When a job becomes ready, or is to be forgotten.
+/// Returns the time at which the next job becomes ready or expires.
 TraceQueue::Clock::time_point TraceQueue::next_event() const {
   Clock::time_point first = Clock::now() + limits_.idle_timeout;
   for (const JobPtr& job : jobs_) {
@@ -251,7 +252,7 @@ TraceQueue::JobPtr TraceQueue::next() {
   }
 }
 
-/// Without any lock, as tracing threads ask it often.
+/// Takes no lock, because tracing threads call it often.
 bool TraceQueue::still_wanted(const Job& job) const {
   if (stopping_ || job.dropped || job.scene->removed()) return false;
   return !job.revision || job.scene->is_at(*job.revision);
@@ -262,7 +263,7 @@ Status TraceQueue::start(const JobPtr& job, const GoOn& go_on) {
   if (job->aside) return tracer_->resume(std::move(job->aside), go_on);
   const Result<Revision> begun = tracer_->begin(job->scene, job->request, go_on);
   if (!begun) return begun.status();
-  if (job->revision && *begun != *job->revision) return nobody_waits(*job->scene);  // the scene went on meanwhile
+  if (job->revision && *begun != *job->revision) return nobody_waits(*job->scene);  // the scene changed meanwhile
   return {};
 }
 
@@ -276,7 +277,7 @@ std::optional<Status> TraceQueue::trace_job(const JobPtr& job) {
   }
 }
 
-/// After a pass that was not the last one.
+/// Called after a pass that was not the last one. Returns whether the job yields to another one.
 bool TraceQueue::give_way(const JobPtr& job) {
   const std::lock_guard lock(mutex_);
   const JobPtr other = next_ready(Clock::now());
@@ -290,7 +291,7 @@ bool TraceQueue::give_way(const JobPtr& job) {
   return true;
 }
 
-/// After a pass. True when it was the last one.
+/// Called after a pass: offers the picture if it is due. Returns whether that was the last pass.
 bool TraceQueue::offer(const JobPtr& job) {
   const TraceReport report = tracer_->report();
   const bool last = report.end != TraceEnd::none;
@@ -313,8 +314,8 @@ bool TraceQueue::offer(const JobPtr& job) {
   return last;
 }
 
-/// Ends a job's turn. Without a status, the job gave way to another one. A dropped job is out of the list already. A
-/// progressive picture stays in the list, for callers that ask for its picture or its failure.
+/// Ends a job's turn. Without a status, the job yielded to another one. A dropped job is already out of the list. A
+/// progressive picture stays in the list, for callers that ask for its picture or its error.
 void TraceQueue::end(const JobPtr& job, std::optional<Status> status, double seconds) {
   {
     const std::lock_guard lock(mutex_);

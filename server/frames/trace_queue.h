@@ -1,4 +1,4 @@
-// Pictures that are traced: a pass at a time, on a thread of its own.
+// The queue of traced pictures: a thread that traces them, one pass at a time.
 #pragma once
 
 #include <atomic>
@@ -20,63 +20,64 @@
 
 namespace pelage {
 
-/// The picture that a viewer has.
+/// The picture that a client already has.
 struct SeenPicture {
   Revision revision = 0;
-  int passes = 0;  // 0 for shells
+  int passes = 0;  // 0 for the first, untraced picture
 
   bool operator==(const SeenPicture&) const = default;
 };
 
-/// Since the start.
+/// Counts since the start.
 struct TraceCounts {
   std::size_t traces = 0, passes = 0;
   double seconds = 0;
 };
 
-/// Traces pictures in turns. Thread-safe. The picture with the fewest passes is traced next; of those with equally
-/// many, the one that was requested last. So a picture yields after one pass while another has none; otherwise, while
-/// another has fewer, it yields after as many passes as it had, at most 64. If there is no room to set it aside, it
-/// continues. A job is either a picture that its caller waits for, or a progressive picture: a picture of one revision
-/// that gets better while somebody asks for it, and is dropped as soon as the scene leaves that revision. Jobs of a
-/// named view yield to the view's next request.
+/// Traces pictures in turns. Thread-safe. The picture with the fewest passes is traced next; of equal ones, the one
+/// that was requested last. A picture yields after one pass while another has none. While another has fewer passes, it
+/// yields after as many passes as it had at the beginning of its turn, at most 64. If there is no room to set it aside,
+/// it continues. A job is either a picture that its caller waits for, or a progressive picture: a picture of one
+/// revision that improves while a client asks for it, and is dropped as soon as the scene leaves that revision. Jobs of
+/// a named view are superseded by the view's next request.
 class TraceQueue {
  public:
   using Clock = std::chrono::steady_clock;
   struct Limits {
-    std::size_t waiting = 16;          // jobs before the tracer
-    std::size_t max_progressive = 32;  // progressive pictures, ended ones too
+    std::size_t waiting = 16;          // maximum number of waiting jobs
+    std::size_t max_progressive = 32;  // maximum number of progressive pictures, including ended ones
     std::chrono::milliseconds settle_time{
-        100};  // from a progressive picture's start to its tracing: the hand may go on
-    std::chrono::milliseconds idle_timeout{30'000};      // that a progressive picture lives without being asked for,
-    std::chrono::milliseconds busy_idle_timeout{2'000};  // and that it is traced so while other jobs wait
-    std::chrono::milliseconds between{500};              // pictures for somebody who waits
-    std::size_t aside_bytes = std::size_t{1} << 30;      // of all pictures that gave way
+        100};  // from a progressive picture's start to its tracing, since the user may still be moving
+    std::chrono::milliseconds idle_timeout{30'000};      // lifetime of a progressive picture without requests
+    std::chrono::milliseconds busy_idle_timeout{2'000};  // the same while it is traced and other jobs wait
+    std::chrono::milliseconds between{500};              // minimum interval of pictures for a waiting client
+    std::size_t aside_bytes = std::size_t{1} << 30;      // memory limit of pictures that are set aside
   };
 
   TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits);
   TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate) : TraceQueue(std::move(tracer), gate, Limits()) {}
   ~TraceQueue();
 
-  /// Traces to the end. `abandoned` is asked four times a second. Fails with conflict when the same view asks for
-  /// something else, unavailable when it was abandoned, too many wait or the server stops, not_found when the scene is
-  /// removed, and as PictureTracer does.
+  /// Traces a picture to the end. `abandoned` is polled four times a second. Fails with conflict if the same view
+  /// requests something else; with unavailable if it was abandoned, too many jobs wait or the server stops; with
+  /// not_found if the scene is removed; and as PictureTracer does.
   Result<std::shared_ptr<const LinearPicture>> trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                                      const std::function<bool()>& abandoned = {});
 
-  /// Records that somebody looks at a revision of the scene by this request (its `progressive`), and starts the
-  /// progressive picture if there is none. Unavailable if too many wait.
+  /// Records that a client views a revision of the scene with this request's `progressive`, and starts the progressive
+  /// picture if there is none. Fails with unavailable if too many wait.
   Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
 
-  /// Returns the progressive picture's newest picture if it is of the revision and has more passes than were seen; else
-  /// its failure if it failed; else nothing. Does not wait: when the answer changes, the scene is woken (Scene::wake).
+  /// Returns the newest picture of the progressive job if it has more passes than were seen, its error if it failed,
+  /// else nothing. The job must be of the revision that was seen. Does not wait; when the answer changes, waiters of
+  /// the scene are woken (Scene::wake).
   std::optional<Result<std::shared_ptr<const LinearPicture>>> better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen);
 
-  /// The view of the request asks for something else than strands: what is traced for it is dropped.
+  /// Drops the jobs of the request's view, which now requests something other than traced strands.
   void turn_from(const Scene& scene, const FrameRequest& request);
 
-  /// Ends all jobs at once and takes no more.
+  /// Ends all jobs at once and accepts no more.
   void stop();
 
   TraceCounts counts() const;
@@ -85,21 +86,21 @@ class TraceQueue {
   struct Job;
   using JobPtr = std::shared_ptr<Job>;
 
-  // On the tracing thread.
+  // Called on the tracing thread.
   void run();
-  /// Waits for a job and traces it for its turn; false at the end.
+  /// Waits for a job and traces it for one turn. Returns false at the end.
   bool trace_next();
   JobPtr next();
-  /// Begins a picture or goes on with it.
+  /// Begins or resumes a picture.
   Status start(const JobPtr& job, const std::function<bool()>& go_on);
-  /// Traces the job for its turn. Returns how the picture ended, or nothing if the job gave way to another one.
+  /// Traces the job for one turn. Returns how the picture ended, or nothing if the job yielded to another one.
   std::optional<Status> trace_job(const JobPtr& job);
   bool give_way(const JobPtr& job);
   bool offer(const JobPtr& job);
   void end(const JobPtr& job, std::optional<Status> status, double seconds);
   bool still_wanted(const Job& job) const;
 
-  // All of these need the lock.
+  // The caller of these must hold the lock.
   Status admit(const JobPtr& job);
   std::size_t count_waiting() const;
   JobPtr find(const Scene& scene, const std::string& key) const;
@@ -115,9 +116,9 @@ class TraceQueue {
   const std::unique_ptr<PictureTracer> tracer_;
   YieldGate& gate_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;  // for the tracing thread
-  std::condition_variable ended_;    // for those in trace()
-  std::vector<JobPtr> jobs_;         // waiting, running, and progressive pictures that ended
+  std::condition_variable changed_;  // wakes the tracing thread
+  std::condition_variable ended_;    // wakes callers of trace()
+  std::vector<JobPtr> jobs_;         // waiting and running jobs, and ended progressive pictures
   TraceCounts counts_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

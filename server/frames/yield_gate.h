@@ -1,4 +1,4 @@
-// Lets work that somebody waits for go before work that nobody does.
+// A gate at which background work yields to work that a client waits for.
 #pragma once
 
 #include <condition_variable>
@@ -7,10 +7,10 @@
 
 namespace pelage {
 
-/// Thread-safe. Those who go first never wait.
+/// Thread-safe. Holders of a Turn never wait.
 class YieldGate {
  public:
-  /// Holds back threads that yield until it is destroyed.
+  /// Makes yielding threads wait, as long as it lives.
   class Turn {
    public:
     explicit Turn(YieldGate& gate);
@@ -24,8 +24,8 @@ class YieldGate {
 
   [[nodiscard]] Turn go_first() { return Turn(*this); }
 
-  /// Waits while anyone goes first and `wanted` holds; what `wanted` says at the end. Whoever makes it false calls
-  /// wake(). `wanted` may not use the gate.
+  /// Waits while any Turn lives and `wanted` returns true, and returns the final result of `wanted`. Whoever makes it
+  /// false must call wake(). `wanted` must not use the gate.
   bool pass(const std::function<bool()>& wanted);
   void wake();
 

@@ -12,14 +12,14 @@ namespace pelage {
 
 namespace {
 
-/// The tip's tangent, unit: its angle from the normal is the inclination times a right angle.
+/// Returns the unit tangent at a strand's tip. Its angle from the normal is the inclination times a right angle.
 glm::dvec3 tip_tangent(glm::dvec2 direction, const VertexFrame& frame) {
   const auto [inclination, lean] = lean_of(direction, frame.normal, frame.tangent);
   const double angle = inclination * glm::half_pi<double>();
   return std::cos(angle) * frame.normal + std::sin(angle) * lean;
 }
 
-/// Returns a direction turned as comb does, towards the inclination at which the tip points along the pull.
+/// Returns a direction turned as comb turns it, towards the inclination at which the tip points along the pull.
 glm::dvec2 turned_to_pull(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 pull, double weight) {
   const double across = glm::length(frame.tangent_part(pull)), up = glm::dot(pull, frame.normal);
   if (across < no_heading) return up > 0 ? direction * (1 - weight) : direction;
@@ -27,10 +27,10 @@ glm::dvec2 turned_to_pull(glm::dvec2 direction, const VertexFrame& frame, glm::d
   return turned(direction, frame, pull, lean, weight);
 }
 
-/// How much longer fur is than before any stretch, without a limit.
+/// Returns the growth factor of the length for a stretch, without a limit.
 double growth(double stretch, double threshold) { return 1 + std::max(0.0, stretch - threshold); }
 
-/// The three fields that a stick changes.
+/// Writes the three fields that the attract tool changes.
 class Stick {
  public:
   Stick(const Attract& command, const FieldSet& fields)

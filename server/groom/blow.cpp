@@ -23,14 +23,14 @@ class Blowing {
   /// Returns the unit direction of the wind at a position; 0 at the source itself.
   glm::dvec3 heading(glm::dvec3 position) const { return safe_unit(position - source_); }
 
-  /// 1 / (1 + (distance / fall)^2): half its strength at the distance `fall`.
+  /// Returns 1 / (1 + (distance / fall)^2), the wind's strength: 1 at the source, half at the distance `fall`.
   double strength(glm::dvec3 position) const {
     if (fall_ == 0) return 1;
     const double away = glm::distance(position, source_) / fall_;
     return 1 / (1 + away * away);
   }
 
-  /// 1 well inside the cone, falling smoothly to 0 at its edge.
+  /// Returns 1 inside the inner cone, falling smoothly to 0 at the edge of the outer one.
   double share(glm::dvec3 heading) const {
     const double angle = std::atan2(glm::length(glm::cross(axis_, heading)), glm::dot(axis_, heading));
     if (angle <= inner_) return 1;
@@ -41,7 +41,7 @@ class Blowing {
 
  private:
   glm::dvec3 source_, axis_;
-  double outer_, inner_;  // radians from the axis
+  double outer_, inner_;  // half angles of the cones, radians
   double fall_;           // sizes; 0: no falloff
 };
 

@@ -20,7 +20,7 @@ glm::dvec3 internal_position(const StrokeSample& sample, const Surface& surface)
   if (const auto* place = std::get_if<PositionSample>(&sample.place))
     return surface.mesh().to_internal(place->position);
   const auto* place = std::get_if<SurfaceSample>(&sample.place);
-  assert(place != nullptr);  // resolve replaces pixels
+  assert(place != nullptr);  // resolve() has replaced pixels
   const glm::dvec3 b = place->barycentric;
   return surface.position({place->triangle, b / (b.x + b.y + b.z)});
 }
@@ -78,15 +78,15 @@ std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surfac
 
 namespace {
 
-/// Where a dab lies on the skin, for the picture that it prints.
+/// The tangent plane of a dab, on which its alpha picture is projected.
 class DabPlane {
  public:
   DabPlane(const Dab& dab, const Surface& surface);
-  /// A place near the dab as one on its picture, [0, 1].
+  /// Projects a position near the dab to coordinates of the picture, [0, 1].
   glm::dvec2 place_on_picture(glm::dvec3 position) const;
 
  private:
-  glm::dvec3 centre_, along_, across_;  // the axes are one over the radius long
+  glm::dvec3 centre_, along_, across_;  // the axes have length 1 / radius
 };
 
 DabPlane::DabPlane(const Dab& dab, const Surface& surface) : centre_(dab.centre) {
@@ -160,7 +160,7 @@ std::vector<Dab> BrushStroke::moving_dabs() const {
   for (std::size_t i = 1; i < path_.size(); ++i) {
     const Node &a = path_[i - 1], &b = path_[i];
     const double length = glm::distance(a.position, b.position);
-    // Multiples and not sums of the step: many dabs must not drift.
+    // Uses multiples of the step and not sums, so that many dabs do not drift.
     for (double next; (next = static_cast<double>(dabs.size() + 1) * step) <= walked + length;) {
       put(between(a, b, std::clamp((next - walked) / length, 0.0, 1.0)), step);
     }
@@ -241,7 +241,8 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
   for (const auto [v, distance, lift] : reached) {
     const glm::dvec3 position(mesh.positions[v]), normal(mesh.normals[v]);
     const glm::dvec3 front = judge_by_normal || !camera_ ? outwards : safe_unit(camera_->position - position);
-    // A tip is seen over the edge of a body, so that its root's facing counts less the higher on the strand the dab is.
+    // A tip is visible beyond the silhouette of a body, so the higher on the strand the dab is, the less its root's
+    // normal counts.
     if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off - 2 * lift)) continue;
     double weight = strength * falloff_weight(brush_, distance);
     if (plane) weight *= luminance_at(*alpha_, plane->place_on_picture(position));
@@ -265,7 +266,7 @@ glm::dvec3 nearest_on_path(const Stroke& stroke, const Surface& surface, glm::dv
 
 namespace {
 
-/// For each vertex under the stroke the largest weight of any dab.
+/// Returns the vertices under the stroke, each with the largest weight of any dab.
 std::vector<VertexWeight> covered(const Stroke& stroke, const Brush& brush, const Surface& surface,
                                   const FieldSet& fields, const ToolExtras& extras) {
   const std::optional<StandingFur> fur = fur_reached(brush, surface, fields, extras.coat);

@@ -9,10 +9,10 @@ namespace pelage {
 
 namespace {
 
-constexpr double frame_margin = 0.08;  // of the picture, around an automatic view
-constexpr double min_gap = 0.05;       // sizes between an automatic camera and the box
+constexpr double frame_margin = 0.08;  // margin around the model in an automatic view, share of the picture
+constexpr double min_gap = 0.05;       // minimum depth of the box in front of an automatic camera, sizes
 
-/// From the model to the camera.
+/// Returns the direction from the model to the camera.
 glm::dvec3 automatic_direction(AutoView view) {
   switch (view) {
     case AutoView::none: break;
@@ -27,7 +27,8 @@ glm::dvec3 automatic_direction(AutoView view) {
   return {0, 0, 1};
 }
 
-/// Completes the camera from where it looks; `up` may be anything and is replaced where it is along the view.
+/// Computes the camera's right and up from its forward direction. `up` may be any vector; it is replaced if it is
+/// parallel to the view direction.
 void orient(PlacedCamera& camera, glm::dvec3 up) {
   constexpr double along_view = 1e-9;
   glm::dvec3 right = glm::cross(camera.forward, safe_unit(up));

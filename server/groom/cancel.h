@@ -1,4 +1,4 @@
-// Cancels an evaluation whose answer nobody waits for.
+// Cancellation of evaluations whose client is gone.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// Thrown out of an evaluation that nobody waits for any more; nothing has changed then.
+/// Thrown out of a cancelled evaluation; nothing has changed then.
 struct Cancelled {};
 
 /// The status that the caller of a cancelled evaluation gets, in case the caller still listens.
@@ -16,15 +16,15 @@ inline Status nobody_waits() {
   return failure(Code::unavailable, "nobody waits for the answer any more, so nothing was changed");
 }
 
-/// Tells whether somebody still waits. It is asked on the evaluation's own thread, every few microseconds to a tenth of
-/// a second.
+/// Tells whether the evaluation is cancelled, because no client waits for its answer. It is polled on the evaluation's
+/// own thread, every few microseconds to a tenth of a second.
 class Cancel {
  public:
-  Cancel() = default;  // somebody always waits
+  Cancel() = default;  // never cancelled
   explicit Cancel(std::function<bool()> nobody_waits) : nobody_waits_(std::move(nobody_waits)) {}
 
   bool asked() const { return nobody_waits_ && nobody_waits_(); }
-  /// Throws Cancelled once nobody waits.
+  /// Throws Cancelled if the evaluation is cancelled.
   void check() const {
     if (asked()) throw Cancelled{};
   }

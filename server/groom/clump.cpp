@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-constexpr double min_lean = 0.5;  // upright fur has to lean to come together
+constexpr double min_lean = 0.5;  // upright fur must lean so that its tips can meet
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fie
   FieldWriter directions(fields, Field::direction), clumps(fields, Field::clump);
   if (!command.stroke->samples.empty()) {
     for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
-      if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
+      if (v % 256 == 0) extras.cancel.check();  // each vertex visits the whole stroke
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);
       const glm::dvec2 direction(fields.direction()[v]);

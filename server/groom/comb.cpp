@@ -32,8 +32,8 @@ void comb_flood(const Comb& command, const Surface& surface, const FieldSet& fie
   });
 }
 
-/// Turns fur at each dab in the direction in which the brush moved. The exponent makes many small dabs do what one
-/// large one does.
+/// Turns fur at each dab in the direction in which the brush moved. The exponent makes many small dabs equivalent to
+/// one large dab.
 void comb_stroke(const Comb& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras,
                  FieldDelta& delta) {
   const std::optional<StandingFur> fur = fur_reached(command.brush, surface, fields, extras.coat);

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns whether the field is erased. The mask chooses where tools work, and is erased only if it is asked for.
+/// Returns whether the field is erased. The mask selects where tools act, so it is erased only if the command names it.
 bool erases(const Erase& command, Field field) {
   if (command.fields.empty()) return field != Field::mask;
   return std::count(command.fields.begin(), command.fields.end(), field) > 0;
@@ -41,7 +41,7 @@ Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const 
   return done;
 }
 
-// Blends each value V with the baseline R: (1 - w) V + w R, which is exactly R at full strength.
+// Blends each value V with the baseline R: (1 - w) V + w R, which is exactly R at full weight.
 Evaluation run(const Erase& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras) {
   assert(extras.baseline != nullptr && extras.baseline->size() == fields.size());
   const FieldSet& baseline = *extras.baseline;

@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// Calls the tool of a command. Settings change no field; there is no third kind.
+/// Calls the tool of a command. Settings change no field. Every command is a tool or a setting.
 struct Run {
   const Surface& surface;
   const FieldSet& fields;
@@ -36,7 +36,7 @@ Evaluation evaluate(const Command& resolved, const Surface& surface, const Field
 
 namespace {
 
-constexpr std::size_t max_looked_at = 16;  // samples of a stroke
+constexpr std::size_t max_looked_at = 16;  // maximum number of samples of a stroke to check
 
 double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
   const glm::uvec3 corners = mesh.triangles[triangle];

@@ -1,4 +1,4 @@
-// From a command to a change of the fields. Pure: nothing of the scene changes here.
+// Evaluates a command to a change of the fields. Pure: the scene does not change.
 #pragma once
 
 #include <string>
@@ -13,80 +13,80 @@
 
 namespace pelage {
 
-/// What a tool did: the change, the number of vertices at which a value was clamped to its limit, and warnings.
+/// The result of a tool: the change, the number of vertices at which a value was clamped to its limit, and warnings.
 struct Evaluation {
   FieldDelta delta;
   std::size_t clamped = 0;
   std::vector<std::string> warnings = {};
 };
 
-/// What some tools read beside the surface and its fields.
+/// Inputs that some tools read in addition to the surface and its fields.
 struct ToolExtras {
-  Coat coat;                            // how strands lean: trim, and brushes that reach fur
-  const FieldSet* baseline = nullptr;   // erase: what it goes back to, retarget: what it takes; required
-  const Surface* source = nullptr;      // retarget: the surface of `baseline`; required
-  const MapPicture* picture = nullptr;  // map, and a mask by a picture: the one that they name; required
-  const MapPicture* alpha = nullptr;    // of a brush that has one: required
-  Cancel cancel = {};                   // asked between dabs, passes and images
+  Coat coat;                            // how strands lean; read by trim and by brushes that reach for fur
+  const FieldSet* baseline = nullptr;   // required by erase (the fields to restore) and retarget (the fields to take)
+  const Surface* source = nullptr;      // required by retarget: the surface of `baseline`
+  const MapPicture* picture = nullptr;  // required by map, and by mask with a picture: the picture that they name
+  const MapPicture* alpha = nullptr;    // required by a brush with an alpha picture
+  Cancel cancel = {};                   // polled between dabs, passes and symmetry images
 };
 
-/// The fur that pixels of a stroke may show.
+/// The fur that may be visible under the pixels of a stroke.
 struct SeenFur {
   const FieldSet& fields;
-  const std::vector<NamedCoat>& coats;  // muted ones show nothing
-  double& visits;                       // of vertices, by the commands of a request so far: each pixel adds to it
-  const Cancel& cancel;                 // asked between pixels
+  const std::vector<NamedCoat>& coats;  // muted ones are invisible
+  double& visits;                       // visits of vertices by the request's commands so far; each pixel adds to it
+  const Cancel& cancel;                 // polled between pixels
 };
 
-/// Replaces pixel samples of the command's stroke by what they show: positions on the fur, if the brush reaches fur and
-/// some is given, else the triangles that they hit (misses are dropped; so the log replays without a camera). Fills in
-/// what the brush reaches, where the command does not say it. Checks what can only be checked against the surface:
-/// triangle and vertex numbers (pointer "/stroke/samples/K/triangle") and coordinates beyond 1e6 sizes. The view stays,
-/// for the facing test. Refused (invalid, "/stroke/samples") where pixels look at more than limits::evaluation_visits
-/// vertices; ends early (unavailable) once nobody waits.
+/// Replaces pixel samples of the command's stroke by positions: on the fur, if the brush reaches for fur and `fur` is
+/// given, else on the triangle that the pixel's ray hits. Misses are dropped, and the log replays without a camera.
+/// Fills in the brush's reach if the command does not state it. Checks what can only be checked against the surface:
+/// triangle numbers (pointer "/stroke/samples/K/triangle"), vertex numbers, and coordinates beyond 1e6 sizes. The view
+/// stays, for the front-facing test. Refuses (invalid, "/stroke/samples") pixels that visit more than
+/// limits::evaluation_visits vertices; fails (unavailable) if cancelled.
 Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur = nullptr);
 
-/// Evaluates a resolved tool command; scene settings give an empty delta. Deterministic at any thread count. Throws
-/// Cancelled once nobody waits.
+/// Evaluates a resolved tool command; commands that change settings give an empty delta. Deterministic at any thread
+/// count. Throws Cancelled.
 Evaluation evaluate(const Command& resolved, const Surface& surface, const FieldSet& fields,
                     const ToolExtras& extras = {});
 
-/// Takes away what the command's edit layer adds, by the brush's weight at each vertex; exactly all of it where that
-/// is 1.
+/// Removes what the command's edit layer adds, weighted by the brush at each vertex; exactly all of it at weight 1.
 Evaluation erase_edit_layer(const Erase& resolved, const Surface& surface, const FieldSet& fields,
                             const std::vector<EditLayer>& layers, const ToolExtras& extras = {});
 
-/// Returns the symmetry that a command works under: its brush's, or the scene's.
+/// Returns the symmetry that applies to a command: its brush's, or the scene's.
 const Symmetry& symmetry_of(const Command& command, const Symmetry& scene);
 
-/// The command itself, and its images under its symmetry. Samples on triangles become the nearest places on the surface
-/// to their mirrored points, so that a roughly symmetric model will do. Commands without places have no images.
+/// Returns the command itself and its symmetry images. Samples on triangles move to the surface positions nearest to
+/// their images, so that a roughly symmetric model suffices. Commands without positions have no images.
 std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface);
 
-/// Returns the command for another model. Positions move as the alignment takes them, and keep their
-/// distance from the surface; positions on triangles become the nearest ones. Directions follow the boxes, and lengths
-/// in the model's unit its size. Strokes lose their views, as images of a symmetry do. A position that both models have
-/// stays the same to the bit. Refused (invalid, with a pointer): what names vertices or revisions of the model.
+/// Returns the command for another model. Positions follow the alignment and keep their distance from the surface;
+/// positions on triangles move to the nearest surface positions. Directions follow the scale of the boxes; lengths in
+/// the model's unit follow its size. Strokes lose their views, as in symmetry images. A position shared by both models
+/// stays the same to the bit. Refuses (invalid, with a pointer) commands that name vertices or revisions of the model.
 Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to,
                                 Alignment how = Alignment::box);
 
-/// The view's camera as rays and a facing test. `automatic` cameras are placed around the mesh's box.
+/// A camera placed in internal coordinates, for pixel rays and the front-facing test. `automatic` cameras are placed so
+/// that they frame the mesh's box.
 struct PlacedCamera {
-  glm::dvec3 position, right, up, forward;  // internal coordinates; forward is where it looks, unit
-  double tan_half_fov;                      // vertical
+  glm::dvec3 position, right, up, forward;  // internal coordinates; the directions are unit vectors
+  double tan_half_fov;                      // tangent of half the vertical field of view
 };
 PlacedCamera place_camera(const Camera& camera, double aspect, const Mesh& mesh);
-/// Direction of the ray through a pixel of a width x height frame.
+/// Returns the direction of the ray through a pixel of a width x height frame; not normalized.
 glm::dvec3 pixel_ray(const PlacedCamera& camera, glm::dvec2 pixel, int width, int height);
 
-// Warnings about commands that do what was asked, but hardly what was meant.
+// Warnings about commands that are valid but probably not what the user meant.
 
-/// In plain words, for the answer: a brush that is finer than the mesh where its stroke passes, so that it touches few
-/// vertices or none; an eye that stands off the skin or lies deep in it. The command is resolved.
+/// Returns warnings in plain words for the answer: about a brush that is finer than the mesh under its stroke, so that
+/// it touches few or no vertices, and about an eye that does not touch the skin. The command is resolved.
 std::vector<std::string> warnings_of(const Command& resolved, const Surface& surface);
 
-/// Returns warnings for a command that changed nothing: for tools with a brush, but not for parts of a stroke that
-/// continues.
+/// Returns warnings for a command that changed nothing. Only tools with a brush give one; parts of a stroke that
+/// arrives in parts do not.
 std::vector<std::string> warnings_of_no_change(const Command& resolved);
 
 }  // namespace pelage

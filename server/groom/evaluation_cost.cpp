@@ -14,17 +14,17 @@ namespace pelage {
 
 namespace {
 
-// About how many visits one of these operations counts as.
-constexpr double dab_visits = 32;                        // finding the vertices of a dab, however few
-constexpr double along_surface = 30;                     // a vertex of a dab along the surface
-constexpr double nearest_visits = 50;                    // the nearest place of the surface
-constexpr double ring_visits = 8;                        // a vertex with its neighbours
-constexpr double strand_visits = UnitStrand::places;     // the distance of a strand
-constexpr double edges_visits = 16;                      // a vertex of a search along edges
-constexpr double heat_visits = 400;                      // a vertex of one distance by heat
-constexpr double curve_step = 0.01, curve_steps = 4096;  // flow's steps along curves: sizes, and at most in a segment
+// Approximate cost of an operation, in visits.
+constexpr double dab_visits = 32;                        // searching the vertices of a dab, however few
+constexpr double along_surface = 30;                     // each vertex of a dab with the surface shape
+constexpr double nearest_visits = 50;                    // a query for the nearest surface position
+constexpr double ring_visits = 8;                        // a vertex and its neighbours
+constexpr double strand_visits = UnitStrand::places;     // the distance to a strand
+constexpr double edges_visits = 16;                      // each vertex of a search along edges
+constexpr double heat_visits = 400;                      // each vertex of a distance by the heat method
+constexpr double curve_step = 0.01, curve_steps = 4096;  // flow's steps along curves: sizes; maximum per segment
 
-/// How many vertices lie under a dab: the mean of at most 16 samples, spread over the stroke.
+/// Returns the number of vertices under a dab: the mean over at most 16 samples, spread over the stroke.
 double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {
   constexpr std::size_t places = 16;
   const std::size_t count = std::min(places, stroke.samples.size());
@@ -43,10 +43,10 @@ double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& su
   return static_cast<double>(sum) / static_cast<double>(count);
 }
 
-/// What a stroke asks for, of one image.
+/// The work of a stroke, for one symmetry image.
 struct StrokeWork {
   double visits = 0;
-  double region = 0;  // vertices under it, at most
+  double region = 0;  // upper bound of the number of vertices under it
 };
 
 StrokeWork work_of(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {
@@ -62,11 +62,11 @@ StrokeWork work_of(const Stroke& stroke, const Brush& brush, const Surface& surf
   return {samples * nearest_visits + dabs * (dab_visits + nearest_visits + each), std::min(vertices, dabs * reach)};
 }
 
-/// What a tool does at the vertices that it changes, beside finding them; of one image.
+/// The work of a tool at the vertices that it changes, without finding them, for one symmetry image.
 struct ToolWork {
   const Mesh& mesh;
   double region;   // vertices
-  double samples;  // of the stroke
+  double samples;  // number of samples of the stroke
 
   double vertices() const { return static_cast<double>(mesh.positions.size()); }
   double spread(DistanceKind kind) const {

@@ -1,4 +1,4 @@
-// How much work a command is, known before it begins: counted from what it asks for, never timed.
+// Estimates the work of a command before it runs. The estimate is counted, never timed.
 #pragma once
 
 #include "base/status.h"
@@ -7,22 +7,23 @@
 
 namespace pelage {
 
-/// Work in visits: one visit looks at one vertex once, the lightest thing that a tool does. The same command on the
-/// same surface always costs the same.
+/// Work in visits. One visit reads one vertex once, the cheapest operation of a tool. The same command on the same
+/// surface always costs the same.
 struct EvaluationCost {
   double visits = 0;
-  const char* field = "";  // JSON pointer to the field of the command that asks for most of it
+  const char* field = "";  // JSON pointer to the field of the command that causes most of the work
 };
 
-/// An estimate for all images of a resolved command under the symmetry. `longest_fur`, in sizes, is how far brushes
-/// that reach fur look around.
+/// Returns the estimate for all symmetry images of a resolved command. `longest_fur`, in sizes, is the search distance
+/// of brushes that reach for fur.
 EvaluationCost evaluation_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface,
                                double longest_fur);
 
-/// How many images a symmetry has of a command with places, itself included.
+/// Returns the number of images of a command with positions under a symmetry, the command itself included.
 double image_count(const Symmetry& symmetry);
 
-/// Counts a command to those before it in its batch, in `visits`. Refused (invalid) beyond limits::evaluation_visits.
+/// Adds the cost of a command to `visits`, the cost of those before it in its batch. Refuses (invalid) more than
+/// limits::evaluation_visits.
 Status add_cost(const Command& resolved, const Symmetry& symmetry, const Surface& surface, double longest_fur,
                 double& visits);
 

@@ -16,7 +16,8 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// How long fur is on an animal in this box that looks along +Z, over the length that was asked for, in [.4, 1.4].
+/// The relative length of an animal's fur by position, for an animal in the mesh's box that faces +Z. Factors are in
+/// [.4, 1.4].
 class AnimalLengths {
  public:
   explicit AnimalLengths(const Mesh& mesh) : low_(mesh.to_internal(mesh.report.bounds.min)) {
@@ -37,7 +38,8 @@ class AnimalLengths {
   glm::dvec3 low_, extent_;
 };
 
-/// Limits how far the fur of a vertex on an edge leans, so that it does not enter a side of the edge.
+/// Limits the lean of fur at a vertex on a crease, so that the strand does not enter the surface on a side of the
+/// crease.
 class EdgeLimits {
  public:
   explicit EdgeLimits(const Mesh& mesh) : mesh_(mesh), sides_(mesh.shading_normals.empty() ? 0 : mesh.normals.size()) {
@@ -49,7 +51,7 @@ class EdgeLimits {
     }
   }
 
-  /// `heading` is a unit vector in the vertex's frame.
+  /// Returns the inclination, reduced as far as needed. `heading` is a unit vector in the vertex's frame.
   double held(std::uint32_t v, glm::dvec2 heading, double inclination) const {
     constexpr double rising = 0.3, step = 0.05;
     if (sides_.empty() || sides_[v].empty()) return inclination;
@@ -74,7 +76,7 @@ class EdgeLimits {
 }  // namespace
 
 FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel) {
-  constexpr double clear = 0.6;  // length of the flow from which on fur leans as asked
+  constexpr double clear = 0.6;  // length of the flow at and above which fur has the full inclination
   FieldSet fields(mesh.positions.size());
   const AnimalLengths animal(mesh);
   const EdgeLimits edges(mesh);

@@ -1,4 +1,4 @@
-// The fields that a model begins with.
+// The initial groom of a model.
 #pragma once
 
 #include "protocol/commands/scene.h"
@@ -8,8 +8,9 @@
 
 namespace pelage {
 
-/// Returns fur that leans along fur_flow (fur_flow.h) and stands up where the flow begins, ends and parts, with the
-/// mesh's length scale, and bare where the mesh's materials are; -0 is stored as 0. Throws Cancelled.
+/// Returns fields with fur that leans along fur_flow (fur_flow.h) and stands upright where the flow begins, ends or
+/// parts. Lengths follow the mesh's length scale, and vertices whose materials are bare are bare. -0 is stored as 0.
+/// Throws Cancelled.
 FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& cancel = {});
 
 }  // namespace pelage

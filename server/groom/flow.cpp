@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-constexpr double step = 0.01;            // sizes between places along a curve
-constexpr std::size_t max_steps = 4096;  // on one curve
+constexpr double step = 0.01;            // distance between sampled positions along a curve, sizes
+constexpr std::size_t max_steps = 4096;  // maximum for each segment of a curve
 
 /// Returns the corners around the points of a curve as sources, with the curve's direction there.
 std::vector<SpreadSource> sources_of(const std::vector<glm::dvec3>& curve, const Surface& surface) {

@@ -17,19 +17,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Where the coat lies on most animals: from nose to tail, and a little down. Unit.
+/// Returns the direction of the coat on most animals: from nose to tail, and a little down. Unit.
 glm::dvec3 tailwards() { return glm::normalize(glm::dvec3(0, -0.35, -1)); }
 
 glm::dvec3 place_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.positions[v]); }
 glm::dvec3 normal_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.normals[v]); }
 
-/// Two neighbours, and how strongly they are coupled.
+/// An edge between two vertices, with its coupling weight.
 struct Edge {
   std::uint32_t a, b;
   double weight;
 };
 
-/// Returns cotangent weights, clamped above 0 so that no solution has an unwanted extremum.
+/// Returns cotangent weights, clamped to positive values so that solutions have no spurious extrema.
 std::vector<Edge> weighted_edges(const Mesh& mesh) {
   constexpr double weakest = 0.02, strongest = 50;
   std::vector<Edge> edges;
@@ -48,7 +48,7 @@ std::vector<Edge> weighted_edges(const Mesh& mesh) {
   return edges;
 }
 
-/// A third of the areas of the triangles at each vertex.
+/// Returns for each vertex a third of the area of its triangles.
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0);
   for (const glm::uvec3& t : mesh.triangles) {
@@ -59,7 +59,7 @@ std::vector<double> vertex_areas(const Mesh& mesh) {
   return areas;
 }
 
-/// Solves a Hermitian positive definite system: exactly where it is small, else nearly. Throws Cancelled.
+/// Solves a Hermitian positive definite system, directly if it is small, else iteratively. Throws Cancelled.
 template <class Number>
 Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number>& matrix,
                                                 const Eigen::Matrix<Number, Eigen::Dynamic, 1>& right,
@@ -74,7 +74,7 @@ Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number
   return solver.compute(matrix).solve(right);
 }
 
-/// Returns the parts that are connected by edges, each with its vertices rising.
+/// Returns the parts that are connected by edges, each with its vertices sorted.
 std::vector<std::vector<std::uint32_t>> parts_of(const Adjacency& edges, std::size_t vertices) {
   std::vector<std::vector<std::uint32_t>> parts;
   std::vector<bool> seen(vertices, false);
@@ -93,7 +93,7 @@ std::vector<std::vector<std::uint32_t>> parts_of(const Adjacency& edges, std::si
   return parts;
 }
 
-/// Tells how far the surface of each part is closed.
+/// Classifies the parts of a mesh: closed bodies, and bodies with handles.
 class Closure {
  public:
   Closure(const Mesh& mesh, const std::vector<std::vector<std::uint32_t>>& parts)
@@ -114,12 +114,12 @@ class Closure {
     });
   }
 
-  /// Returns whether the part encloses a volume, apart from holes that are small beside it.
+  /// Returns whether the part encloses a volume, apart from holes that are small compared to it.
   bool is_body(std::size_t part) const {
     constexpr double mostly = 0.25;
     return glm::length(sums_[part]) < mostly * areas_[part];
   }
-  /// Returns whether a part without open edges has handles, which a ball has not.
+  /// Returns whether the part has no open edges and at least one handle (Euler characteristic below 2).
   bool has_handles(std::size_t part) const { return open_[part] == 0 && characteristic_[part] < 2; }
 
  private:
@@ -131,16 +131,16 @@ class Closure {
   }
 
   std::vector<std::uint32_t> part_of_;
-  std::vector<glm::dvec3> sums_;  // of area vectors: 0 where a surface closes
+  std::vector<glm::dvec3> sums_;  // sum of each part's area vectors, which is 0 for a closed surface
   std::vector<double> areas_;
-  std::vector<long> characteristic_;  // Euler's
+  std::vector<long> characteristic_;  // Euler characteristic
   std::vector<std::size_t> open_;
 };
 
-/// Solves for the potential of the poles: its gradient is the flow from the poles above 0 to the others.
+/// Returns the potential of the poles: its negative gradient flows from the poles above 0 to the others.
 Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<Pole>& poles, std::size_t vertices,
                              const Cancel& cancel) {
-  constexpr double anchored = 1e-7;  // of a vertex's coupling: parts without poles, and the free constant
+  constexpr double anchored = 1e-7;  // relative to the coupling; fixes the free constant, and parts without poles
   const auto n = static_cast<Eigen::Index>(vertices);
   std::vector<Eigen::Triplet<double>> entries;
   for (const Edge& e : edges) {
@@ -155,7 +155,7 @@ Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<P
   return solved<double>(matrix, flux, cancel);
 }
 
-/// Returns the negative gradient at vertices, as the area-weighted mean of the triangles there.
+/// Returns the negative gradient at each vertex: the area-weighted mean over its triangles.
 std::vector<glm::dvec3> downhill(const Mesh& mesh, const Eigen::VectorXd& potential) {
   std::vector<glm::dvec3> flow(mesh.positions.size(), glm::dvec3(0));
   for (const glm::uvec3& t : mesh.triangles) {
@@ -165,7 +165,7 @@ std::vector<glm::dvec3> downhill(const Mesh& mesh, const Eigen::VectorXd& potent
     if (!(area > 0)) continue;
     const glm::dvec3 slope = (potential[t.x] * glm::cross(normal, c - b) + potential[t.y] * glm::cross(normal, a - c) +
                               potential[t.z] * glm::cross(normal, b - a)) /
-                             area;  // times the area
+                             area;  // gradient times twice the area
     for (int k = 0; k < 3; ++k) flow[t[k]] -= slope;
   }
   return flow;
@@ -176,7 +176,8 @@ Complex in_frame(const Mesh& mesh, std::uint32_t v, glm::dvec3 vector) {
   return {glm::dot(vector, tangent), glm::dot(vector, glm::cross(normal_of(mesh, v), tangent))};
 }
 
-/// What a unit tangent at `from` is in the frame of `to`.
+/// Returns the rotation that transports a vector from the frame of `from` to the frame of `to`, as a unit complex
+/// number.
 Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   const Complex there =
       in_frame(mesh, to, transported(glm::dvec3(mesh.tangents[from]), normal_of(mesh, from), normal_of(mesh, to)));
@@ -184,7 +185,7 @@ Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   return length > 0 ? there / length : Complex(1, 0);
 }
 
-/// The flow that each vertex wants, at most 1 long, and over how many sizes that spreads.
+/// The target flow at each vertex, of length at most 1, and the distance in sizes over which it is smoothed.
 struct Wishes {
   std::vector<Complex> flow;
   std::vector<double> spread;
@@ -207,7 +208,7 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel&
   const std::vector<glm::dvec3> flow = poles.empty()
                                            ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
                                            : downhill(mesh, potential_of(edges, poles, mesh.positions.size(), cancel));
-  constexpr double fine = 0.08, coarse = 0.5;  // sizes; flow without poles has many sources that cancel
+  constexpr double fine = 0.08, coarse = 0.5;  // sizes; without poles the target has many sources, which have to cancel
   Wishes wishes{{}, {}, parts};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     Complex wish = in_frame(mesh, v, by_poles[v] ? flow[v] : tailwards());
@@ -217,8 +218,8 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel&
   return wishes;
 }
 
-/// Divides each part's flow by its median length, to at most 1. Opposite wishes leave it short, but its direction still
-/// clear.
+/// Divides each part's flow by its median length and limits it to 1. Where targets oppose each other it is short, but
+/// its direction is still clear.
 std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vector<std::vector<std::uint32_t>>& parts) {
   std::vector<glm::dvec2> flow(static_cast<std::size_t>(smooth.size()), glm::dvec2(0));
   for (const std::vector<std::uint32_t>& part : parts) {

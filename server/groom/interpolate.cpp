@@ -15,7 +15,8 @@ namespace {
 
 constexpr double default_inclination = 0.5;
 
-/// The corners around a key as sources: the direction in the surface there, with its inclination as length.
+/// Returns the corners around a key as sources. Their vectors are the key's direction in the surface there, with the
+/// inclination as length.
 std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   const glm::dvec3 place = mesh.to_internal(key.position);

@@ -1,4 +1,4 @@
-// Blending what several sources say, by Gaussian weights of their distances (fur modelling 5.1).
+// Blends values of several sources over the surface, by Gaussian weights of their distances (fur modelling 5.1).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// Number of sources that are spread over the surface at a time, so that memory does not grow with the number of all.
+/// Number of sources whose distances are computed at a time, so that memory does not grow with the number of sources.
 inline constexpr std::size_t spreads_at_a_time = 16;
 
 /// Computes distances and directions from sources, by the kind of distance that a command names. Directions follow the
@@ -30,15 +30,15 @@ class Spreader {
   std::optional<HeatDistance> heat_;
 };
 
-/// Returns how much keys count at a distance, [0, 1]: all of it up to half of their reach, nothing from their reach on.
+/// Returns the influence of keys at a distance, [0, 1]: 1 up to half of their reach, 0 from their reach on.
 inline double share_within(std::optional<double> reach, double distance) {
   if (!reach) return 1;
   const double t = std::clamp(2 * distance / *reach - 1, 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);
 }
 
-/// The mean of values by the weights exp(-d^2 / (2 sigma^2)) of their distances d. The largest exponent is taken off,
-/// so that far from all sources the mean is not 0 / 0 (science.md 3). Values come in one portion or in several.
+/// The mean of values with weights exp(-d^2 / (2 sigma^2)) by their distances d. The largest exponent is factored out,
+/// so that the mean is not 0 / 0 far from all sources (science.md 3). Values may be added in several portions.
 template <class Value>
 class GaussianMean {
  public:
@@ -56,17 +56,18 @@ class GaussianMean {
     }
   }
 
-  /// Returns whether any source reached it.
+  /// Returns whether any source has a finite distance.
   bool reached() const { return weight_ > 0; }
-  /// Returns the distance of the nearest source; infinite where none reached it.
+  /// Returns the distance of the nearest source; infinite if there is none.
   double nearest() const { return nearest_; }
-  /// Returns the mean over the sources that reached it; there must be one.
+  /// Returns the mean. Requires reached().
   Value mean() const { return sum_ / weight_; }
 
  private:
-  /// exp(-(d^2 - n^2) / (2 sigma^2)); the difference as a product, which does not cancel where both are large.
+  /// exp(-(d^2 - n^2) / (2 sigma^2)). The difference of squares is computed as a product, to avoid cancellation if both
+  /// are large.
   static double weight_of(double distance, double nearest, double sigma) {
-    constexpr double vanishing = 1500;  // exp(-750) has no double
+    constexpr double vanishing = 1500;  // exp(-750) underflows in double
     if (distance == nearest) return 1;
     const double over = (distance - nearest) / sigma * ((distance + nearest) / sigma);
     return over < vanishing ? std::exp(-0.5 * over) : 0;

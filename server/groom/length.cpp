@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns a random number in [-1, 1] that depends on the position and not on the number of the vertex.
+/// Returns a random number in [-1, 1] that depends on the position and not on the vertex number.
 double random_at(glm::vec3 position, std::uint32_t seed) {
   const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0f)}; };
   const std::uint64_t place = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
@@ -24,7 +24,7 @@ double weighted_mean(const std::vector<VertexWeight>& region, const FieldSet& fi
   return weights > 0 ? sum / weights : 0;
 }
 
-/// What a length becomes where the brush has all its strength.
+/// Returns the new length at full strength of the brush.
 double goal_of(const Length& command, double length, double value, double mean, glm::vec3 position) {
   const bool invert = command.brush.invert;
   switch (command.mode) {

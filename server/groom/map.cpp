@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns whether the picture is of a tile in which no vertex lies.
+/// Returns whether the map applies to no vertex, because none lies in its tile.
 bool lies_nowhere(const MapTargets& targets) {
   const std::vector<bool>& silent = targets.says_nothing;
   return !silent.empty() && std::find(silent.begin(), silent.end(), false) == silent.end();

@@ -13,7 +13,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// How much of each vertex a shape chooses, in [0, 1].
+/// Evaluates how far a shape selects each vertex, in [0, 1].
 struct Chosen {
   const Surface& surface;
   Units units;
@@ -91,9 +91,9 @@ double combined(const ChangeMask& command, double now, double chosen) {
   return now;
 }
 
-/// Returns for each vertex the largest value within a distance along edges. Starts with the largest values, and among
-/// equal ones with the paths that have the most distance left; a path that reaches a vertex with no more distance left
-/// than an earlier one can bring nothing new.
+/// Returns for each vertex the largest value within a distance along edges. The search visits larger values first, and
+/// of equal values the paths with most distance left; a path that reaches a vertex with no more distance left than an
+/// earlier path cannot improve anything.
 Values grown(const Surface& surface, const Values& mask, double distance) {
   struct Way {
     double value, left;

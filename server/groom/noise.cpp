@@ -13,24 +13,24 @@ namespace pelage {
 
 namespace {
 
-/// Random numbers that depend on positions, and not on the numbers of vertices.
+/// Random numbers that depend on positions and not on vertex numbers.
 class PlacedNoise {
  public:
   PlacedNoise(const Noise& command, const Mesh& mesh)
       : seed_(command.seed), feature_(internal_length(command.feature_size, command.units, mesh)) {}
 
-  /// The numbers of one place.
+  /// The random numbers at one position.
   class Numbers {
    public:
     Numbers(const PlacedNoise& noise, glm::vec3 position) : seed_(noise.seed_) {
-      constexpr double finest = 1e-8;  // sizes; below it the lattice leaves the range of value_noise
+      constexpr double finest = 1e-8;  // sizes; a finer lattice exceeds the range of value_noise
       if (noise.feature_ >= finest)
         lattice_.emplace(glm::dvec3(position) / noise.feature_);
       else
         place_ = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
     }
 
-    /// In [-1, 1], another one for each channel.
+    /// Returns a number in [-1, 1], a different one for each channel.
     double operator()(std::uint64_t channel) const {
       const std::uint64_t stream = mix_bits(seed_ ^ (channel << 32));
       return lattice_ ? (*lattice_)(stream) : Random(stream, place_).uniform(-1, 1);
@@ -49,7 +49,7 @@ class PlacedNoise {
   double feature_;  // sizes
 };
 
-/// Adds the tangential part of a random vector in the unit cube to the direction.
+/// Adds the tangential part of a random vector in the cube [-1, 1]^3, times `amount`, to the direction.
 glm::dvec4 disturbed_direction(glm::dvec2 direction, const PlacedNoise& noise, const Mesh& mesh, std::uint32_t v,
                                double amount) {
   const PlacedNoise::Numbers numbers = noise.at(mesh.positions[v]);

@@ -12,7 +12,7 @@ namespace {
 constexpr double unreached = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_peak = 0xffffffff;
 
-/// Returns all vertices whose score is the best, up to rounding: on a symmetric model both of a pair.
+/// Returns all vertices with the best score up to rounding, so that a symmetric model gives both vertices of a pair.
 template <class Score>
 std::vector<std::uint32_t> best_of(std::span<const std::uint32_t> vertices, const Score& score) {
   constexpr double rounding = 1e-4;
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> best_of(std::span<const std::uint32_t> vertices, cons
   return found;
 }
 
-/// The diagonal of the part's box.
+/// Returns the diagonal of the part's box.
 double size_of(const Mesh& mesh, std::span<const std::uint32_t> part) {
   glm::dvec3 low(unreached), high(-unreached);
   for (const std::uint32_t v : part)
@@ -66,10 +66,10 @@ const std::vector<std::uint32_t>& PoleFinder::Walk::from(std::span<const std::ui
   return reached_;
 }
 
-/// A vertex that is farther from the chin than all vertices around it.
+/// A local maximum of the distance from the chin.
 struct PoleFinder::Peak {
   std::uint32_t vertex = 0;
-  double prominence = 0;  // how far the distance falls before a path leads to a farther peak
+  double prominence = 0;  // how far the distance must fall on any path to a farther peak
 };
 
 PoleFinder::PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel)
@@ -79,9 +79,9 @@ PoleFinder::PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& c
       near_(mesh, edges, cancel),
       peak_(mesh.positions.size(), no_peak) {}
 
-/// Returns the lowest vertices near the nose, with a preference for the middle from side to side.
+/// Returns the lowest vertices near the nose, with a preference for the middle plane x = 0.
 std::vector<std::uint32_t> PoleFinder::chin_of(std::span<const std::uint32_t> part, double size) {
-  constexpr double up = 0.35, aside = 0.2, reach = 0.16;  // the last of the part's size
+  constexpr double up = 0.35, aside = 0.2, reach = 0.16;  // the last one in sizes of the part
   const Vertices nose = best_of(part, [&](std::uint32_t v) {
     const glm::dvec3 p(mesh_.positions[v]);
     return p.z + up * p.y - aside * std::abs(p.x);
@@ -92,8 +92,8 @@ std::vector<std::uint32_t> PoleFinder::chin_of(std::span<const std::uint32_t> pa
   });
 }
 
-/// Finds peaks by the persistence of super-level sets: from the farthest vertex on, a connected set belongs to the
-/// farthest of its peaks.
+/// Finds peaks by the persistence of superlevel sets: visiting vertices from the farthest to the nearest, each
+/// connected set belongs to the farthest of its peaks.
 std::vector<PoleFinder::Peak> PoleFinder::peaks_of(std::span<const std::uint32_t> part) {
   Vertices order(part.begin(), part.end());
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return from_chin_[a] > from_chin_[b]; });
@@ -118,8 +118,8 @@ std::vector<PoleFinder::Peak> PoleFinder::peaks_of(std::span<const std::uint32_t
   return found;
 }
 
-/// Returns the vertices near a peak that are seen least: low and at the back. Between two peaks lies twice the
-/// prominence of the lower one, so that no vertex is near both.
+/// Returns the vertices near a peak that are least visible: low and at the back. The distance between two peaks is at
+/// least twice the prominence of the lower one, so no vertex is near both.
 std::vector<std::uint32_t> PoleFinder::hidden_end(const Peak& peak, double size) {
   constexpr double share = 0.25, reach = 0.1, behind = 0.3, aside = 0.05;
   const double radius = std::min(share * peak.prominence, reach * size);
@@ -130,7 +130,7 @@ std::vector<std::uint32_t> PoleFinder::hidden_end(const Peak& peak, double size)
 }
 
 std::vector<Pole> PoleFinder::find(std::span<const std::uint32_t> part) {
-  constexpr double prominent = 0.1;  // sizes of the part
+  constexpr double prominent = 0.1;  // share of the part's size
   const double size = size_of(mesh_, part);
   const Vertices chin = chin_of(part, size);
   from_chin_.from(chin, unreached);

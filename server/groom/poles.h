@@ -1,4 +1,4 @@
-// Where the fur of a body begins and where it ends: under the chin, and at the ends of limbs, ears and tail.
+// Finds where the fur of a body begins and ends: under the chin, and at the ends of limbs, ears and tail.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,35 @@
 
 namespace pelage {
 
-/// A place that fur flows out of (above 0) or into.
+/// A vertex that fur flows out of (flux above 0) or into (below 0).
 struct Pole {
   std::uint32_t vertex = 0;
   double flux = 0;
 };
 
-/// Finds the poles of parts, one after the other. The parts share its storage, and together take the time of one walk
-/// over the mesh, because no vertex is near two ends.
+/// Finds the poles of parts, one after the other. The parts share the finder's storage. All of them together take the
+/// time of one walk over the mesh, because no vertex is near two ends.
 class PoleFinder {
  public:
-  /// All three are kept by reference.
+  /// Keeps references to all three arguments.
   PoleFinder(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel);
 
-  /// Returns the poles of one connected part that looks along +Z; `part` holds its vertices, rising. Fur begins under
-  /// the chin: at the lowest vertices near what lies farthest forward and up. It ends, on the side that is seen least,
-  /// near each vertex whose distance from there along edges exceeds that of its surroundings by a tenth of the part's
-  /// size. The fluxes sum to 0; equal positions on both sides of the middle share one. Empty for a part without an end.
-  /// Throws Cancelled.
+  /// Returns the poles of one connected part that faces +Z; `part` holds its vertices, sorted. Fur begins under the
+  /// chin: at the lowest vertices near the position that is farthest forward and up. It ends near each vertex whose
+  /// distance from the chin along edges exceeds that of its surroundings by a tenth of the part's size; of the vertices
+  /// near such a peak it uses those least visible, low and at the back. The fluxes sum to 0; of vertices that mirror
+  /// each other across the middle, both share one. Empty for a part without an end. Throws Cancelled.
   std::vector<Pole> find(std::span<const std::uint32_t> part);
 
  private:
   struct Peak;
   using Vertices = std::vector<std::uint32_t>;
 
-  /// Distances along edges from the sources of the last walk.
+  /// Dijkstra's search along edges; holds the distances from the sources of the last call.
   class Walk {
    public:
     Walk(const Mesh& mesh, const Adjacency& edges, const Cancel& cancel);
-    /// The vertices at most so far away, rising.
+    /// Returns the vertices at most `farthest` away from the sources, sorted.
     const Vertices& from(std::span<const std::uint32_t> sources, double farthest);
     double operator[](std::uint32_t vertex) const { return distances_[vertex]; }
 
@@ -47,7 +47,7 @@ class PoleFinder {
     const Mesh& mesh_;
     const Adjacency& edges_;
     const Cancel& cancel_;
-    std::vector<double> distances_;  // by vertex of the mesh; infinite where not reached
+    std::vector<double> distances_;  // by vertex of the mesh; infinite if not reached
     Vertices reached_;
   };
 
@@ -58,7 +58,7 @@ class PoleFinder {
   const Mesh& mesh_;
   const Adjacency& edges_;
   Walk from_chin_, near_;
-  Vertices peak_;  // union-find parents of the vertices visited so far, while peaks are found
+  Vertices peak_;  // union-find parents of the vertices visited so far by peaks_of
 };
 
 }  // namespace pelage

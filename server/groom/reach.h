@@ -1,4 +1,4 @@
-// How far from a model the places and lengths of a request may lie.
+// Limits on the positions and lengths of a request, relative to the model.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// Returns whether a place in internal coordinates lies within limits::command_coordinate_sizes along each axis; NaN
-/// does not.
+/// Returns whether a position in internal coordinates lies within limits::command_coordinate_sizes along each axis;
+/// false for NaN.
 inline bool reachable(glm::dvec3 internal) {
   const glm::dvec3 distance = glm::abs(internal);
   return distance.x <= limits::command_coordinate_sizes && distance.y <= limits::command_coordinate_sizes &&

@@ -20,7 +20,7 @@ std::string sample_pointer(std::size_t sample, const char* field) {
   return "/stroke/samples/" + std::to_string(sample) + "/" + field;
 }
 
-/// What can only be checked against the surface, for each place but pixels.
+/// Checks what can only be checked against the surface, for each sample but pixels.
 Status check_place(const StrokeSample& sample, std::size_t number, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
@@ -53,7 +53,7 @@ Stroke seen_from(const View& view) {
   return stroke;
 }
 
-/// The fur of all coats that are seen.
+/// The standing fur of all visible coats.
 class SeenCoats {
  public:
   SeenCoats(const Surface& surface, const SeenFur& fur) {
@@ -64,7 +64,7 @@ class SeenCoats {
     }
   }
 
-  /// The nearest of what StandingFur::hit_by gives for each coat.
+  /// Returns the nearest of the coats' hits (StandingFur::hit_by).
   std::optional<glm::dvec3> hit_by(const StandingFur::Ray& ray, double beside) const {
     std::optional<glm::dvec3> nearest;
     for (const StandingFur& standing : standing_) {
@@ -80,14 +80,14 @@ class SeenCoats {
   }
 
  private:
-  std::deque<FieldSet> fields_;  // which do not move
+  std::deque<FieldSet> fields_;  // a deque, because standing_ refers to its elements
   std::deque<StandingFur> standing_;
 };
 
-/// What pixels of a stroke's view show.
+/// Finds the positions visible under pixels of a stroke's view.
 class SeenPlaces {
  public:
-  /// `fur` is null where skin alone is looked for.
+  /// A null `fur` finds positions on the skin alone.
   SeenPlaces(const Stroke& stroke, const Brush& brush, const Surface& surface, const SeenCoats* fur)
       : view_(*stroke.view),
         camera_(place_camera(view_.camera, static_cast<double>(view_.width) / view_.height, surface.mesh())),
@@ -95,8 +95,8 @@ class SeenPlaces {
         fur_(fur),
         brush_(seen_from(view_), brush, surface) {}
 
-  /// The position under a pixel: on the fur if the fur is in front of all skin, else on the skin; empty if neither is
-  /// hit.
+  /// Returns the position under a pixel: on the fur if the fur is in front of all skin, else on the skin; nothing if
+  /// neither is hit.
   std::optional<decltype(StrokeSample::place)> at(glm::dvec2 pixel) const {
     const glm::dvec3 direction = glm::normalize(pixel_ray(camera_, pixel, view_.width, view_.height));
     const std::optional<SurfacePoint> skin = surface_.raycast(camera_.position, direction);
@@ -107,7 +107,8 @@ class SeenPlaces {
   }
 
  private:
-  /// In front of skin the fur has to cover the pixel; beside it the brush may reach a little to the side.
+  /// Returns the hit on the fur. In front of skin the fur must cover the pixel; beyond the silhouette it may lie up to
+  /// the brush's radius to the side.
   std::optional<glm::dvec3> fur_at(glm::dvec3 direction, const std::optional<SurfacePoint>& skin) const {
     const glm::dvec3 end = skin ? surface_.position(*skin) : glm::dvec3(0);
     const double length = skin ? glm::distance(end, camera_.position) : std::numeric_limits<double>::infinity();
@@ -121,7 +122,7 @@ class SeenPlaces {
   BrushStroke brush_;
 };
 
-/// Checks the cost, with the visits of the stroke so far.
+/// Checks for cancellation, and the cost including the stroke's visits so far.
 Status check_visits(const SeenFur& fur, double visits) {
   if (fur.cancel.asked()) return nobody_waits();
   if (fur.visits + visits <= limits::evaluation_visits) return {};
@@ -164,7 +165,7 @@ Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surf
                  "at most 100000 dabs of spacing x radius in a stroke");
 }
 
-/// Checks the positions and lengths that a tool has beside its stroke.
+/// Checks the positions and lengths of a command, apart from its stroke.
 struct CheckTool {
   const Mesh& mesh;
 
@@ -182,12 +183,12 @@ struct CheckTool {
     }
     return place(symmetry.axis_point, "/symmetry/axis_point");
   }
-  /// The width of Gaussians.
+  /// Checks the width of Gaussians.
   Status sigma(double value, Units units) const {
     if (internal_length(value, units, mesh) >= limits::min_sigma) return length(value, units, "/sigma");
     return failure(Code::invalid, "the width is too small for the model", "/sigma", "at least 1e-6 sizes");
   }
-  /// Of keys and guides.
+  /// Checks the width and reach of keys or curves.
   template <class Guides>
   Status width_and_reach(const Guides& command) const {
     if (Status bad = sigma(command.sigma, command.units); !bad.ok() || !command.reach) return bad;
@@ -198,7 +199,7 @@ struct CheckTool {
     return failure(Code::invalid, "fur cannot be so long", std::move(pointer), "at most 10 sizes of the model");
   }
 
-  Status operator()(const Comb&) const { return {}; }  // a direction is as good anywhere
+  Status operator()(const Comb&) const { return {}; }  // a direction is valid anywhere
   Status operator()(const Blow& blow) const {
     if (Status far = place(blow.source, "/source"); !far.ok()) return far;
     return length(blow.fall, blow.units, "/fall");

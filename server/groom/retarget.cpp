@@ -16,7 +16,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns the factors from one model's box to the other's, axis by axis, both in sizes.
+/// Returns the scale from one model's box to the other's along each axis, in internal coordinates.
 glm::dvec3 box_scale(const Mesh& from, const Mesh& to) {
   constexpr double flat = 1e-9;  // sizes
   const glm::dvec3 before = (from.report.bounds.max - from.report.bounds.min) / from.size;
@@ -31,7 +31,7 @@ glm::dvec3 box_scale(const Mesh& from, const Mesh& to) {
 }  // namespace
 
 Laid lay_over(const Mesh& from, const Mesh& to, Alignment how) {
-  if (how == Alignment::box) return {box_scale(from, to), glm::dvec3(0)};  // both boxes have their middle at 0
+  if (how == Alignment::box) return {box_scale(from, to), glm::dvec3(0)};  // both boxes are centred at 0
   return {glm::dvec3(from.size / to.size), (from.centre - to.centre) / to.size};
 }
 
@@ -45,7 +45,7 @@ namespace {
 
 constexpr double same_place = 1e-9;  // sizes
 
-/// From the coordinates of one model to those of another.
+/// A map from the model coordinates of one model to those of another.
 class ModelMap : public PlaceMap {
  public:
   ModelMap(const Surface& from, const Surface& to, Alignment how)
@@ -56,8 +56,7 @@ class ModelMap : public PlaceMap {
 
   glm::dvec3 place(glm::dvec3 position) const override { return laid_.place(position); }
 
-  /// Maps a position on one model's skin to the other model's skin; a position off the skin keeps its distance and its
-  /// direction from it.
+  /// Maps a position on one model's skin to the other model's skin. A position off the skin keeps its offset from it.
   glm::dvec3 on_skin(glm::dvec3 position) const override {
     const Mesh &mesh = from_.mesh(), &other = to_.mesh();
     const glm::dvec3 skin = mesh.to_model(from_.position(from_.nearest(mesh.to_internal(position))));
@@ -87,7 +86,7 @@ class ModelMap : public PlaceMap {
   double longer_;
 };
 
-/// Refuses what has a meaning on one model only.
+/// Refuses commands that are valid on one model only.
 Status check_carried(const Command& command) {
   if (const auto* mask = std::get_if<ChangeMask>(&command); mask && std::holds_alternative<MaskVertices>(mask->shape))
     return failure(Code::invalid, "vertices of one model are not those of another", "/vertices",
@@ -140,8 +139,8 @@ std::string far_warning(std::size_t far, std::size_t vertices) {
          " vertices lie farther than .05 sizes from the model that they take their fur from";
 }
 
-/// Returns whether the command takes the field. The mask chooses where tools work, and goes along only when it is asked
-/// for.
+/// Returns whether the command takes the field. The mask selects where tools act, so it is taken only if the command
+/// names it.
 bool takes(const Retarget& command, Field field) {
   if (command.fields.empty()) return field != Field::mask;
   return std::count(command.fields.begin(), command.fields.end(), field) > 0;

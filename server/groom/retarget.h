@@ -1,4 +1,4 @@
-// Aligns one model with another one, and finds what lies nearest.
+// Aligns one model with another, and finds the positions of one that are nearest to the vertices of the other.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace pelage {
 
-/// Maps positions of one model to another one: a scale for each axis, and a shift.
+/// A map from positions of one model to another: a scale for each axis, then a shift.
 struct Laid {
   glm::dvec3 scale{1}, shift{0};
 
   glm::dvec3 place(glm::dvec3 p) const { return scale * p + shift; }
   glm::dvec3 direction(glm::dvec3 d) const { return uniform() ? d : scale * d; }
-  /// Of a plane.
+  /// Maps the normal of a plane.
   glm::dvec3 normal(glm::dvec3 n) const { return uniform() ? n : n / scale; }
   bool uniform() const { return scale.x == scale.y && scale.y == scale.z; }
 };
 
-/// Aligns the internal coordinates of both models. Along an axis on which a box is flat, the scale is 1.
+/// Returns the map between the internal coordinates of both models. Along an axis on which a box is flat, the scale is
+/// 1.
 Laid lay_over(const Mesh& from, const Mesh& to, Alignment how);
-/// Aligns the models' own coordinates.
+/// Returns the map between the models' own coordinates.
 Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how);
 
 /// The corners of the source triangle nearest to each vertex, the number of vertices that lie farther than far_away
@@ -39,7 +40,7 @@ struct NearestCorners {
 inline constexpr double far_away = 0.05;  // sizes of the source
 NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignment align);
 
-/// What a length in sizes of one model is multiplied by on another.
+/// Returns the factor from a length in sizes of `from` to one in sizes of `to`.
 double length_factor(const Mesh& from, const Mesh& to, Alignment how);
 
 }  // namespace pelage

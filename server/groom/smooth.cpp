@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-/// The vertices that smoothing a region reads: its own and their neighbours. A small region numbers them itself, so
-/// that the cost of a dab does not grow with the mesh; a large one uses the mesh's numbers.
+/// The vertices that smoothing a region reads: its own and their neighbours. A small region renumbers them, so that the
+/// cost of a dab does not grow with the mesh; a large one uses the mesh's numbers.
 class Neighbourhood {
  public:
   Neighbourhood(const std::vector<VertexWeight>& region, const Surface& surface)
@@ -37,7 +37,7 @@ class Neighbourhood {
 
   std::size_t size() const { return all_ ? surface_.mesh().positions.size() : vertices_.size(); }
   std::uint32_t vertex(std::uint32_t number) const { return all_ ? number : vertices_[number]; }
-  /// Of the region's i-th vertex and of its neighbours.
+  /// Return the numbers of the region's i-th vertex and of its neighbours.
   std::uint32_t number(std::size_t i) const { return all_ ? region_[i].vertex : numbers_[i]; }
   std::span<const std::uint32_t> others(std::size_t i) const {
     return all_ ? surface_.neighbours(region_[i].vertex)
@@ -56,8 +56,8 @@ class Neighbourhood {
   std::vector<std::uint32_t> numbers_, begin_, others_;
 };
 
-/// How neighbours enter a mean: by a share, and directions also turned from the neighbour's frame to the vertex's own,
-/// as a complex number whose length is the share.
+/// The contribution of a neighbour to a mean: a share, for directions combined with the rotation from the neighbour's
+/// frame to the vertex's own, as a complex number whose magnitude is the share.
 using Share = float;
 using TurnedShare = glm::vec2;
 
@@ -80,7 +80,7 @@ void put_share(TurnedShare& share, double part, const Mesh& mesh, const VertexFr
   share = length > 0 ? TurnedShare(turn * (part / length)) : TurnedShare(part, 0);
 }
 
-/// Shares are the inverse distances over their sum; welded meshes have no two vertices in one place.
+/// Computes the shares: inverse distances, normalized. Welded meshes have no two vertices at one position.
 template <class AnyShare>
 void put_shares(std::uint32_t vertex, const Surface& surface, std::vector<double>& inverses, AnyShare* shares) {
   const Mesh& mesh = surface.mesh();
@@ -95,7 +95,8 @@ void put_shares(std::uint32_t vertex, const Surface& surface, std::vector<double
   for (std::size_t k = 0; k < others.size(); ++k) put_share(shares[k], inverses[k] / sum, mesh, frame, others[k]);
 }
 
-/// The shares of all neighbours of a region's vertices. For one pass alone they are found when they are needed.
+/// The shares of all neighbours of a region's vertices. They are stored if there are several passes, else computed on
+/// demand.
 template <class AnyShare>
 class Ring {
  public:
@@ -112,7 +113,7 @@ class Ring {
     });
   }
 
-  /// Room for the shares of one vertex.
+  /// Scratch memory for the shares of one vertex.
   struct Scratch {
     std::vector<double> inverses;
     std::vector<AnyShare> shares;
@@ -141,7 +142,7 @@ void narrow(const glm::dvec4& from, Value& to) {
   to = Value(from);
 }
 
-/// One field of a region, smoothed in double between the passes.
+/// Smooths one field of a region; values stay in double between the passes.
 template <class Value, class AnyShare>
 class SmoothedField {
  public:
@@ -184,7 +185,7 @@ class SmoothedField {
     const auto others = near_.others(i);
     if (others.empty()) return own;
     const auto shares = ring_.of(i, scratch);
-    // Differences and not values: where nothing differs nothing drifts, however the shares are rounded.
+    // Sums differences and not values, so that a constant field does not drift, however the shares are rounded.
     Value change(0);
     for (std::size_t k = 0; k < others.size(); ++k)
       change += shared(shares[k], now_[others[k]]) - size_of(shares[k]) * own;

@@ -11,23 +11,23 @@ namespace pelage {
 
 namespace {
 
-constexpr double half_diagonal = 0.5 + 1e-6;  // of any model
+constexpr double half_diagonal = 0.5 + 1e-6;  // radius of a ball around 0 that contains any model
 
-/// Returns where between a (0) and b (1) the segment is nearest to a position.
+/// Returns the parameter, from 0 at `a` to 1 at `b`, at which the segment is nearest to a position.
 double nearest_share(glm::dvec3 place, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 along = b - a;
   const double square = glm::dot(along, along);
   return square > 0 ? std::clamp(glm::dot(place - a, along) / square, 0.0, 1.0) : 0;
 }
 
-/// Where a line comes nearest to a segment: how far along the line, and how near.
+/// The closest approach of a line to a segment: the distance along the line, and the gap.
 struct Approach {
   double along, distance;
 };
 Approach approach(glm::dvec3 origin, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b) {
   const glm::dvec3 way = b - a, from = a - origin;
   const double way_along = glm::dot(way, direction), from_along = glm::dot(from, direction);
-  const double square = glm::dot(way, way) - way_along * way_along;  // 0 where they are parallel
+  const double square = glm::dot(way, way) - way_along * way_along;  // 0 if they are parallel
   const double t = square > 0 ? std::clamp((from_along * way_along - glm::dot(from, way)) / square, 0.0, 1.0) : 0;
   const double along = from_along + t * way_along;
   return {along, glm::distance(a + t * way, origin + along * direction)};
@@ -61,7 +61,8 @@ double longest_fur_of_all(const FieldSet& fields) {
   return longest;
 }
 
-/// The one nearest to the camera of those that the ray hits, else the one nearest to the ray.
+/// The best candidate so far: the smallest gap between ray and strand (0 if the strand is hit), and of equal gaps the
+/// one nearest to the ray's origin.
 struct StandingFur::Hit {
   double gap = std::numeric_limits<double>::infinity(), along = 0;
 
@@ -123,7 +124,7 @@ void StandingFur::intersect(const Ray& ray, std::uint32_t vertex, double beside,
   const glm::dvec3 off = root - ray.origin;
   const double along = glm::dot(off, ray.direction), near = spacing + beside;
   if (glm::length(off - along * ray.direction) > length + near) return;
-  if (best.gap == 0 && along - length > best.along) return;  // all of it lies behind what is hit
+  if (best.gap == 0 && along - length > best.along) return;  // the whole strand lies behind the current hit
   const UnitStrand& unit = strand(vertex);
   visits_ += UnitStrand::places;
   glm::dvec3 from = root;
@@ -138,7 +139,7 @@ void StandingFur::intersect(const Ray& ray, std::uint32_t vertex, double beside,
 
 std::optional<glm::dvec3> StandingFur::hit_by(const Ray& ray, double beside) const {
   if (!(longest_ > 0)) return std::nullopt;
-  const double reach = 2 * longest_ + beside, ball = half_diagonal + reach;  // where roots are that it may hit
+  const double reach = 2 * longest_ + beside, ball = half_diagonal + reach;  // bounds of the roots that may be hit
   const double middle = -glm::dot(ray.origin, ray.direction);
   const double off = glm::length(ray.origin + middle * ray.direction);
   if (!(off < ball)) return std::nullopt;

@@ -1,5 +1,4 @@
-// The fur that stands on a surface, as a brush reaches it: at each vertex the strand that the fields and the coat
-// shape.
+// The fur as a brush sees it: one strand at each vertex, shaped by the fields and the coat.
 #pragma once
 
 #include <array>
@@ -15,52 +14,53 @@
 
 namespace pelage {
 
-/// A strand of length 1 that leans as the field says. A shorter one is the same curve, smaller, so that each of its
-/// places moves along a straight line from the root as it is cut.
+/// A strand of length 1 that leans as the fields say. A shorter strand is the same curve, scaled, so that each of its
+/// points moves on a straight line towards the root when it is cut.
 struct UnitStrand {
-  static constexpr int places = 8;  // along a strand that are looked at
+  static constexpr int places = 8;  // number of points that approximate the strand
 
   glm::dvec3 root{0};
   std::array<glm::dvec3, places> offsets{};  // from the root
-  std::array<double, places> heights{};      // over the skin
+  std::array<double, places> heights{};      // above the skin
 };
 UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
 
-/// Returns the longest fur, sizes; 0 where all is bald.
+/// Returns the largest length of any strand, in sizes; 0 if there is none.
 double longest_fur(const FieldSet& fields);
-/// The same of all coats.
+/// Returns the same over all coats.
 double longest_fur_of_all(const FieldSet& fields);
 
-/// The standing fur in internal coordinates. Its arguments have to outlive it. It is for one thread, because it caches
-/// strands.
+/// The standing fur, in internal coordinates. The constructor's arguments must outlive it. Not thread-safe, because it
+/// caches strands.
 class StandingFur {
  public:
   StandingFur(const Surface& surface, const FieldSet& fields, const Coat& coat);
 
   struct Ray {
     glm::dvec3 origin, direction;  // unit
-    double length = 0;             // nothing beyond it is hit; may be infinite
+    double length = 0;             // maximum hit distance; may be infinite
   };
   struct Reached {
     std::uint32_t vertex;
     double distance;  // sizes
-    double lift;      // how high over the skin its nearest point is, in its lengths: 0 at its root, at most 1
+    double lift;      // height above the skin of the strand's nearest point, in strand lengths, [0, 1]; 0 at the root
   };
 
-  /// Strands that come within `radius` of a place, in rising order of their vertices; bald vertices count as roots.
+  /// Returns the strands that come within `radius` of a position, sorted by vertex; a bald vertex counts as a strand of
+  /// length 0.
   std::vector<Reached> within(glm::dvec3 place, double radius) const;
-  /// Returns the point of a ray nearest to the first strand that it hits. A strand stands at each vertex, and the gap
-  /// to its neighbours counts as hit, too. If nothing is hit, the strand nearest to the ray counts, within `beside` of
-  /// it.
+  /// Returns the point of a ray nearest to the first strand that it hits. There is a strand at each vertex, and the gap
+  /// to its neighbours counts as hit too. If nothing is hit, returns the point nearest to the strand closest to the
+  /// ray, if that is within `beside` of it.
   std::optional<glm::dvec3> hit_by(const Ray& ray, double beside) const;
 
-  /// 0 where no strand of the coat stands.
+  /// Returns the length of the strand at a vertex, in sizes; 0 if the coat has no strand there.
   double length(std::uint32_t vertex) const {
     if (lengths_.empty() || (!densities_.empty() && !(densities_[vertex] > 0))) return 0;
     return lengths_[vertex];
   }
   double longest() const { return longest_; }
-  /// How many vertices rays have looked at so far (EvaluationCost).
+  /// Returns the number of visits by all rays so far (EvaluationCost).
   double visits() const { return visits_; }
 
  private:

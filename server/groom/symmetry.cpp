@@ -38,7 +38,7 @@ class Mover {
     for (Plane& plane : symmetry.planes) move(plane.point), plane.normal = map_.normal(plane.normal);
     move(symmetry.axis_point), turn(symmetry.axis);
   }
-  /// A curve in space that grows from its first point.
+  /// Moves a curve in space; its root stays on the skin.
   void move_curve(GuideCurve& curve) const {
     const glm::dvec3 root = map_.on_skin(curve.front()), shift = root - map_.place(curve.front());
     for (glm::dvec3& point : curve) point = map_.place(point) + shift;
@@ -199,7 +199,7 @@ Motion rotation(const Symmetry& symmetry, int step) {
   return {turn, symmetry.axis_point - turn * symmetry.axis_point};
 }
 
-/// Every motion of the symmetry but the one that moves nothing.
+/// Returns every motion of the symmetry except the identity.
 std::vector<Motion> motions_of(const Symmetry& symmetry) {
   std::vector<Motion> all{Motion{}};
   for (int step = 1; step < symmetry.count; ++step) all.push_back(rotation(symmetry, step));
@@ -211,7 +211,7 @@ std::vector<Motion> motions_of(const Symmetry& symmetry) {
   return all;
 }
 
-/// A motion of places on a surface: those on triangles go to the nearest ones.
+/// Applies a motion to positions. Those on triangles move to the nearest surface positions.
 class MotionMap : public PlaceMap {
  public:
   MotionMap(const Motion& motion, const Surface& surface) : motion_(motion), surface_(surface) {}
@@ -234,8 +234,8 @@ class MotionMap : public PlaceMap {
   const Surface& surface_;
 };
 
-/// Adds the keys or curves of an image to those of the whole command: one after the other the images would overwrite
-/// each other. Returns false if there is nothing to join.
+/// Adds the keys or curves of an image to those of the whole command; evaluated one after the other, the images would
+/// overwrite each other. Returns false for other commands.
 bool joins_images(Command& whole, const Command& image) {
   if (auto* keys = std::get_if<Interpolate>(&whole); keys && !keys->stroke) {
     const auto& more = std::get<Interpolate>(image).keys;
@@ -273,7 +273,7 @@ std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, c
   if (is_flood(resolved)) return images;
   for (const Motion& motion : motions_of(symmetry_of(resolved, scene))) {
     Command image = resolved;
-    if (!move_command(image, MotionMap(motion, surface), surface)) break;  // no place that could be moved
+    if (!move_command(image, MotionMap(motion, surface), surface)) break;  // the command has no positions
     if (!joins_images(images.front(), image)) images.push_back(std::move(image));
   }
   return images;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t no_vertex = 0xffffffff;
 
-/// One image's change of a field, read vertex by vertex in rising order.
+/// Reads one image's change of a field, vertex by vertex in rising order.
 class Reading {
  public:
   Reading(const FieldDelta::Part& part, const FieldSet& fields)

@@ -1,4 +1,4 @@
-// What the images of a command do where they overlap.
+// Combines the changes of a command's symmetry images where they overlap.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace pelage {
 
-/// Combines changes of the visible values that all start from `fields`. A vertex that one change reaches takes that
-/// change; where several do, it takes their mean, weighted by the length of each. So equal images change nothing twice,
-/// a stroke on a plane of symmetry does what it does without, and what two images do beside each other is mirrored to
-/// the bit.
+/// Combines changes of the visible values that all start from `fields`. A vertex changed by one image takes that
+/// change; one changed by several takes their mean, weighted by the magnitude of each. So equal images do not change
+/// anything twice, a stroke on a plane of symmetry gives the same result as without symmetry, and the combined result
+/// is mirror symmetric to the bit.
 FieldDelta together(std::span<const FieldDelta> images, const FieldSet& fields);
 
 }  // namespace pelage

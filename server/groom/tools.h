@@ -1,5 +1,5 @@
-// One function for each tool, each in its own file. Commands are resolved; formulas are those of docs and science. A
-// tool of the list without one does not compile.
+// One function for each tool, each in its own file. The formulas are those of docs and science; commands are resolved.
+// A tool of tool_list.h without such a function does not compile.
 #pragma once
 
 #include <concepts>
@@ -30,7 +30,7 @@ Evaluation run(const ChangeMask& command, const Surface& surface, const FieldSet
 Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& fields, const ToolExtras& extras);
 
-/// What evaluate() asks of every tool of the list.
+/// The requirement of evaluate() on every tool of tool_list.h.
 template <class Tool>
 concept Runnable = requires(const Tool& tool, const Surface& surface, const FieldSet& fields,
                             const ToolExtras& extras) {

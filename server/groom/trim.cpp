@@ -14,7 +14,7 @@ namespace {
 
 constexpr double uncut = std::numeric_limits<double>::infinity();
 
-/// How far one can go from `root` along `offset`, in its lengths, before the sphere's border is passed.
+/// Returns the distance from `root` along `offset`, in lengths of `offset`, at which the sphere's boundary is crossed.
 double reach_in_sphere(glm::dvec3 root, glm::dvec3 offset, double radius, bool keep_inside) {
   const double a = glm::dot(offset, offset), b = glm::dot(root, offset), c = glm::dot(root, root) - radius * radius;
   if (keep_inside ? c >= 0 : c <= 0) return 0;
@@ -26,7 +26,7 @@ double reach_in_sphere(glm::dvec3 root, glm::dvec3 offset, double radius, bool k
   return first >= 0 ? first : uncut;
 }
 
-/// The longest length at which no place of the strand is beyond the shape.
+/// Computes the largest length at which no point of the strand is beyond the shape.
 class LongestStrand {
  public:
   LongestStrand(const Trim& command, const Mesh& mesh) : command_(command), mesh_(mesh) {}

@@ -1,4 +1,4 @@
-// What makes conjugate gradients reach across a large mesh in few steps.
+// A two-level preconditioner, with which conjugate gradients converge in few steps on a large mesh.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -11,9 +11,9 @@
 
 namespace pelage {
 
-/// A preconditioner for Eigen, for Hermitian matrices of a mesh whose off-diagonal entries say how a value at one
-/// vertex appears at another. Beside the diagonal it inverts the matrix for groups of vertices that move together, each
-/// by the value of its first vertex (additive Schwarz with aggregates). Deterministic.
+/// A preconditioner for Eigen, for Hermitian matrices of a mesh whose off-diagonal entries transport a value from one
+/// vertex to another. In addition to the diagonal it inverts the matrix on groups of vertices, each of which takes its
+/// value from its first vertex (additive Schwarz with aggregates). Deterministic.
 template <class Number>
 class TwoLevel {
  public:
@@ -22,7 +22,7 @@ class TwoLevel {
   using StorageIndex = typename Matrix::StorageIndex;
   enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
 
-  /// Kept by reference and asked at each step; throws Cancelled out of the solver.
+  /// Keeps a reference to `cancel`, which is polled at each step; Cancelled is thrown out of the solver.
   void listen(const Cancel& cancel) { cancel_ = &cancel; }
 
   TwoLevel& analyzePattern(const Matrix&) { return *this; }
@@ -56,7 +56,7 @@ class TwoLevel {
   Eigen::ComputationInfo info() const { return coarse_.info(); }
 
  private:
-  /// Groups of neighbours, breadth first.
+  /// Collects groups of neighbours, breadth first.
   void gather(const Matrix& matrix) {
     constexpr Eigen::Index groups = 20'000;
     const auto full = static_cast<std::size_t>(matrix.rows() / groups + 1);
@@ -80,9 +80,9 @@ class TwoLevel {
   }
 
   const Cancel* cancel_ = nullptr;
-  Vector inverse_;          // of the diagonal
-  std::vector<int> group_;  // of each vertex
-  Vector looks_;            // of each vertex: the value that 1 at the first vertex of its group gives
+  Vector inverse_;          // reciprocals of the matrix's diagonal
+  std::vector<int> group_;  // group of each vertex
+  Vector looks_;            // for each vertex, the value 1 at its group's first vertex, transported to it
   int groups_ = 0;
   Eigen::SimplicialLDLT<Matrix> coarse_;
 };

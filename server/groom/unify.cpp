@@ -14,7 +14,7 @@ glm::dvec3 in_space(const VertexFrame& frame, glm::dvec2 direction) {
   return direction.x * frame.tangent + direction.y * frame.bitangent;
 }
 
-/// The weighted mean of a field over a region; of directions the mean heading in space and the mean inclination.
+/// The weighted mean of a field over a region; for directions the mean heading in space and the mean inclination.
 struct Mean {
   glm::dvec4 value{0};
   glm::dvec3 heading{0};
@@ -37,7 +37,8 @@ Mean mean_of(Field field, const std::vector<VertexWeight>& region, const Mesh& m
   return mean;
 }
 
-/// Towards a heading in space and an inclination; where one is not given the fur keeps its own.
+/// Returns a direction turned towards a heading in space and an inclination. Where one of them is absent, the fur keeps
+/// its own.
 glm::dvec2 unified(glm::dvec2 direction, const VertexFrame& frame, const std::optional<glm::dvec3>& heading,
                    const std::optional<double>& inclination, double weight) {
   const double own = glm::length(direction), lean = inclination.value_or(own);

@@ -1,4 +1,4 @@
-// A vertex's own frame, and turning fur in it.
+// The local frame of a vertex, and rotation of fur directions in it.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace pelage {
 
-/// Orthonormal, internal coordinates. Frames of neighbours differ, so directions in space are projected on each.
+/// An orthonormal frame, internal coordinates. Frames of neighbours differ, so a direction in space is projected on
+/// each.
 struct VertexFrame {
   glm::dvec3 normal, tangent, bitangent;
 
@@ -20,10 +21,11 @@ inline VertexFrame frame_at(const Mesh& mesh, std::uint32_t vertex) {
   return {normal, tangent, glm::cross(normal, tangent)};
 }
 
-/// Tangent parts of unit vectors shorter than this have no heading of their own.
+/// Tangent parts of unit vectors that are shorter than this have no usable heading.
 inline constexpr double no_heading = 1e-6;
 
-/// V' = V + weight (lean t - V), with t the unit tangent part of the unit vector `towards`; V where it has none.
+/// Returns V + weight (lean t - V) for the direction V, where t is the normalized tangent part of the unit vector
+/// `towards`; returns V if that has no heading.
 inline glm::dvec2 turned(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards, double lean,
                          double weight) {
   const glm::dvec2 part = frame.tangent_part(towards);

@@ -15,7 +15,7 @@ Evaluation run(const Whorl& command, const Surface& surface, const FieldSet& fie
   FieldWriter writer(fields, Field::direction);
   if (!command.stroke->samples.empty()) {
     for (const auto [v, weight] : region_of(command.stroke, command.brush, surface, fields, extras)) {
-      if (v % 256 == 0) extras.cancel.check();  // each looks at the whole stroke
+      if (v % 256 == 0) extras.cancel.check();  // each vertex visits the whole stroke
       const VertexFrame frame = frame_at(mesh, v);
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 out = safe_unit(position - nearest_on_path(*command.stroke, surface, position));

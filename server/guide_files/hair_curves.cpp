@@ -8,7 +8,7 @@ namespace pelage {
 
 namespace {
 
-// As the format's description has it (cemyuksel.com/research/hairmodels), little-endian as this machine.
+// The format is described at cemyuksel.com/research/hairmodels. It is little-endian, as this machine.
 constexpr std::size_t header_bytes = 128;
 constexpr std::uint32_t has_segments = 1, has_points = 2;
 

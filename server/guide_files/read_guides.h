@@ -1,4 +1,4 @@
-// Files of guide curves that other programs made. Anybody may have written them: read in the confined worker only.
+// Reads files of guide curves from other programs. They are untrusted, and read in the confined worker only.
 #pragma once
 
 #include <string>
@@ -12,16 +12,17 @@
 
 namespace pelage {
 
-/// What a file holds. Refused (invalid), saying where: what is cut off or is no such file, a number that is not finite,
-/// and a file without curves of two points. `usda`: all BasisCurves of USD as text, where their Xforms put them;
-/// control points of cubic ones count as points. `hair`: HAIR (cyHair). `json`: {"curves": [[[x, y, z], ...], ...]}.
+/// Returns the curves of a file. Refused (invalid), with the reason: a file that is cut off or of another format, a
+/// number that is not finite, and a file without curves of two points. `usda`: all BasisCurves of USD as text,
+/// transformed by their Xforms; control points of cubic curves count as points. `hair`: HAIR (cyHair). `json`:
+/// {"curves": [[[x, y, z], ...], ...]}.
 Result<GuideFile> read_guides(GuideFormat format, std::string_view bytes);
 
 Result<GuideFile> read_usda_curves(std::string_view text);
 Result<std::vector<GuideCurve>> read_hair_curves(std::string_view bytes);
 Result<std::vector<GuideCurve>> read_json_curves(std::string_view text);
 
-/// A refusal of a file: the reason alone.
+/// Returns the refusal (invalid) of a file; its message is only the reason.
 inline Status broken_guides(std::string why) { return failure(Code::invalid, std::move(why)); }
 
 }  // namespace pelage

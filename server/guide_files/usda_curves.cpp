@@ -11,10 +11,10 @@ namespace pelage {
 
 namespace {
 
-constexpr int deepest = 256;  // prims inside one another
+constexpr int deepest = 256;  // nesting of prims
 constexpr double min_metres = 1e-9, max_metres = 1e9;
 
-/// What of a prim says where its curves are.
+/// The data of a prim that determine its curves.
 struct Prim {
   bool has_curves = false;  // BasisCurves
   glm::dmat4 parent{1};
@@ -27,7 +27,7 @@ bool is_word(const UsdaToken& token, std::string_view word) {
   return token.kind == UsdaToken::Kind::word && token.text == word;
 }
 
-/// "xformOp:rotateXYZ:pivot" is a rotateXYZ.
+/// Returns the kind of an operation: "rotateXYZ" for "xformOp:rotateXYZ:pivot".
 std::string_view kind_of(std::string_view name) {
   name.remove_prefix(std::min(name.find(':') + 1, name.size()));
   return name.substr(0, name.find(':'));
@@ -35,7 +35,7 @@ std::string_view kind_of(std::string_view name) {
 
 glm::dmat4 turn_of(std::string_view axes, const double* degrees) {
   glm::dmat4 turn(1);
-  for (std::size_t i = 0; i < axes.size(); ++i) {  // the first is done first
+  for (std::size_t i = 0; i < axes.size(); ++i) {  // the first axis is applied first
     glm::dvec3 axis(0);
     axis[axes[i] - 'X'] = 1;
     const double angle = degrees[axes.size() == 1 ? 0 : static_cast<std::size_t>(axes[i] - 'X')];
@@ -44,7 +44,8 @@ glm::dmat4 turn_of(std::string_view axes, const double* degrees) {
   return turn;
 }
 
-/// The matrix of one operation; USD writes rows of matrices that vectors stand before, which are columns here.
+/// Returns the matrix of one operation. USD multiplies row vectors by matrices and writes their rows, which are columns
+/// here.
 Result<glm::dmat4> matrix_of(std::string_view name, const std::vector<double>& numbers) {
   const std::string_view kind = kind_of(name);
   const auto vector = [&] { return glm::dvec3(numbers[0], numbers[1], numbers[2]); };
@@ -76,7 +77,7 @@ class UsdaReader {
   }
 
  private:
-  /// What the file says of its axes and unit.
+  /// Reads the file's up axis and unit, and skips other metadata.
   Status read_metadata() {
     tokens_.take();
     std::string name;
@@ -112,7 +113,7 @@ class UsdaReader {
     return {};
   }
 
-  /// What stands in a prim, its closing mark with it.
+  /// Reads the content of a prim, including its closing brace.
   Status read_body(Prim& prim, int depth) {
     if (depth > deepest) return broken_guides("its prims lie too deep.");
     std::string name;
@@ -158,7 +159,7 @@ class UsdaReader {
     return {};
   }
 
-  /// All numbers of a value, whatever groups they stand in.
+  /// Reads all numbers of a value, however they are grouped.
   Status read_numbers(std::vector<double>& numbers) {
     numbers.clear();
     int depth = 0;
@@ -187,7 +188,7 @@ class UsdaReader {
     return {};
   }
 
-  /// From the prim's own coordinates to the file's: the last operation is done first.
+  /// Returns the matrix from the prim's own coordinates to the file's. The last operation is applied first.
   static Result<glm::dmat4> place_of(const Prim& prim) {
     glm::dmat4 place = prim.parent;
     for (std::string_view name : prim.order) {

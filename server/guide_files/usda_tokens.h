@@ -1,11 +1,12 @@
-// The words of a USD file as text.
+// Splits USD as text into tokens.
 #pragma once
 
 #include <string_view>
 
 namespace pelage {
 
-/// One of ( ) [ ] { } = , ; or a word or number, a text without its quotes, a path or an asset; empty at the end.
+/// A token: one of ( ) [ ] { } = , ; or a word or number, a text without its quotes, a path or an asset; empty at the
+/// end.
 struct UsdaToken {
   enum class Kind { end, mark, word, text } kind = Kind::end;
   std::string_view text = {};
@@ -13,16 +14,16 @@ struct UsdaToken {
   bool is(char mark) const { return kind == Kind::mark && text.front() == mark; }
 };
 
-/// Takes words off the front of a text. Comments are passed over. What is not closed ends with the file.
+/// Takes tokens from the front of a text and skips comments. A quote or group that is not closed ends with the file.
 class UsdaTokens {
  public:
   explicit UsdaTokens(std::string_view text) : rest_(text) {}
 
   UsdaToken take();
   UsdaToken peek() const { return UsdaTokens(*this).take(); }
-  /// Takes what belongs to an opening mark that was taken, its closing one with it.
+  /// Skips the rest of a group whose opening mark has been taken, including its closing mark.
   void skip_group();
-  /// Takes one value: a group, or a word, text or path.
+  /// Skips one value: a group, or a word, text or path.
   void skip_value();
 
  private:

@@ -15,7 +15,8 @@ double length_of(const GuideCurve& curve) {
   return length;
 }
 
-/// The inclination whose tip is seen at this angle from the normal, by bisection: the angle rises with it.
+/// Returns the inclination at which the tip is at this angle from the normal, seen from the root. Found by bisection,
+/// since the angle rises with the inclination.
 double inclination_at(const Coat& coat, double angle) {
   double low = 0, high = 1;
   for (int step = 0; step < 40; ++step) {
@@ -50,7 +51,7 @@ GuideKeys keys_of(const std::vector<GuideCurve>& curves, const Surface& surface,
   for (const GuideCurve& curve : curves) {
     const glm::dvec3 root = mesh.to_internal(curve.front());
     const SurfacePoint place = surface.nearest(root);
-    if (!(glm::distance(root, surface.position(place)) <= guide_reach))  // nor what is no place any more
+    if (!(glm::distance(root, surface.position(place)) <= guide_reach))  // also excludes NaN
       ++found.far;
     else
       found.keys.push_back(key_of(curve, surface.normal(place), coat, mesh.size));

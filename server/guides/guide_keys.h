@@ -1,4 +1,4 @@
-// Guide curves as keys of an interpolation.
+// Converts guide curves to keys of an interpolation.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@
 
 namespace pelage {
 
-/// Roots of guides are taken to stand on the skin up to so many sizes from it.
+/// Maximum distance of a guide's root from the skin, sizes.
 inline constexpr double guide_reach = 0.05;
 
 struct GuideKeys {
   std::vector<Key> keys;  // model coordinates; lengths in sizes
-  std::size_t far = 0;    // curves left out: their roots stand off the skin
+  std::size_t far = 0;    // number of curves left out because their roots are not on the skin
 };
 
-/// A key for each curve, which are in model coordinates: the direction and inclination of a strand of the coat whose
-/// tip lies as the curve's does, seen from the root, and the length of the curve. At most as inclined as strands can
-/// be.
+/// Returns a key for each curve, which is in model coordinates: the length of the curve, and the direction and
+/// inclination of a strand of the coat whose tip lies in the direction of the curve's tip, seen from the root. The
+/// inclination is limited to that of strands.
 GuideKeys keys_of(const std::vector<GuideCurve>& curves, const Surface& surface, const Coat& coat);
 
-/// `count` of the keys, evenly by their order.
+/// Returns at most `count` of the keys, evenly spaced in their order.
 std::vector<Key> thinned(const std::vector<Key>& keys, std::size_t count);
 
-/// Gaussians that reach from key to key, sizes: by the mean area of the surface that each has.
+/// Returns the standard deviation of Gaussians that reach from key to key, sizes: the root of the mean area for a key.
 double sigma_between(std::size_t keys, const Mesh& mesh);
 
 }  // namespace pelage

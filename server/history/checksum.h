@@ -1,4 +1,4 @@
-// Checksums of rows, so that a flipped bit, a lost row or a row of another scene is found when a scene is loaded.
+// Checksums of rows, which detect a flipped bit, a lost row or a row of another scene when a scene is loaded.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,20 @@ constexpr const char* scene_columns =
 constexpr const char* entry_columns =
     "revision, kind, argument, commands, settings, hash_low, hash_high, delta, author";
 
-/// Adds two functions to SQL: checksum(value, ...), 64 bits of the values with their types, and chained(before, value,
-/// ...), which is next_chain of that checksum.
+/// Registers two SQL functions: checksum(value, ...), a 64-bit checksum of the values and their types, and
+/// chained(before, value, ...), which is next_chain of `before` and that checksum.
 void add_checksum(sqlite3* database);
 
 std::uint64_t checksum_of(std::string_view bytes);
 
-/// The chain of the entry after one of chain `before`. The first entry follows the chain first_revision.
+/// Returns the chain value of an entry whose predecessor has the chain value `before`. For the first entry of a scene
+/// that is first_revision.
 std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum);
 
-/// Fails (internal) unless the checksum of a scene's row fits: before a part of it is sealed anew.
+/// Fails (internal) if the checksum of a scene's row does not match. To be called before a part of the row is changed
+/// and sealed again.
 Status check_seal(Database& database, std::string_view id);
-/// Brings the checksum of a scene's row up to its other columns.
+/// Updates the checksum of a scene's row from its other columns.
 Status seal_scene(Database& database, std::string_view id);
 
 }  // namespace pelage

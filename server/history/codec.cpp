@@ -14,9 +14,9 @@ namespace pelage {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
-constexpr std::uint64_t fields_of_a_sheet = 16;  // room for more than there are
+constexpr std::uint64_t fields_of_a_sheet = 16;  // more than there are, to leave room
 static_assert(field_count <= fields_of_a_sheet);
-constexpr std::uint64_t sheets_of_a_coat = 32;  // the same
+constexpr std::uint64_t sheets_of_a_coat = 32;  // likewise
 static_assert(sheet_count <= sheets_of_a_coat);
 
 void put_number(std::string& text, std::uint64_t value) {
@@ -30,7 +30,7 @@ void put_words(std::string& text, const std::vector<std::uint32_t>& words) {
   if (bytes > 0) std::memcpy(text.data() + size, words.data(), bytes);
 }
 
-/// Takes bytes from the front; once something is missing, everything after fails too.
+/// Reads values from the front of the bytes. After the first failure, good() stays false.
 class Bytes {
  public:
   explicit Bytes(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -63,7 +63,7 @@ class Bytes {
   bool good_ = true;
 };
 
-/// Writes rising vertices as the gaps between them.
+/// Writes rising vertex numbers as the gaps between them.
 void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices) {
   std::uint64_t next = 0;
   for (const std::uint32_t v : vertices) {
@@ -72,7 +72,7 @@ void put_vertices(std::string& text, const std::vector<std::uint32_t>& vertices)
   }
 }
 
-/// False when a vertex would pass 32 bits.
+/// Inverts put_vertices. Returns false if a vertex number exceeds 32 bits.
 bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& vertices) {
   constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   std::uint64_t next = 0;
@@ -86,14 +86,14 @@ bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& v
   return true;
 }
 
-/// One field's change on one sheet of a coat; false when the bytes hold none that could follow `before`.
+/// Reads one field's change on one sheet of a coat. Returns false if the bytes hold none that may follow `before`.
 bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
   const std::uint64_t place = in.number(), count = in.number();
   const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet % sheets_of_a_coat;
   const std::uint64_t coat = place / fields_of_a_sheet / sheets_of_a_coat;
   if (field >= field_count || sheet >= sheet_count || coat >= limits::coats) return false;
   if (coat > 0 && is_shared(field_at(field))) return false;
-  if (count == 0 || count > in.left()) return false;  // each vertex takes a byte or more
+  if (count == 0 || count > in.left()) return false;  // each vertex takes at least one byte
   part.field = field_at(field), part.sheet = static_cast<Sheet>(sheet), part.coat = static_cast<CoatId>(coat);
   if (!before.parts.empty() && !comes_before(before.parts.back(), part)) return false;
   if (!take_vertices(in, count, part.vertices)) return false;
@@ -136,7 +136,7 @@ static_assert(std::endian::native == std::endian::little);
 
 void put_word(std::string& text, std::uint32_t word) { text.append(reinterpret_cast<const char*>(&word), sizeof word); }
 
-/// The next run of a subdivision; false when it could not follow the one before.
+/// Reads the next run of a subdivision. Returns false if it does not lie after the run before it.
 bool take_run(std::span<const std::uint32_t> words, ChosenTriangles& runs) {
   const TriangleRun run{words[0], words[1]};
   if (run.begin >= run.end || (!runs.empty() && run.begin <= runs.back().end)) return false;
@@ -209,7 +209,7 @@ bool decode_creases_and_flips(std::string_view text, PrepareOptions& options) {
 namespace {
 
 constexpr int fast_compression = 1;
-constexpr std::uint64_t max_compression_ratio = 1040;  // of zlib: a larger number of bytes is no true one
+constexpr std::uint64_t max_compression_ratio = 1040;  // maximum of zlib; a larger stated size is wrong
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-// Files were first exported by version 8; version 9 has the same tables.
+// Version 8 was the first to export files; version 9 has the same tables.
 constexpr std::uint64_t oldest_exported_version = 8;
 constexpr const char* schema_of_version_8 = R"(
   CREATE TABLE scenes(
@@ -60,7 +60,7 @@ Status check_schema_of(Database& file, const char* tables) {
   return *found == *wanted ? Status{} : failure(Code::invalid, "its tables are not those of a scene");
 }
 
-/// Refuses a damaged file. Pages that are used twice, for example, would make much of a small file.
+/// Refuses a damaged file. For example, pages that are used twice could expand a small file to many rows.
 Status check_pages(Database& file) {
   Statement check = file.prepare("PRAGMA quick_check(1)");
   const Result<bool> row = check.step();

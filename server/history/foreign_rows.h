@@ -1,4 +1,4 @@
-// Reads a journal file that anybody may have written. For the confined worker: it reads SQLite's format.
+// Reads an untrusted journal file. Runs in the sandboxed worker only, because it parses SQLite's file format.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace pelage {
 
-/// The rows (plain_rows.h) of the file's bytes, as the tables of this version have them. Refused (invalid), with the
-/// reason: what is damaged or of a version that no exported file has; tables, columns, indexes, views and triggers that
-/// are not word for word those of that version; cells of another kind than their column.
+/// Returns the rows (plain_rows.h) of a file, upgraded to the tables of this version. Refuses (invalid, with the
+/// reason) a damaged file, a version that never exported files, a schema that is not word for word that of its version,
+/// and cells of another kind than their column.
 Result<std::string> foreign_rows(std::string bytes);
 
 }  // namespace pelage

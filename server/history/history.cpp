@@ -22,10 +22,10 @@ Status too_few(const char* what, std::size_t available) {
                  "at most " + std::to_string(available));
 }
 
-/// The commands of one log line, ready to be sent whole: strokes without ids and parts.
+/// Returns the commands of a log line as they can be sent again: strokes are whole, without ids and parts.
 std::vector<Command> whole_commands(const std::string& text) {
   Result<std::vector<Command>> decoded = decode_commands(text);
-  assert(decoded.ok());  // encode wrote it
+  assert(decoded.ok());  // encode() wrote the text
   if (!decoded) return {};
   for (Command& command : *decoded) {
     if (Stroke* stroke = stroke_of(command)) {
@@ -37,7 +37,7 @@ std::vector<Command> whole_commands(const std::string& text) {
   return std::move(*decoded);
 }
 
-/// Puts the samples of a stroke's later part behind those of its earlier one.
+/// Prepends the samples of a stroke's earlier part to those of its later part.
 void prepend_samples(Command& later, const Command& earlier) {
   std::vector<StrokeSample>& samples = stroke_of(later)->samples;
   const std::vector<StrokeSample>& first = stroke_of(earlier)->samples;
@@ -55,7 +55,7 @@ void put_checkpoint(std::vector<NamedRevision>& checkpoints, const Checkpoint& c
     same->revision = revision;
 }
 
-/// Carries out a setting; one that is forgotten here does not compile.
+/// Applies a setting. A setting without an operator() here does not compile.
 struct Set {
   SceneSettings& settings;
   Revision next;
@@ -122,7 +122,8 @@ std::string name_of(EntryKind kind) { return json_names::word_of(json_names::ent
 
 namespace {
 
-/// Estimates the bytes of a record, with the settings that no other record has. Curves are by far the largest of them.
+/// Estimates the bytes of a record, including settings that no other record shares (else null). Curves are by far the
+/// largest part of settings.
 std::size_t bytes_of(const LogEntry& line, const SceneSettings* settings) noexcept {
   std::size_t bytes = 160 + line.commands.capacity() + line.author.capacity();
   if (settings == nullptr) return bytes;
@@ -140,7 +141,7 @@ History::History(Revision first, SceneSettings settings, UndoMemory memory)
   records_[0].settings = std::make_shared<const SceneSettings>(std::move(settings));
 }
 
-// Also right for a step whose parts were joined after other entries: in between, the bits of those flipped twice.
+// Also correct for a step that parts joined after other entries were made and undone in between: their bits flip twice.
 Result<FieldDelta> History::change(const Step& step) const {
   if (step.bytes.empty()) return memory_.read(first_ + step.before, first_ + step.after);
   return decode_delta(std::as_bytes(std::span(step.bytes)));
@@ -171,7 +172,7 @@ void History::drop(Step& step) noexcept {
   step.bytes = {};
 }
 
-/// Evicts the changes of the oldest steps first, and those of the steps farthest to redo after all that can be undone.
+/// Evicts the changes of the oldest undo steps first, then those of the redo steps that are redone last.
 void History::keep_to_budget() noexcept {
   dropped_ = std::min(dropped_, done_.size());
   for (; held_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
@@ -193,7 +194,7 @@ bool History::accepts(const Entry& entry) const {
   return false;
 }
 
-/// Room for as many more, at least doubling: a log that grows entry by entry is copied seldom.
+/// Reserves room for `more` elements, at least doubling, so that a log that grows entry by entry is rarely copied.
 template <class T>
 static void reserve_more(std::vector<T>& list, std::size_t more) {
   if (list.capacity() - list.size() < more) list.reserve(std::max(2 * list.size(), list.size() + more));
@@ -213,14 +214,14 @@ static LogEntry line_of(const Entry& entry) {
           .author = entry.author};
 }
 
-/// The number of the step that an entry makes, or adds to, after one of number `last`. Logs from before steps had
-/// numbers have none for replayed ones.
+/// Returns the number of the step that an entry makes or joins; `last` is the number of the step before it. Old logs,
+/// from before steps had numbers, have none for replayed steps.
 static Revision step_of(const Entry& entry, Revision last) {
   if (entry.kind == EntryKind::join) return last;
   return entry.kind == EntryKind::replay && entry.argument > 0 ? entry.argument : entry.revision;
 }
 
-/// The record at `index`, after `last`.
+/// Returns the record that the entry makes at `index`, after the record `last`.
 History::Record History::next_record(const Entry& entry, std::size_t index, const Record& last) const {
   Record record;
   record.line = line_of(entry);
@@ -239,7 +240,7 @@ History::Record History::next_record(const Entry& entry, std::size_t index, cons
     case EntryKind::revert: arrive(entry.argument - first_); break;
     case EntryKind::command:
     case EntryKind::join:
-    case EntryKind::replay:  // its commands follow those that lead to the record before it
+    case EntryKind::replay:  // its commands follow those in effect before it
       record.top = index, record.step = record.line.step = step_of(entry, last.step);
       record.below = last.top;
       record.settings = entry.settings ? entry.settings : last.settings;
@@ -250,7 +251,7 @@ History::Record History::next_record(const Entry& entry, std::size_t index, cons
 History::Prepared History::prepare(std::span<const Entry> entries) const {
   assert(!entries.empty() && accepts(entries.front()));
   Prepared prepared;
-  std::optional<FieldDelta> step;  // that a part would join; none where the journal alone has it
+  std::optional<FieldDelta> step;  // the last step, which a part would join; nothing if only the journal has it
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Entry& entry = entries[i];
     const Record& last = i == 0 ? records_.back() : prepared.changes_.back().record;
@@ -273,7 +274,7 @@ History::Prepared History::prepare(std::span<const Entry> entries) const {
 std::optional<FieldDelta> History::change_in_memory(const Step& step) const {
   if (step.bytes.empty()) return std::nullopt;
   Result<FieldDelta> decoded = change(step);
-  assert(decoded.ok());  // encode_delta wrote it
+  assert(decoded.ok());  // encode_delta wrote the bytes
   return std::move(*decoded);
 }
 
@@ -309,7 +310,7 @@ void History::record_one(EntryKind kind, Record record, std::string bytes) noexc
   keep_to_budget();
 }
 
-/// Adds a step that leads from the last record to the next one; the steps that could be redone are dropped.
+/// Adds a step from the last record to the next one, and drops the steps that could be redone.
 void History::add_step(std::string bytes) noexcept {
   std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
   undone_.clear();
@@ -317,7 +318,7 @@ void History::add_step(std::string bytes) noexcept {
   done_.push_back({std::move(bytes), records_.size() - 1, records_.size()});
 }
 
-/// Extends the last step to the next record. Where the step's bytes are gone, the journal has both parts.
+/// Extends the last step to the next record. If the step's bytes were evicted, the journal has both parts.
 void History::join_step(std::string bytes) noexcept {
   Step& step = done_.back();
   step.after = records_.size();
@@ -366,7 +367,7 @@ std::vector<ListedEntry> History::listed_entries() const {
 
 std::vector<ListedStep> steps_of(const std::vector<ListedEntry>& entries) {
   std::vector<ListedStep> steps;
-  std::optional<ListedStep> later;  // parts that join the entry below
+  std::optional<ListedStep> later;  // parts that join the next entry in this loop
   for (const ListedEntry& entry : entries) {
     ListedStep step{entry.step, entry.revision, entry.revision, entry.before, whole_commands(entry.commands)};
     if (later) {

@@ -21,14 +21,15 @@ constexpr const char* writer_pragmas = R"(
   BEGIN IMMEDIATE; COMMIT;
 )";
 
-// A reader sees each commit once it is on disk, and no earlier.
+// A reader sees a commit once it is on disk, and not earlier.
 constexpr const char* reader_pragmas = "PRAGMA query_only = ON; PRAGMA busy_timeout = 5000";
 
-// Drops the pictures that no log names any more; at the start also those that were uploaded and never used.
+// Drops the pictures that no log names. It runs at start, when it also drops uploads that were never used.
 constexpr const char* drop_unused_pictures =
     "DELETE FROM pictures WHERE name NOT IN (SELECT picture FROM picture_uses)";
 
-/// Binds all that a new model changes about a scene, and its id last.
+/// Binds all columns that a new model changes, then the scene's id; runs the statement, seals the row and stores the
+/// request.
 Status run_with_model(Database& database, Statement statement, const StoredScene& scene,
                       const std::string& first_groom) {
   const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
@@ -47,7 +48,7 @@ Status run_with_model(Database& database, Statement statement, const StoredScene
   return written.ok() ? write_request(database, scene.request, scene.id, scene.first_revision) : written;
 }
 
-/// Leaves the pictures of the scene's log, except one that its settings name.
+/// Drops the references to the pictures of the scene's log, except to one that its settings name.
 Status change_pictures(Database& database, const StoredScene& scene) {
   const std::string used = scene.first_settings ? scene.first_settings->skin_texture : "";
   if (used.empty()) return leave_pictures(database, scene.id);
@@ -66,7 +67,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   if (!writer) return writer.status();
   if (Status kept = writer->execute(writer_pragmas); !kept.ok()) return kept;
   if (Status good = prepare_schema(*writer); !good.ok()) return good;
-  static_cast<void>(writer->execute(drop_unused_pictures));  // a full disk or a damaged picture stops no start
+  static_cast<void>(writer->execute(drop_unused_pictures));  // a failure must not prevent the start
   Result<Database> reader = Database::open(path);
   if (!reader) return reader.status();
   if (Status kept = reader->execute(reader_pragmas); !kept.ok()) return kept;
@@ -76,8 +77,8 @@ Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   return journal;
 }
 
-/// Reads the end of each scene's log. It stays empty for a scene whose rows cannot be read: loading the scene says
-/// more.
+/// Reads the end of each scene's log. It stays empty for a scene whose rows cannot be read; loading the scene reports
+/// the error.
 Status Journal::read_tails() {
   const Result<std::vector<std::string>> ids = scene_ids();
   if (!ids) return ids.status();
@@ -99,7 +100,7 @@ Status Journal::change(const std::string& scene, const std::function<Status(LogT
     at->second = before;
     if (made) tails_.erase(at);
   };
-  std::string told;  // before the commit, after which nothing may fail
+  std::string told;  // made before the commit, after which nothing may fail
   Status done;
   try {
     done = take([&, at = place] {
@@ -131,7 +132,7 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
   return filled.ok() ? std::move(journal) : Result<std::unique_ptr<Journal>>(filled);
 }
 
-/// Makes a transaction, but only while the journal's files are where the next start looks for them.
+/// Commits a transaction only if the journal's files are still where the next start looks for them.
 Status Journal::take(const std::function<Status()>& work) {
   Status done = writer_->transaction([&] {
     Status worked = work();
@@ -173,7 +174,7 @@ void Journal::find_lost() {
   guard_->acknowledge(JournalGuard::text_of(tails_));
 }
 
-// Does not wait for the lock: whoever holds it makes transactions, which check for themselves.
+// Does not wait for the lock: its holder is in a transaction, which checks the same.
 Status Journal::health() const {
   if (!guard_) return {};
   if (Status there = guard_->files_are_there(); !there.ok()) return there;
@@ -254,7 +255,7 @@ Status Journal::remove_scene(const std::string& id) {
   };
   LogTails left = tails_;
   left.erase(id);
-  if (guard_) guard_->acknowledge(JournalGuard::text_of(left));  // before: a kill in between is not to look like a loss
+  if (guard_) guard_->acknowledge(JournalGuard::text_of(left));  // first, so that a kill in between looks like no loss
   Status removed = remove();
   if (removed.code == Code::unavailable && guard_ && guard_->free_reserve()) removed = remove();
   if (removed.ok()) tails_ = std::move(left);
@@ -264,8 +265,8 @@ Status Journal::remove_scene(const std::string& id) {
   return removed;
 }
 
-/// Gives unused pages back to the disk. A failure is retried when the next scene is removed. Works in steps, because
-/// each step first writes what it moves to the WAL.
+/// Returns unused pages to the disk. A failure is retried when the next scene is removed. Works in steps, because each
+/// step first writes the moved pages to the WAL.
 void Journal::give_room_back() {
   const auto unused_pages = [&] {
     const Result<std::uint64_t> count = writer_->number("PRAGMA freelist_count");
@@ -279,7 +280,7 @@ void Journal::give_room_back() {
   }
 }
 
-// The branch keeps all pictures of the scene, also those that only later entries name.
+// The branch references all pictures of the scene, even those that only later entries name.
 Status Journal::branch(const std::string& scene, const std::string& branch, const std::string& name, Revision last,
                        const std::optional<KeyedRequest>& request) {
   const std::lock_guard lock(writing_);
@@ -306,7 +307,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
   });
 }
 
-/// Copies the log up to a revision, inside a change of `to`.
+/// Copies the scene, its pictures and its log up to a revision, inside a transaction of `to`.
 Status Journal::copy_into(const StoredScene& stored, const std::string& scene, Revision last, Journal& to,
                           LogTail& tail, const std::function<void()>& between) const {
   if (Status added = to.insert_scene(stored, encode_delta(stored.first_groom), tail); !added.ok()) return added;

@@ -1,4 +1,4 @@
-// The entries of scenes' logs, each chained to the one before it.
+// The journal's entries; each is chained to the one before it by a checksum.
 #include "server/history/checksum.h"
 #include "server/history/codec.h"
 #include "server/history/journal.h"
@@ -90,7 +90,7 @@ Result<std::vector<Entry>> Journal::next_entries(const std::string& scene, LogTa
     const std::uint64_t chain = row ? next_chain(tail.chain, rows.number_at(10)) : 0;
     Result<Entry> entry = !row ? row.status() : chain == rows.number_at(9) ? read_entry(rows) : damaged_entry(rows);
     if (entry && entry->revision <= tail.revision) entry = damaged_entry(rows);
-    if (!entry && !entries.empty()) break;  // those before it are whole; it comes next
+    if (!entry && !entries.empty()) break;  // return the intact ones; the next call returns this error
     if (!entry) return entry.status();
     bytes += rows.blob_at(7).size();
     tail = {entry->revision, chain};

@@ -64,7 +64,7 @@ JournalGuard::JournalGuard(std::string path, FolderLock lock)
       wal_(file_at(path_ + "-wal")),
       acknowledged_(tails_in(path_ + "-acknowledged")),
       tails_file_(open((path_ + "-acknowledged").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-  // All blocks that the text can need, so that a full disk does not cut it.
+  // Allocates all blocks that the text can need, so that a full disk does not truncate it.
   static_cast<void>(posix_fallocate(tails_file_, 0, max_text_bytes));
   take_reserve();
 }
@@ -96,15 +96,16 @@ std::uint64_t JournalGuard::room_at(const std::string& path) {
   return std::uint64_t{disk.f_bavail} * disk.f_frsize;
 }
 
-/// A line for each log, then one with a checksum of them; what an earlier, longer text left behind that is not read.
+/// Returns a line for each log, then a line with their checksum. What an earlier, longer text left behind that line is
+/// not read.
 std::string JournalGuard::text_of(const LogTails& tails) {
   std::string text;
   for (const auto& [id, tail] : tails) text += fmt::format("{} {} {:x}\n", id, tail.revision, tail.chain);
   return text + fmt::format("end {:x}\n", checksum_of(text));
 }
 
-// One write to blocks that the file has: it needs no room on the disk, and a kill leaves the old text or the new one. A
-// write that fails leaves the old text, which only says less.
+// One write to allocated blocks needs no room on the disk, and a kill leaves the old text or the new one. If the write
+// fails, the old text stays, which only acknowledges less.
 void JournalGuard::acknowledge(const std::string& text) noexcept {
   static_cast<void>(!pwrite(tails_file_, text.data(), text.size(), 0));
 }

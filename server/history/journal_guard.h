@@ -1,4 +1,5 @@
-// What stands beside the file of a server's journal, so that the server knows when the file system has failed it.
+// Guards a server's journal with files beside it, to detect that the file system failed: lost commits, replaced files,
+// a full disk.
 #pragma once
 
 #include <sys/types.h>
@@ -17,18 +18,18 @@ namespace pelage {
 /// The end of a scene's log.
 struct LogTail {
   Revision revision = 0;
-  std::uint64_t chain = 0;  // of its last entry; first_revision where there is none
+  std::uint64_t chain = 0;  // chain value of its last entry; first_revision if there is none
   bool operator==(const LogTail&) const = default;
 };
-using LogTails = std::map<std::string, LogTail>;  // by the id of the scene
+using LogTails = std::map<std::string, LogTail>;  // by id of the scene
 
-/// Bytes that the disk has to have for a server to be ready, and that the reserve holds.
+/// Bytes that must be free on the disk for a server to be ready; also the size of the reserve.
 constexpr std::uint64_t min_room = std::uint64_t{16} << 20;
 
-/// Keeps other servers off the folder of a journal for as long as it lives.
+/// Locks the folder of a journal against other servers, as long as this object lives.
 class FolderLock {
  public:
-  /// Fails (unavailable) while another server holds the folder of this path, and (internal) where there is none.
+  /// Locks the folder of a path. Fails (unavailable) while another server holds it, (internal) if it does not exist.
   static Result<FolderLock> of(const std::string& path);
   FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}
   FolderLock& operator=(FolderLock&&) = delete;
@@ -39,9 +40,9 @@ class FolderLock {
   int folder_;
 };
 
-/// Watches the journal at a path, which is open, with its WAL. Not thread-safe. It writes two files beside them:
-/// PATH-acknowledged has the ends of all logs as clients were told of them, which is never more than the journal has
-/// unless the journal has lost something, and PATH-reserve has min_room bytes to work with when the disk is full.
+/// Watches an open journal and its WAL. Not thread-safe. It writes two files beside them. PATH-acknowledged holds the
+/// ends of all logs as acknowledged to clients; the journal has at least these, unless it has lost something.
+/// PATH-reserve occupies min_room bytes, which are freed to work with when the disk is full.
 class JournalGuard {
  public:
   JournalGuard(std::string path, FolderLock lock);
@@ -49,23 +50,23 @@ class JournalGuard {
   JournalGuard(const JournalGuard&) = delete;
   JournalGuard& operator=(const JournalGuard&) = delete;
 
-  /// Fails (unavailable) once the journal or its WAL is no longer the file at its path: what is written then is lost.
+  /// Fails (unavailable) once the journal or its WAL is no longer the file at its path, because then writes are lost.
   Status files_are_there() const;
-  /// Bytes that the disk has for the journal at a path, without the reserve.
+  /// Returns the free bytes of the disk for the journal at a path, without the reserve.
   static std::uint64_t room_at(const std::string& path);
   std::uint64_t room() const { return room_at(path_); }
 
-  /// The ends of logs that clients were told of, as the last server on this folder left them; none where the file is
-  /// missing or broken.
+  /// Returns the ends of logs that were acknowledged to clients, as the last server on this folder left them; nothing
+  /// if the file is missing or damaged.
   const std::optional<LogTails>& acknowledged() const { return acknowledged_; }
-  /// Writes the text without a sync: after a power loss the file may have an older state, which only says less.
+  /// Writes the text without a sync. After a power loss the file may hold an older state, which only acknowledges less.
   void acknowledge(const std::string& text_of_tails) noexcept;
   static std::string text_of(const LogTails& tails);
 
-  /// Gives the disk the reserve of the journal at a path; false where there was none.
+  /// Deletes the reserve of the journal at a path, to free its bytes; returns false if there was none.
   static bool free_reserve(const std::string& path);
   bool free_reserve() { return free_reserve(path_); }
-  /// Takes the reserve where the disk has room for it.
+  /// Allocates the reserve if the disk has room for it.
   void take_reserve();
 
  private:

@@ -1,4 +1,4 @@
-// The pictures that logs name.
+// The journal's pictures, which logs name.
 #include "server/history/codec.h"
 #include "server/history/journal.h"
 #include "server/history/rows.h"
@@ -8,7 +8,7 @@ namespace pelage {
 
 namespace {
 
-// Uploads that no log names yet: a client that only uploads does not fill the disk.
+// Drops the oldest uploads that no log names, so that a client that only uploads does not fill the disk.
 constexpr const char* drop_oldest_unused =
     "DELETE FROM pictures WHERE rowid IN (SELECT rowid FROM pictures WHERE name NOT IN (SELECT picture FROM "
     "picture_uses)"

@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-/// All of a command that its parts must agree on, as text.
+/// Returns everything that the parts of a stroke must have in common, as text.
 std::string tool_text(Command command) {
   Stroke& stroke = *stroke_of(command);
   stroke.part = 0;
@@ -21,7 +21,7 @@ Status wrong_part(std::uint32_t expected) {
                  "the next part is " + std::to_string(expected));
 }
 
-/// Checks the samples of all parts of a stroke together: the rules for a stroke's samples hold across its parts.
+/// Checks the samples of all parts together, because limits and rising times apply across parts.
 Status check_samples(const std::vector<StrokeSample>& so_far, const std::vector<StrokeSample>& more) {
   if (so_far.size() + more.size() > limits::samples_per_stroke) {
     return failure(Code::invalid, "the parts of this stroke have too many samples", "/stroke/samples",

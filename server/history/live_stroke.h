@@ -1,4 +1,4 @@
-// Strokes that come in parts while the pointer moves, and are one undo step.
+// Strokes that arrive in parts while the pointer moves, and form one undo step.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace pelage {
 
-/// Knows the stroke that the last step belongs to. Anything else that changes the scene ends it.
+/// Tracks the stroke that the last step belongs to. Any other change of the scene ends it.
 class LiveStroke {
  public:
-  /// What a command means, given the parts of the stroke before it.
+  /// What to evaluate and log for a command, given the earlier parts of its stroke.
   struct Plan {
-    Command whole;       // what to evaluate: the stroke with all parts so far
-    Command unlogged;    // what to log: the samples since the last entry, as the next part of the step
-    bool joins = false;  // evaluate from before the last step, and join it
+    Command whole;       // to evaluate: the stroke with all parts so far
+    Command unlogged;    // to log: the samples since the last entry, as the next part of the step
+    bool joins = false;  // evaluate from the state before the last step, and join that step
   };
 
-  /// `command` is resolved; one without an id is its own plan. Refused: a part that is not the next one, or repeats
-  /// the tool with other settings (invalid); a part after the last one (conflict).
+  /// Plans a resolved command; one without a stroke id is its own plan. Refuses (invalid) a part that is out of order
+  /// or changes the tool or its settings, and (conflict) a part after the last one.
   Result<Plan> plan(const Command& command) const;
 
   /// Returns whether the command continues a stroke that has changed something.
@@ -31,7 +31,7 @@ class LiveStroke {
   void accept(const Plan& plan, const Command& command, bool changed);
   /// Ends the stroke, because something else changed the scene.
   void end();
-  /// Returns whether a part may follow.
+  /// Returns whether further parts may follow.
   bool goes_on() const { return !id_.empty() && !finished_; }
 
  private:
@@ -42,7 +42,7 @@ class LiveStroke {
   std::uint32_t logged_parts_ = 0;
   bool finished_ = false;
   Command whole_;
-  std::vector<StrokeSample> unlogged_;  // of parts that changed nothing
+  std::vector<StrokeSample> unlogged_;  // samples of parts that changed nothing
 };
 
 }  // namespace pelage

@@ -11,11 +11,11 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t cell_head = 1 + sizeof(std::uint64_t);
-constexpr std::uint64_t max_cell_bytes = 1'000'000'000;  // as SQLite has it
+constexpr std::uint64_t max_cell_bytes = 1'000'000'000;  // the limit of SQLite
 
 Status no_rows() { return failure(Code::invalid, "The rows of the file are damaged."); }
 
-/// Names come from the program's own schema, so that they need no quotes.
+/// A column of a table. Names come from the program's own schema and so need no quotes.
 struct Column {
   std::string name, type;
   bool may_be_null = false;
@@ -56,7 +56,7 @@ void put_cell(std::string& bytes, const Statement& row, int column) {
   bytes.append(reinterpret_cast<const char*>(blob.data()), blob.size());
 }
 
-/// Estimates the bytes of the database's rows; 0 where that is not known.
+/// Estimates the bytes of the database's rows; 0 if unknown.
 std::size_t bytes_of_pages(Database& database) {
   Statement size = database.prepare("SELECT page_count * page_size * 9 / 8 FROM pragma_page_count, pragma_page_size");
   const Result<bool> row = size.step();
@@ -66,11 +66,11 @@ std::size_t bytes_of_pages(Database& database) {
 struct Cell {
   CellKind kind = CellKind::null;
   std::uint64_t value = 0;  // of an integer
-  std::string_view bytes;   // of a text or blob; as much of it as is there
+  std::string_view bytes;   // of a text or blob, as far as present
   bool whole = false;
 };
 
-/// The cell at the front, which is taken off.
+/// Reads a cell and removes it from the front.
 Result<Cell> take_cell(std::string_view& bytes) {
   if (bytes.size() < cell_head) return Cell{};
   Cell cell{static_cast<CellKind>(bytes.front()), 0, {}, true};
@@ -85,7 +85,7 @@ Result<Cell> take_cell(std::string_view& bytes) {
   return cell;
 }
 
-/// The cells of a row, taken off the front; none where it is not whole yet.
+/// Reads the cells of a row and removes them from the front; none if the row is incomplete.
 Result<std::vector<Cell>> take_cells(std::string_view& bytes, std::size_t count) {
   std::vector<Cell> cells;
   while (cells.size() < count) {
@@ -177,7 +177,7 @@ Status RowLoader::take(std::string_view bytes) {
   return {};
 }
 
-/// Moves the row at the front into its table and returns its size; 0 where the row is not complete yet.
+/// Inserts the row at the front into its table and returns its size in bytes; 0 if the row is incomplete.
 Result<std::size_t> RowLoader::take_row(std::string_view bytes) {
   if (bytes.empty()) return std::size_t{0};
   const auto number = static_cast<unsigned char>(bytes.front());

@@ -1,4 +1,4 @@
-// A journal's rows as plain bytes: the form in which the confined worker hands the content of an untrusted file to the
+// A journal's rows as plain bytes: the form in which the sandboxed worker hands the content of an untrusted file to the
 // server.
 #pragma once
 
@@ -13,30 +13,30 @@ namespace pelage {
 
 class Database;
 
-/// The names of a database's tables, in the order they were made in.
+/// Returns the names of a database's tables, in order of creation.
 Result<std::vector<std::string>> tables_of(Database& database);
 
-/// Refused (invalid) unless every cell holds what its column is declared as.
+/// Refuses (invalid) a database with a cell of another kind than its column's declared type.
 Status check_kinds(Database& database);
 
-/// All rows of all tables: for each the number of its table, then its cells, each a CellKind and eight bytes that are
-/// the integer or count the bytes that follow. Native byte order.
+/// Returns all rows of all tables. A row is a byte with the number of its table, then its cells; a cell is a CellKind
+/// byte and 8 bytes that hold the integer, or count the bytes that follow. Native byte order.
 Result<std::string> rows_of(Database& database);
 
-/// Puts such rows into the tables of another database with the same tables, as their bytes come in. Holds one row.
+/// Inserts such rows into a database with the same tables, while their bytes arrive. It buffers one row.
 class RowLoader {
  public:
-  /// Fails as the database does. `to` has to live as long.
+  /// Makes a loader for `to`, which must outlive it. Fails as the database does.
   static Result<RowLoader> into(Database& to);
 
-  /// Takes the next bytes. Refused (invalid) where they are no rows, or no table takes them.
+  /// Takes the next bytes. Refuses (invalid) bytes that are not rows, and rows that no table accepts.
   Status take(std::string_view bytes);
-  /// Refused (invalid) where the last row is cut off or a cell is of another kind than its column.
+  /// Ends the input. Refuses (invalid) a truncated last row, and cells of another kind than their column.
   Status finish();
 
  private:
   struct Table {
-    std::string insert;  // with a parameter for each cell
+    std::string insert;  // SQL with a parameter for each cell
     std::size_t cells = 0;
   };
   explicit RowLoader(Database& to) : to_(&to) {}
@@ -44,7 +44,7 @@ class RowLoader {
 
   Database* to_;
   std::vector<Table> tables_;
-  std::string waiting_;  // the beginning of a row
+  std::string waiting_;  // the beginning of an incomplete row
 };
 
 }  // namespace pelage

@@ -42,13 +42,11 @@ Status write_request(Database& database, const std::optional<KeyedRequest>& requ
       .run();
 }
 
-/// The scene's log names the picture from now on.
 Status keep_picture(Database& database, const std::string& scene, const std::string& picture) {
   Statement use = database.prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
   return use.text(scene).text(picture).run();
 }
 
-/// Removes the scene's references to pictures, and the pictures that only this scene's log named.
 Status leave_pictures(Database& database, const std::string& scene) {
   constexpr const char* only_here =
       "SELECT picture FROM picture_uses GROUP BY picture HAVING min(scene) = ?1 AND max(scene) = ?1";

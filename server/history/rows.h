@@ -1,4 +1,4 @@
-// What the journal's rows hold beside numbers and texts, and what several of its files read and write alike.
+// Helpers that several files of the journal share: settings, requests and picture references in rows.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,21 @@ namespace pelage {
 
 Status damaged(const std::string& what);
 
-/// Settings as the commands that set them; NULL for none.
+/// Binds settings, stored as the JSON of the commands that set them; NULL for none.
 Statement& bind_settings(Statement& statement, const std::shared_ptr<const SceneSettings>& settings);
 Result<std::shared_ptr<const SceneSettings>> settings_at(const Statement& row, int column);
 
-/// The first column of all rows.
+/// Returns the first column of all rows.
 Result<std::vector<std::string>> texts_of(Statement& rows);
 
-/// Records what a request made of a scene; if it made several changes, the last one is its answer. Does nothing if
-/// there is no request.
+/// Stores the change that a request made; of several changes the last one counts. Does nothing without a request.
 Status write_request(Database& database, const std::optional<KeyedRequest>& request, const std::string& scene,
                      Revision revision, const FieldsHash& fields_hash = {});
 
-/// The chain value that the entry after a revision continues from.
+/// Returns the chain value at a revision, from which the next entry continues.
 Result<std::uint64_t> chain_at(Database& database, const std::string& scene, Revision revision);
 
-/// The scene's log names the picture from now on.
+/// Records that the scene's log names the picture.
 Status keep_picture(Database& database, const std::string& scene, const std::string& picture);
 /// Removes the scene's references to pictures, and the pictures that only this scene's log named.
 Status leave_pictures(Database& database, const std::string& scene);

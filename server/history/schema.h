@@ -1,4 +1,4 @@
-// The tables of a journal: their text stands here alone, for new journals and for whoever compares a file with it.
+// The SQL schema of a journal, both for new journals and for comparison with an untrusted file.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ class Database;
 constexpr std::uint64_t schema_version = 10;
 constexpr std::uint64_t oldest_upgraded_version = 5;
 
-/// The statements that make an empty journal of schema_version, as sqlite_master holds them. `checksum` covers the
-/// other columns of a scene but its number and id, `chain` those of an entry and all entries of the scene before it
-/// (server/history/checksum.h). Pictures are compressed (compress_bytes). A request is one with an Idempotency-Key that
-/// changed something.
+/// The statements that create an empty journal of schema_version, as sqlite_master stores them. `checksum` covers the
+/// other columns of a scene except its number and id; `chain` covers those of an entry and all earlier entries of the
+/// scene (server/history/checksum.h). Pictures are compressed (compress_bytes). `requests` holds the requests with an
+/// Idempotency-Key that changed something.
 constexpr const char* schema = R"(
   CREATE TABLE scenes(
     number INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, name TEXT NOT NULL,
@@ -39,8 +39,8 @@ constexpr const char* schema = R"(
   CREATE INDEX requests_by_scene ON requests(scene);
 )";
 
-/// Makes the tables of a new journal and upgrades an older one. Refuses (internal) a file that is not a journal or has
-/// another version.
+/// Creates the tables of a new journal, or upgrades an older one. Fails (internal) for a file that is not a journal or
+/// has an unsupported version.
 Status prepare_schema(Database& database);
 
 }  // namespace pelage

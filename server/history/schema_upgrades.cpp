@@ -18,7 +18,7 @@ struct Renamed {
   const char* now;
 };
 
-// Names of the contract before 1.0, as logged commands hold them.
+// JSON names before 1.0 of the contract, as found in logged commands.
 constexpr Renamed names_of_version_6[] = {{R"("op":"layer")", R"("op":"edit_layer")"},
                                           {R"("layer":)", R"("edit_layer":)"},
                                           {R"("op":"set_base_picture")", R"("op":"set_skin_texture")"},
@@ -26,7 +26,8 @@ constexpr Renamed names_of_version_6[] = {{R"("op":"layer")", R"("op":"edit_laye
                                           {R"("mode":"least")", R"("mode":"min")"},
                                           {R"("mode":"most")", R"("mode":"max")"}};
 
-/// Logged commands are compact JSON: inside a user's text a quote has a backslash before it, so that only names match.
+/// Renames a JSON key or value in logged commands. They are compact JSON, in which quotes inside a user's text are
+/// escaped, so that only names match.
 Status rename_in_commands(Database& database, const Renamed& name) {
   const std::string replaced = std::string(", '") + name.before + "', '" + name.now + "')";
   const std::string statements = "UPDATE entries SET commands = replace(commands" + replaced +
@@ -42,7 +43,7 @@ Status to_version_6(Database& database) {
   return current;
 }
 
-/// Adds authors; changes from before version 7 have none.
+/// Adds authors; changes made before version 7 have none.
 Status to_version_7(Database& database) {
   return database.execute(
       "ALTER TABLE entries ADD COLUMN author TEXT NOT NULL DEFAULT '';"
@@ -50,22 +51,22 @@ Status to_version_7(Database& database) {
       "CREATE INDEX entries_by_request ON entries(scene, request_key) WHERE request_key <> ''");
 }
 
-/// Adds creases and flipped parts; before version 8 all creases were at the default, and no part was flipped.
+/// Adds creases and flipped parts. Before version 8 all creases had the default angle, and no part was flipped.
 Status to_version_8(Database& database) {
   return database.execute("ALTER TABLE scenes ADD COLUMN creases_and_flips TEXT NOT NULL DEFAULT ''");
 }
 
-/// Before version 9 fur had no stiffness and no wind, so that nothing stored changes. New journals of that version say
-/// 8.
+/// Version 9 added stiffness and wind, which change nothing in stored rows. New journals of that version also stored 8
+/// as their version.
 Status to_version_9(Database&) { return {}; }
 
-// Before version 10 rows had no checksums, pictures were not compressed, and a request was known by its key alone. Keys
-// from before are forgotten: nobody knows what they came with. The tables are made anew, so that the text of a schema
-// is the same whichever version made the journal.
+// Version 10 added checksums of rows, compression of pictures, and fingerprints of requests. Older request keys are
+// dropped, because their requests are unknown. The tables are created anew, so that the text of a schema is the same
+// whichever version made the journal.
 constexpr const char* put_aside =
     "ALTER TABLE picture_uses RENAME TO old_picture_uses; ALTER TABLE pictures RENAME TO old_pictures;"
     "DROP INDEX entries_by_request; ALTER TABLE entries RENAME TO old_entries; ALTER TABLE scenes RENAME TO old_scenes";
-/// Calls `use` with each row of a question.
+/// Calls `use` with each row of a query.
 Status for_each_row(Database& database, const std::string& question,
                     const std::function<Status(const Statement&)>& use) {
   Statement rows = database.prepare(question.c_str());
@@ -120,7 +121,7 @@ Status to_version_10(Database& database) {
   return current;
 }
 
-// The step from each version to the next, from oldest_upgraded_version on.
+// The upgrades from each version to the next, starting at oldest_upgraded_version.
 constexpr Status (*steps[])(Database&) = {to_version_6, to_version_7, to_version_8, to_version_9, to_version_10};
 static_assert(oldest_upgraded_version + std::size(steps) == schema_version);
 

@@ -9,7 +9,7 @@ namespace pelage {
 
 class Database;
 
-/// Brings a journal's tables and rows from `version` (oldest_upgraded_version to schema_version) to schema_version,
+/// Upgrades a journal's tables and rows from `version` (oldest_upgraded_version to schema_version) to schema_version,
 /// inside the caller's transaction.
 Status upgrade(Database& database, std::uint64_t version);
 

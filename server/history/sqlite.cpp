@@ -16,7 +16,7 @@ Status status_of(sqlite3* database, int code) {
   const std::string message = std::string("the journal cannot be used: ") +
                               (database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
   if (code == SQLITE_TOOBIG) return failure(Code::too_large, message);
-  const bool full = code == SQLITE_FULL ||  // or there is no room for the memory that connections share
+  const bool full = code == SQLITE_FULL ||  // or no room for the shared memory of connections
                     (database != nullptr && sqlite3_extended_errcode(database) == SQLITE_IOERR_SHMSIZE);
   if (full || code == SQLITE_BUSY || code == SQLITE_LOCKED) return failure(Code::unavailable, message);
   return failure(Code::internal, message);
@@ -49,7 +49,7 @@ Statement& Statement::text(std::string_view value) {
 }
 
 Statement& Statement::blob(std::string_view bytes) {
-  // No copy: the bytes of a model are large, and outlive the statement.
+  // Not copied: the bytes of a model are large, and outlive the statement.
   if (statement_) keep(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_STATIC));
   return *this;
 }
@@ -109,7 +109,7 @@ bool Statement::null_at(int column) const { return kind_at(column) == CellKind::
 
 namespace {
 
-/// Keeps SQLite from running anything that is written in a file's schema, because files may come from others.
+/// Keeps SQLite from running code in a file's schema, because files may be untrusted.
 void distrust_schema(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -117,7 +117,7 @@ void distrust_schema(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
 }
 
-/// Sets limits far above what a journal's own statements take.
+/// Sets limits far above the needs of the journal's own statements.
 void limit_statements(sqlite3* database) {
   constexpr std::pair<int, int> max[] = {{SQLITE_LIMIT_SQL_LENGTH, 100'000}, {SQLITE_LIMIT_COLUMN, 64},
                                          {SQLITE_LIMIT_EXPR_DEPTH, 100},     {SQLITE_LIMIT_COMPOUND_SELECT, 10},
@@ -127,7 +127,7 @@ void limit_statements(sqlite3* database) {
   for (const auto& [limit, value] : max) sqlite3_limit(database, limit, value);
 }
 
-/// A file says that it had a WAL in the two numbers of its format; in memory there is none.
+/// Clears the WAL mode in the two format bytes of a file's header, because an in-memory database has no WAL.
 void forget_wal(std::string& bytes) {
   constexpr std::size_t write_format = 18, read_format = 19;
   constexpr char with_wal = 2, without = 1;
@@ -183,8 +183,8 @@ Status Database::execute(const char* sql) {
   return status_of(database_.get(), sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr));
 }
 
-// Takes back a commit whose sync failed: it may be complete in the WAL, where the next start would find it. The next
-// commit overwrites it, so this makes a commit that changes nothing.
+// A commit whose sync failed may be complete in the WAL, where the next start would find it. The next commit overwrites
+// it, so this makes a commit that changes nothing.
 Status Database::take_back_failed_commit() {
   if (!failed_commit_) return {};
   const Result<std::uint64_t> version = number("PRAGMA user_version");
@@ -200,13 +200,13 @@ Status Database::take_back_failed_commit() {
 Status Database::transaction(const std::function<Status()>& work) {
   if (Status clean = take_back_failed_commit(); !clean.ok()) return clean;
   Status done = try_transaction(work);
-  static_cast<void>(take_back_failed_commit());  // at once, for a kill may come; the next transaction tries again
+  static_cast<void>(take_back_failed_commit());  // at once, in case of a kill; the next transaction retries
   return done;
 }
 
 Status Database::try_transaction(const std::function<Status()>& work) {
   if (Status begun = execute("BEGIN IMMEDIATE"); !begun.ok()) return begun;
-  struct RollBack {  // also where `work` throws: an open transaction would refuse every later one
+  struct RollBack {  // also if `work` throws; a transaction left open would fail every later one
     Database* database;
     ~RollBack() {
       if (database != nullptr) sqlite3_exec(database->database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);

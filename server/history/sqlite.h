@@ -1,4 +1,4 @@
-// SQLite, as much of it as the journal needs: every call answers a Status, statements end themselves.
+// A thin wrapper of SQLite for the journal: calls return a Status, and statements finalize themselves.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct sqlite3_stmt;
 
 namespace pelage {
 
-/// What a cell of a row holds.
+/// The storage class of a cell.
 enum class CellKind : std::uint8_t { null, integer, real, text, blob };
 
-/// One prepared statement. Errors in binding are kept and come out of step.
+/// One prepared statement. Errors of binding are returned by step().
 class Statement {
  public:
   Statement(sqlite3* database, const char* sql);
@@ -29,12 +29,12 @@ class Statement {
   Statement& blob(std::string_view bytes);
   Statement& null();
 
-  /// True for a row, false at the end.
+  /// Returns true for a row, false at the end.
   Result<bool> step();
-  /// Steps a statement that gives no rows.
+  /// Runs a statement that returns no rows.
   Status run();
 
-  // Columns of the row, from 0; texts and bytes last until the next step.
+  // Columns of the current row, from 0. Texts and blobs are valid until the next step.
   int columns() const;
   CellKind kind_at(int column) const;
   std::uint64_t number_at(int column) const;
@@ -57,12 +57,12 @@ class Statement {
 
 class Database {
  public:
-  /// Opens or makes the file.
+  /// Opens or creates the file.
   static Result<Database> open(const std::string& path);
   /// Makes an empty database in memory.
   static Result<Database> in_memory();
-  /// Opens the bytes of a file that anybody may have written, in memory; changes stay there. What a statement may take
-  /// is bounded, and views, triggers and other databases are out of reach. Fails (invalid) where they are no database.
+  /// Opens the bytes of an untrusted file, in memory; changes stay there. The resources of a statement are limited, and
+  /// views, triggers and other databases are out of reach. Fails (invalid) if the bytes are no database.
   static Result<Database> of_bytes(std::string bytes);
 
   Statement prepare(const char* sql) { return {database_.get(), sql}; }
@@ -70,10 +70,10 @@ class Database {
   Result<std::uint64_t> number(const char* question);
   /// Runs several statements without parameters.
   Status execute(const char* sql);
-  /// Carries out all of `work` or nothing of it, after a restart too: where the disk fails to sync a commit, the commit
-  /// is taken back before any other one is made.
+  /// Runs `work` atomically, also with respect to a restart: if the disk fails to sync a commit, the commit is taken
+  /// back before any other one is made.
   Status transaction(const std::function<Status()>& work);
-  /// Fails while a commit could not be taken back.
+  /// Takes back a commit whose sync failed, if there is one. Fails while that is not possible.
   Status take_back_failed_commit();
 
  private:

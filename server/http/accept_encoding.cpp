@@ -9,7 +9,7 @@ std::string_view name_of(ContentCoding encoding) {
 }
 
 std::optional<ContentCoding> choose_encoding(std::string_view accepted, bool has_gzip, bool has_brotli) {
-  constexpr double barely = 1e-9;  // below every weight that can be written: three digits
+  constexpr double barely = 1e-9;  // below every weight that a header can state (three decimals)
   const AcceptList list(accepted);
   const std::optional<double> others = list.weight("*");
   std::optional<ContentCoding> best;

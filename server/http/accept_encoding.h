@@ -1,4 +1,4 @@
-// Which compressed form of a file a client wants.
+// Chooses the content coding (brotli, gzip or none) that a client prefers.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@ namespace pelage {
 
 enum class ContentCoding { identity, gzip, brotli };
 
-/// The word for Content-Encoding; "" for identity.
+/// Returns the value for Content-Encoding; "" for identity.
 std::string_view name_of(ContentCoding encoding);
 
-/// Returns the coding that the value of Accept-Encoding prefers (RFC 9110 12.5.3); among equals brotli, then gzip.
-/// identity is taken where nothing better is there, unless it is refused with q=0; then there may be none left. An
-/// absent header is "". Items that cannot be read are ignored.
+/// Returns the coding that the value of Accept-Encoding prefers (RFC 9110 12.5.3); on ties brotli, then gzip. identity
+/// is the fallback, unless the client refuses it with q=0; then the result may be none. Pass "" for an absent header.
+/// Malformed items are ignored.
 std::optional<ContentCoding> choose_encoding(std::string_view accepted, bool has_gzip, bool has_brotli);
 
 }  // namespace pelage

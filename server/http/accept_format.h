@@ -1,4 +1,4 @@
-// Which format of a picture a client wants.
+// Chooses the picture format that a client prefers.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,8 @@
 
 namespace pelage {
 
-/// The format among png, jpeg and webp that the value of Accept names and prefers: of equal preferences the first in
-/// this order, and png if it names none. Wildcards name nothing, so that a client that does not ask for a lossy format
-/// gets none.
+/// Returns the format among png, jpeg and webp that the value of Accept prefers: on ties the first in this order, and
+/// png if it names none. Wildcards are ignored, so that only a client that asks for a lossy format gets one.
 FrameFormat accepted_format(std::string_view accept);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// What stands before `end`, or all; `text` keeps what comes after.
+/// Removes the text up to `end`, or all of it, from `text` and returns it trimmed, without `end`.
 std::string_view take_until(std::string_view& text, char end) {
   const std::size_t at = std::min(text.find(end), text.size());
   const std::string_view taken = text.substr(0, at);
@@ -28,7 +28,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Of "q=0.5"; 1 where there is none.
+/// Returns the weight of parameters such as "q=0.5"; 1 without parameters, none if they are malformed.
 std::optional<double> weight_of(std::string_view parameters) {
   if (trimmed(parameters).empty()) return 1;
   const std::string text = lower(take_until(parameters, ';'));

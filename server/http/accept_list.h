@@ -1,4 +1,4 @@
-// What a header like Accept or Accept-Encoding says (RFC 9110 12.4.2 and 12.5).
+// Parses weighted lists such as Accept and Accept-Encoding (RFC 9110 12.4.2 and 12.5).
 #pragma once
 
 #include <map>
@@ -8,13 +8,14 @@
 
 namespace pelage {
 
-/// Names in small letters with their weights. Items that cannot be read, and those with parameters beside their weight,
-/// are passed over; of one that comes twice the last counts.
+/// Lower-case names with their weights. Ignores malformed items and items with parameters before the weight. If a name
+/// occurs twice, the last one counts.
 class AcceptList {
  public:
   explicit AcceptList(std::string_view header);
 
-  /// In [0, 1]; absent where the header does not name it. A wildcard is a name like others.
+  /// Returns a weight in [0, 1]; none if the header does not list the lower-case `name`. A wildcard is a name like
+  /// others.
   std::optional<double> weight(std::string_view name) const;
 
  private:

@@ -13,10 +13,11 @@ namespace pelage {
 /// Thread-safe.
 class ClientGate {
  public:
-  /// Lets in `all` requests at a time, and `each` of one client: fewer than `all`, so that nobody locks the others out.
+  /// Admits `all` requests at a time, and `each` of one client. Choose `each` < `all`, so that no client locks others
+  /// out.
   ClientGate(int all, int each) : all_(all), each_(each) {}
 
-  /// Holds a place until it is destroyed; false when there was none left.
+  /// Holds a place until it is destroyed. Converts to false if no place was left.
   class Pass {
    public:
     Pass(ClientGate* gate, std::string client) : gate_(gate), client_(std::move(client)) {}
@@ -46,7 +47,8 @@ class ClientGate {
   std::map<std::string, int> held_by_;
 };
 
-/// Returns who sends a request: its address, and its Pelage-Author where several clients share one, as behind a proxy.
+/// Returns a key for the client of a request: its address and its Pelage-Author, as clients behind a proxy share one
+/// address.
 std::string client_of(const httplib::Request& request);
 
 }  // namespace pelage

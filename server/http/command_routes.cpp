@@ -37,7 +37,7 @@ void run_commands(Service& service, Scene& scene, const Request& request, Respon
   reply_answer(response, service.scenes.execute(scene, *commands, *options));
 }
 
-/// Makes the scene's model another one out of itself: `change(how, options)`.
+/// Replaces the scene's model by a changed one, for example a subdivided one, by `change(how, options)`.
 template <class How, class Change>
 void change_model(Service& service, Scene& scene, const Request& request, Response& response, const Result<How>& how,
                   const Change& change) {
@@ -112,7 +112,8 @@ void amend(Service& service, Scene& scene, const Request& request, Response& res
   reply_answer(response, service.scenes.amend(scene, *wanted, *options));
 }
 
-/// The commands that lead to where the scene is now; for another scene's model where one is named.
+/// Returns the commands of each step that lead to the scene's present state. If the parameter "for" names another
+/// scene, they are transferred to its model.
 Result<std::vector<std::vector<Command>>> lines_of(Service& service, const Scene& scene, const Request& request) {
   if (!request.has_param("for")) return scene.effective_log();
   const auto other = service.scenes.find(request.get_param_value("for"));

@@ -1,9 +1,9 @@
-"""Makes the files of folders part of a program: an assembler file with their bytes and a C++ file with their table.
+"""Embeds the files of folders in a program: writes an assembler file with their bytes and a C++ file with their table.
 
 usage: embed.py BYTES.s TABLE.cpp FOLDER...
 
-index.html is at the address /, assets/FILE, docs/FILE and openapi.json at their own; anything else is refused. FILE.gz and FILE.br are the
-compressed forms of FILE, used where they are there.
+index.html is served at the address /; assets/FILE, docs/FILE and openapi.json are served under their own names; any other file is an
+error. FILE.gz and FILE.br are the compressed forms of FILE and are optional.
 """
 import hashlib
 import pathlib
@@ -23,13 +23,13 @@ TYPES = {
     ".hdr": "application/octet-stream",
     ".pelage": "application/octet-stream",
 }
-HASHED = re.compile(r".+-[A-Za-z0-9_-]{8,}\.\w+")  # NAME-HASH.js: other content has another name
+HASHED = re.compile(r".+-[A-Za-z0-9_-]{8,}\.\w+")  # NAME-HASH.js: the name changes with the content
 ASSET = re.compile(r"(assets|docs)/[A-Za-z0-9_.-]+|openapi\.json")
 FORMS = {"identity": "", "gzip": ".gz", "brotli": ".br"}
 
 
 def files(folder):
-    """Names of the files themselves, without their compressed forms."""
+    """Returns the names of the files, without their compressed forms."""
     names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
     plain = [name for name in names if not (name.endswith((".gz", ".br")) and name[:-3] in names)]
     for name in plain:

@@ -17,23 +17,23 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-constexpr double check_seconds = 0.25;  // how soon a stream sees that the server stops or the client left
+constexpr double check_seconds = 0.25;  // how often a stream checks for a stopping server or a lost client
 constexpr double heartbeat_seconds = 15;
-constexpr const char* retry_line = "retry: 1000\n\n";  // milliseconds until a client that was cut off is back
+constexpr const char* retry_line = "retry: 1000\n\n";  // a disconnected client comes back after this many milliseconds
 
 std::string event_text(const char* name, Revision revision, const std::string& data) {
   return fmt::format("event: {}\nid: {}\ndata: {}\n\n", name, revision, data);
 }
 
-/// The news of a scene for one client. The scene stays open meanwhile.
+/// Sends the events of a scene to one client. Keeps the scene open.
 class EventStream {
  public:
-  /// `seen` is the last revision that the client knows of.
+  /// `seen` is the last revision that the client knows; none for a new client.
   EventStream(const Service& service, std::shared_ptr<const Scene> scene, std::optional<Revision> seen, Gate::Pass pass,
               const Request& request)
       : service_(service), scene_(std::move(scene)), seen_(seen), pass_(std::move(pass)), client_(request) {}
 
-  /// Waits for news a moment and sends them; false at the end of the stream.
+  /// Waits up to check_seconds for changes and sends them. Returns false at the end of the stream.
   bool send(httplib::DataSink& sink) {
     if (seen_ && pending_.empty()) scene_->wait_newer(*seen_, check_seconds);
     if (client_.gone()) return false;
@@ -76,7 +76,7 @@ class EventStream {
   bool knows_scene_ = false, ended_ = false;
 };
 
-/// Returns the revision of Last-Event-ID; none without the header. Malformed when it is no revision.
+/// Returns the revision of Last-Event-ID; none without the header. Fails (malformed) if it is no revision.
 Result<std::optional<Revision>> last_event_of(const Request& request) {
   const std::string text = request.get_header_value("Last-Event-ID");
   if (text.empty()) return std::optional<Revision>();
@@ -96,8 +96,8 @@ void follow(Service& service, const std::shared_ptr<Scene>& scene, const Request
                                            fmt::format("{}", service.streams.all())));
   }
   response.set_header("Cache-Control", "no-store");
-  response.set_header("X-Accel-Buffering", "no");                            // nginx hands events on at once
-  if (request.method != "HEAD") response.set_header("Connection", "close");  // send() ends with false
+  response.set_header("X-Accel-Buffering", "no");                            // nginx passes events on at once
+  if (request.method != "HEAD") response.set_header("Connection", "close");  // send() returns false at the end
   const auto stream = std::make_shared<EventStream>(service, scene, *seen, std::move(pass), request);
   response.set_chunked_content_provider("text/event-stream",
                                         [stream](std::size_t, httplib::DataSink& sink) { return stream->send(sink); });

@@ -23,7 +23,8 @@ Result<ExportRequest> export_request_of(const Request& request) {
   return wanted;
 }
 
-/// Waits some seconds for the export before: its client has the file a moment before its place is free.
+/// Enters the gate, or waits up to 5 s for the previous export to leave it: a client has its whole file a moment before
+/// its place is free.
 Gate::Pass enter_soon(Gate& gate) {
   constexpr int tries = 100;
   constexpr std::chrono::milliseconds pause(50);
@@ -34,7 +35,7 @@ Gate::Pass enter_soon(Gate& gate) {
   return gate.enter();
 }
 
-/// Sends the file piece by piece, and holds the pass as long as that takes.
+/// Sends the file in chunks, and holds the pass until the last one.
 void send_file(ExportFile file, Gate::Pass pass, Response& response) {
   const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
   response.set_content_provider(

@@ -17,7 +17,7 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-/// Refusals of cpp-httplib itself, which have no body. What it did not read may follow, so the connection ends.
+/// Returns the problem for a refusal by cpp-httplib itself, which has only a status.
 Refusal own_refusal(const Request& request, int http_status) {
   const RouteInfo route = route_of(request.path);
   if (http_status == 404 && !route.methods.empty()) {
@@ -28,7 +28,7 @@ Refusal own_refusal(const Request& request, int http_status) {
   return {http_status, failure(Code::malformed, "The request is not valid HTTP.")};
 }
 
-/// Adds the name of the request to a failure of the server.
+/// Adds the id of the request to the message of an internal failure.
 Status named(Status status, const Request& request) {
   const Exchange* exchange = exchange_of(request);
   if (status.code == Code::internal && exchange)
@@ -43,7 +43,7 @@ void complete_failure(const Request& request, Response& response) {
   if (!ours) refuse(own_refusal(request, response.status), request, response);
 }
 
-/// Its request may not be read to the end.
+/// Answers an exception and ends the connection, since the request may not have been read to its end.
 void answer_thrown(const Request& request, Response& response, const Status& status) {
   if (Exchange* exchange = exchange_of(request)) exchange->problem = status.message;
   response = {};
@@ -56,7 +56,7 @@ void answer_thrown(const Request& request, Response& response, const Status& sta
 void refuse(const Refusal& refusal, const Request& request, Response& response) {
   auto& owned = const_cast<Request&>(request);
   owned.ranges.clear();
-  // No body is written for a HEAD, so that close_after would not close; it is answered as a GET.
+  // A HEAD is answered as a GET: close_after only closes after a body, and a HEAD gets none.
   if (request.method == "HEAD") owned.method = "GET";
   reply_problem(response, refusal.status, refusal.http_status);
   if (refusal.http_status == 401) response.set_header("WWW-Authenticate", "Bearer");

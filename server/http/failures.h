@@ -1,4 +1,4 @@
-// What goes wrong, as answers.
+// Answers to requests that are refused or fail.
 #pragma once
 
 #include <httplib.h>
@@ -7,11 +7,11 @@
 
 namespace pelage {
 
-/// Answers with a refusal and ends the connection, since its request may not be read to the end.
+/// Answers with a refusal and ends the connection, since the request may not have been read to its end.
 void refuse(const Refusal& refusal, const httplib::Request& request, httplib::Response& response);
 
-/// What cpp-httplib refuses by itself and what handlers throw become problem documents too: 503 where memory ran out,
-/// else 500. Each 500 names its request, as the log does.
+/// Makes problem documents of cpp-httplib's own refusals and of exceptions that handlers throw: 503 if memory ran out,
+/// else 500. Each 500 names the id of its request in the log.
 void answer_failures(httplib::Server& server);
 
 }  // namespace pelage

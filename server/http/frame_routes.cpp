@@ -19,13 +19,13 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-constexpr double slice_seconds = 0.25;              // how soon a wait sees that the server stops or the client left
-constexpr std::int64_t large_pixels = 4096 * 4096;  // beyond it frames are drawn one at a time
+constexpr double slice_seconds = 0.25;              // how often a wait checks for a stopping server or a lost client
+constexpr std::int64_t large_pixels = 4096 * 4096;  // larger frames are drawn one at a time
 
-/// `after`, `after_pass` and `wait` of the address.
+/// The query parameters `after`, `after_pass` and `wait`.
 struct News {
   std::optional<Revision> after;
-  std::optional<SeenPicture> seen;  // with after_pass
+  std::optional<SeenPicture> seen;  // the picture that the client has; only with after_pass
   double wait_seconds = 0;
 };
 
@@ -70,8 +70,9 @@ Result<News> news_of(const Request& request, const FrameRequest& wanted) {
   return news;
 }
 
-/// Ok when the scene is newer than asked for, or a better picture is there; unavailable when too many wait; not_found
-/// when the scene went away; precondition when there is nothing newer.
+/// Waits until the scene is newer than `after` or a better picture is there, and returns ok then; also without `after`.
+/// Fails: unavailable if too many requests wait; not_found if the scene is removed; precondition if nothing newer comes
+/// in time.
 Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, const FrameRequest& wanted,
                      const News& news, const ClientSocket& client) {
   if (!news.after || scene->revision() > *news.after) return {};
@@ -147,7 +148,7 @@ void reply_frame(Service& service, const std::shared_ptr<Scene>& scene, const Fr
   response.set_content(frame->bytes, frame->content_type);
 }
 
-/// Passes of the picture that the client has, as far as its request says so.
+/// Returns the number of passes of the picture that the client has, as stated by its request.
 int known_passes(const FrameRequest& wanted, const News& news) {
   if (news.seen) return news.seen->passes;
   return wanted.knobs.method == Method::strands ? wanted.knobs.trace.passes : 0;
@@ -207,7 +208,7 @@ Query frame_query_of(const Request& request) {
   return query;
 }
 
-/// The request of frame.png, which gives PNG.
+/// Decodes the query of frame.png; other formats than PNG are refused (invalid).
 Result<FrameRequest> png_request_of(const Request& request) {
   const auto wanted = decode_frame_query(frame_query_of(request));
   if (!wanted || wanted->format == FrameFormat::png || wanted->format == FrameFormat::png16) return wanted;

@@ -43,7 +43,8 @@ bool is_token_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || (c != '\0' && std::strchr("!#$%&'*+-.^_`|~", c));
 }
 
-/// cpp-httplib keeps "Content-Length " with its space as a header of its own, and reads no body for it.
+/// Finds header names with characters that HTTP forbids: cpp-httplib takes "Content-Length ", with its space, for
+/// another header, and reads no body for it.
 bool has_odd_header_name(const Request& request) {
   return std::any_of(request.headers.begin(), request.headers.end(), [](const auto& header) {
     return header.first.empty() || !std::all_of(header.first.begin(), header.first.end(), is_token_character);
@@ -89,7 +90,7 @@ std::optional<Refusal> refused_body(const Request& request) {
   const std::string type = request.get_header_value("Content-Type");
   if (length == 0) return {};
   const bool opens_file = request.method == "POST" && request.path == "/v1/open";
-  if (opens_file && !type.starts_with("application/octet-stream"))  // which pages of other sites cannot send unasked
+  if (opens_file && !type.starts_with("application/octet-stream"))  // needs a CORS preflight from other sites
     return refuse(415, Code::unsupported, "A file comes as plain bytes.", "Content-Type: application/octet-stream");
   if (request.method == "PUT" || opens_file) {
     if (length > limits::model_bytes) {
@@ -109,15 +110,15 @@ std::optional<Refusal> refused_body(const Request& request) {
     return refuse(413, Code::too_large, fmt::format("The body has {} bytes.", length),
                   fmt::format("at most {} bytes", limit));
   }
-  // Only JSON: pages of other sites can send forms and plain text without asking first.
+  // Only JSON: pages of other sites can send forms and plain text without a CORS preflight.
   if (!type.empty() && !type.starts_with("application/json")) {
     return refuse(415, Code::unsupported, "The body has to be JSON.", "Content-Type: application/json");
   }
   return {};
 }
 
-/// A browser cannot send a token for a page and its files. They are the same on every server and hold no secrets; the
-/// studio asks for the token and sends it with each of its calls. The reference says what everybody can read elsewhere.
+/// Pages and their files need no token, since a browser cannot send one for them. They are the same on every server and
+/// hold no secrets. The studio asks for the token and sends it with each of its calls.
 bool is_a_page(const std::string& path) {
   return path == "/" || path.starts_with("/assets/") || path == "/docs" || path.starts_with("/docs/");
 }
@@ -142,7 +143,7 @@ bool Guard::is_our_name(const std::string& host) const {
 bool Guard::has_token(const Request& request) const {
   const std::string given = request.get_header_value("Authorization");
   const std::string wanted = "Bearer " + token_;
-  // Every byte is looked at, so that the time does not tell how many were right.
+  // Compares every byte, so that the time taken does not reveal how many match.
   unsigned difference = given.size() == wanted.size() ? 0 : 1;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     difference |= static_cast<unsigned char>(wanted[i] ^ (i < given.size() ? given[i] : '\0'));

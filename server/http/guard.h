@@ -19,20 +19,20 @@ class ClientSocket {
  public:
   explicit ClientSocket(const httplib::Request& request);
 
-  /// True once the client has closed the connection; false when that cannot be told.
+  /// Returns true once the client has closed the connection; false if that is unknown.
   bool gone() const;
 
  private:
   int descriptor_ = -1;
 };
 
-// A bound on how many requests do one costly thing at a time.
+// A limit on how many requests run one costly operation at a time.
 
 class Gate {
  public:
   explicit Gate(int places) : all_(places), places_(places) {}
 
-  /// Holds a place until it is destroyed; false when there was none left.
+  /// Holds a place until it is destroyed. Converts to false if no place was left.
   class Pass {
    public:
     explicit Pass(Gate* gate) : gate_(gate) {}
@@ -53,7 +53,7 @@ class Gate {
     return Pass(nullptr);
   }
 
-  /// Places that are held, and all there are.
+  /// Number of places in use, and of all places.
   int held() const { return all_ - std::max(places_.load(), 0); }
   int all() const { return all_; }
 
@@ -69,11 +69,11 @@ struct Refusal {
   Status status;
 };
 
-/// Decides on the head of a request alone; its body is not read yet.
+/// Checks the head of a request before its body is read.
 class Guard {
  public:
-  /// `hosts`: names that a request may address beside the loopback ones. With `any_host` (the token protects then) the
-  /// name is not compared.
+  /// `hosts`: names that are accepted in the header Host besides the loopback ones. With `any_host` no name is checked;
+  /// the token protects the server then.
   Guard(std::string token, std::vector<std::string> hosts, bool any_host);
 
   std::optional<Refusal> refusal(const httplib::Request& request) const;
@@ -88,7 +88,7 @@ class Guard {
   bool any_host_;
 };
 
-/// "127.0.0.1", "[::1]", "::1" or "localhost".
+/// Returns whether the host is 127.x.x.x, "[::1]", "::1" or "localhost".
 bool is_loopback_name(const std::string& host);
 
 }  // namespace pelage

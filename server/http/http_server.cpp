@@ -30,21 +30,21 @@ constexpr std::size_t requests_per_connection = 10'000;
 ReceptionLimits reception_limits() {
   ReceptionLimits limits{.workers = worker_threads};
   rlimit files{};
-  // A half of the files that the process may open; the journal, the GL and the import worker need some too.
+  // Half of the files that the process may open; the journal, GL and the import worker need some too.
   if (getrlimit(RLIMIT_NOFILE, &files) == 0)
     limits.connections = std::min<std::size_t>(limits.connections, files.rlim_cur / 2);
   return limits;
 }
 
-/// Not SO_REUSEPORT, which cpp-httplib sets: with it two servers bind one port.
+/// Replaces SO_REUSEPORT, which cpp-httplib sets and which lets two servers bind one port.
 void set_reuseaddr(socket_t socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-/// The request belongs to the worker that handles it, but cpp-httplib hands it out as const. A single range is ignored,
-/// which HTTP allows: a range of an answer that was never asked for before means nothing here. A request without a
-/// Content-Length has no body (RFC 9112 6.3), where cpp-httplib would read until the connection ends.
+/// Ignores a range, which HTTP allows: a range of an answer that is computed anew each time means nothing. Adds
+/// "Content-Length: 0" where there is no length: such a request has no body (RFC 9112 6.3), but cpp-httplib would read
+/// until the connection ends. The const_cast is safe, since the worker that handles the request owns it.
 void settle_framing(const Request& request) {
   auto& owned = const_cast<Request&>(request);
   owned.ranges.clear();
@@ -52,8 +52,8 @@ void settle_framing(const Request& request) {
   if (takes_body && !request.has_header("Content-Length")) owned.headers.emplace("Content-Length", "0");
 }
 
-/// cpp-httplib compresses texts by brotli for those who take it, at its slowest setting: half a second for 230 kB,
-/// which gzip takes 12 ms for. The program's own files were compressed when it was built.
+/// Lets cpp-httplib compress texts by gzip only. Its brotli runs at the slowest setting: half a second for 230 kB, for
+/// which gzip takes 12 ms. Files of the studio are left alone, since they were compressed at build time.
 void settle_encoding(const Request& request) {
   if (find_studio_file(request.path)) return;
   const auto chosen = choose_encoding(joined_header(request, "Accept-Encoding"), true, false);
@@ -76,13 +76,13 @@ Status early_refusal(const ReceptionLimits& limits, int http_status) {
   return failure(Code::unavailable, "Too many requests wait.", "", fmt::format("{}", limits.waiting_requests));
 }
 
-/// Tells the client what the log calls its request, and the log why it was refused.
+/// Tells the client the id of its request in the log, and the log the reason of a refusal.
 void say_id(Exchange& exchange, Response& response) {
   response.set_header(request_id_header, exchange.id);
   if (exchange.problem.empty()) exchange.problem = response.reason;
 }
 
-/// The bytes of an answer that ends its connection, without cpp-httplib.
+/// Serializes, without cpp-httplib, an answer that ends its connection.
 std::string bytes_of(const Response& response) {
   std::string bytes =
       fmt::format("HTTP/1.1 {} \r\nConnection: close\r\nContent-Length: {}\r\n", response.status, response.body.size());
@@ -158,7 +158,7 @@ struct HttpServer::Impl {
     return good && service.draining ? Status{} : failure(Code::internal, "The listening socket failed.");
   }
 
-  /// False when the answer is made already.
+  /// Returns false if the request has been answered already.
   bool before_routing(const Request& request, Response& response) {
     if (const auto refusal = guard.refusal(request)) {
       refuse(*refusal, request, response);
@@ -199,7 +199,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::listen(const HttpOptions& option
   if (impl->port <= 0) {
     return failure(Code::invalid, fmt::format("Cannot listen on {}:{}.", options.host, options.port));
   }
-  // Allowed on a listening socket; only the backlog changes.
+  // A second listen() is allowed; it only changes the backlog.
   ::listen(impl->listening_socket, connection_backlog);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }

@@ -16,31 +16,32 @@ namespace pelage {
 
 struct HttpOptions {
   std::string host = "127.0.0.1";  // address or name to listen on
-  int port = 0;                    // 0 for a free one
-  std::string token;               // when given, every call needs it but /livez, /readyz, the studio's files and /docs
-  std::vector<std::string> hosts;  // names that a request may address beside the loopback ones, without ports
+  int port = 0;                    // 0 for any free port
+  std::string token;               // if given, every call needs it except /livez, /readyz, the studio's files and /docs
+  std::vector<std::string> hosts;  // names accepted in the header Host besides the loopback ones, without ports
 };
 
-/// What is served; all of it outlives the server.
+/// The services behind the routes; they outlive the server.
 struct ServedParts {
   SceneStore& scenes;
   FrameService& frames;
   TraceQueue& traces;
-  YieldGate& gate;  // commands go first
+  YieldGate& gate;  // gives commands priority over background work
   const ServerLog& log;
 };
 
 class HttpServer {
  public:
-  /// Binds. Refused (invalid) when the address is not a loopback one and there is no token, or cannot be bound.
+  /// Binds the address. Fails (invalid) if it is not a loopback address and there is no token, or if binding fails.
   static Result<std::unique_ptr<HttpServer>> listen(const HttpOptions& options, const ServedParts& parts);
   ~HttpServer();
 
   int port() const;
-  /// Serves on this thread until stop() is called and what runs is finished. Fails (internal) when the listening
-  /// socket gives up before that.
+  /// Serves on this thread until stop() is called and running requests have finished. Fails (internal) if the listening
+  /// socket fails before that.
   Status run();
-  /// Stops the server: it is no longer ready, ends waits and traces, and takes no new connections. Thread-safe.
+  /// Stops the server: it reports that it is not ready, ends waits and traces, and takes no new connections.
+  /// Thread-safe.
   void stop();
 
  private:

@@ -35,7 +35,7 @@ void IdempotencyCache::answer(const httplib::Request& request, httplib::Response
   Entry entry;
   entry.fingerprint = keyed->fingerprint;
   if (!begin(name, entry, response)) return;
-  // Destroyed on every way out, a thrown exception included, so that no key stays "running".
+  // Runs on every exit, a thrown exception included, so that no key stays "running".
   const std::shared_ptr<void> finisher(nullptr, [&](void*) { finish(name, response); });
   run();
 }

@@ -1,4 +1,4 @@
-// Requests that a client may send twice and that are run once.
+// Runs a request with an Idempotency-Key once, even if the client sends it again.
 #pragma once
 
 #include <httplib.h>
@@ -17,17 +17,17 @@ namespace pelage {
 
 inline constexpr const char* idempotency_header = "Idempotency-Key";
 
-/// Returns the request with its Idempotency-Key; none without one.
+/// Returns the path, key and fingerprint of a request with an Idempotency-Key; none without the header.
 std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request);
 
-/// The refusal (invalid) of a key that came with another request.
+/// Returns the refusal (invalid) of a key that came with another request before.
 Status other_request();
 
-/// Thread-safe. Keeps the answers of the newest requests that succeeded and had an Idempotency-Key.
+/// Caches the answers of the newest requests that succeeded and had an Idempotency-Key. Thread-safe.
 class IdempotencyCache {
  public:
-  /// Runs `run` and keeps its answer, or answers from memory. Without the header it just runs. Refuses: 409 while the
-  /// first request is running, 422 when the key came with another body or address.
+  /// Runs `run` and caches its answer, or repeats the cached answer. Without the header it only runs. Refuses with 409
+  /// while the first request is running, and with 422 if the key came with another body or address.
   void answer(const httplib::Request& request, httplib::Response& response, const std::function<void()>& run);
 
  private:
@@ -39,7 +39,7 @@ class IdempotencyCache {
     std::string location, etag;
   };
 
-  /// Answers from memory, or enters the request as running and returns true.
+  /// Enters a new request as running and returns true; answers or refuses a known one and returns false.
   bool begin(const std::string& key, const Entry& entry, httplib::Response& response);
   void finish(const std::string& key, const httplib::Response& response);
 

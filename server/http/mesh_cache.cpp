@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns the number of triangles, at most the model's own: more give the same mesh.
+/// Limits the number of triangles to the model's own: more give the same mesh.
 std::size_t kept_triangles(const SceneModel& model, int triangles) {
   return std::min(model.surface.mesh().triangles.size(), static_cast<std::size_t>(triangles));
 }

@@ -1,4 +1,4 @@
-// The simplified meshes that clients asked for last.
+// A cache of the simplified meshes that clients asked for most recently.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@
 
 namespace pelage {
 
-/// Thread-safe. Clients that ask for the same mesh wait for one simplification; an entry goes when its model is gone
-/// (seen at the next call) or `max_entries` others were asked for since.
+/// Thread-safe. Clients that ask for the same mesh wait for one simplification. An entry is evicted when its model is
+/// gone (checked at the next call) or `max_entries` others have been asked for since.
 class MeshCache {
  public:
   using MeshPtr = std::shared_ptr<const ProxyMesh>;
 
-  /// A strong entity tag, with its quotes: unique for the model, the triangles and the process; with fur for the
-  /// revision, too.
+  /// Returns a strong entity tag with its quotes, unique for the process, the model and the number of triangles; with
+  /// fur also for the revision.
   std::string etag_of(const SceneSnapshot& scene, const MeshRequest& wanted) const;
 
-  /// A mesh with at most so many triangles. Refused as simplify refuses; unavailable while too many other meshes are
-  /// made.
+  /// Returns a mesh with at most `triangles` triangles. Fails as simplify does, and with unavailable while too many
+  /// other meshes are being made.
   Result<MeshPtr> mesh(const std::shared_ptr<const SceneModel>& model, int triangles);
 
  private:
@@ -49,8 +49,8 @@ class MeshCache {
   const std::uint64_t process_stamp_ = new_process_stamp();
   static std::uint64_t new_process_stamp();
   std::mutex mutex_;
-  std::list<std::shared_ptr<Entry>> entries_;  // the last asked for comes first
-  Gate simplifying_{4};                        // each takes a core and up to a few hundred MB
+  std::list<std::shared_ptr<Entry>> entries_;  // most recently used first
+  Gate simplifying_{4};                        // each run takes a core and up to a few hundred MB
 };
 
 }  // namespace pelage

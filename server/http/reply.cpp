@@ -39,14 +39,14 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
 
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body) {
   response.status = 200;
-  if (body.empty()) return response.set_content(body, content_type);  // a provider of nothing never ends
+  if (body.empty()) return response.set_content(body, content_type);  // a content provider of 0 bytes would never end
   const auto whole = std::make_shared<const std::string>(std::move(body));
   response.set_content_provider(
       whole->size(), content_type,
       [whole](size_t from, size_t size, httplib::DataSink& sink) { return sink.write(whole->data() + from, size); });
 }
 
-/// What is wrong and where, in one line.
+/// Returns message, pointer and limit in one line.
 static std::string words_of(const Status& status) {
   std::string words = status.message;
   for (const std::string& more : {status.pointer, status.limit}) words += (more.empty() ? "" : " ") + more;

@@ -17,7 +17,7 @@ constexpr std::size_t version_digits = 2, trace_digits = 32, parent_digits = 16,
 bool is_hex(std::string_view text) { return text.find_first_not_of("0123456789abcdef") == text.npos; }
 bool is_zero(std::string_view text) { return text.find_first_not_of('0') == text.npos; }
 
-/// The trace id of "00-<trace id>-<parent id>-<flags>"; empty where it is none. Later versions may say more behind.
+/// Returns the trace id of "00-<trace id>-<parent id>-<flags>"; empty if malformed. Later versions may append fields.
 std::string trace_id_of(std::string_view traceparent) {
   std::string_view left = traceparent;
   std::string_view parts[4];

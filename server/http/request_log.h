@@ -1,4 +1,4 @@
-// The line that the log has for each request.
+// Makes the ids of requests, and writes a log line for each request.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace pelage {
 
 inline constexpr const char* request_id_header = "Pelage-Request";
 
-/// Returns the id of a request in its answer and in the log: 16 random hex digits. The trace id and "-" come first
-/// where the header traceparent has one (W3C Trace Context), so that the lines of a trace are found by it.
+/// Returns a new id for a request, used in its answer and in the log: 16 random hex digits. If the header traceparent
+/// (W3C Trace Context) has a trace id, that and "-" come first, so that one can search the log for a trace.
 std::string new_request_id(const std::string& traceparent);
 
-/// A failure (5xx) is an error there, a refusal (4xx) a warning.
+/// Logs a failure (5xx) as an error, a refusal (4xx) as a warning and anything else as information.
 void log_exchange(const ServerLog& log, const Exchange& exchange);
 
 }  // namespace pelage

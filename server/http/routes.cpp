@@ -64,7 +64,7 @@ Status check_query(const httplib::Request& request, const std::vector<std::strin
 Result<ExecuteOptions> change_options_of(const httplib::Request& request) {
   const auto if_match = if_match_of(request);
   if (!if_match) return if_match.status();
-  // Not get_header_value, which ends a value at a null character. cpp-httplib has decoded the %XX.
+  // get_header_value would cut the value at a null character. cpp-httplib has decoded the %XX.
   const auto [author, end] = request.headers.equal_range(author_header);
   if (author == end) return ExecuteOptions{.if_match = *if_match, .request = keyed_request_of(request)};
   if (std::distance(author, end) > 1)
@@ -79,7 +79,7 @@ bool is_file_in(std::string_view folder, std::string_view path) {
   return path.starts_with(folder) && path.size() > folder.size() && path.find('/', folder.size()) == path.npos;
 }
 
-/// What comes after the scene's id, with {field} for what stands there.
+/// Returns the part of the template after the scene's id, with {field} or {format} in the place of a name.
 std::string shape_in_scene(const std::string& rest) {
   for (const auto& [folder, shape] : {std::pair<std::string_view, const char*>{"/maps/", "/maps/{field}"},
                                       std::pair<std::string_view, const char*>{"/export/", "/export/{format}"}}) {

@@ -1,4 +1,4 @@
-// Which handler answers which address. Each group of routes has a file of its own.
+// Registers the handlers of all addresses, and holds what they share. Each group of routes has a file of its own.
 #pragma once
 
 #include <httplib.h>
@@ -24,7 +24,7 @@ namespace pelage {
 
 inline constexpr int worker_threads = 128;
 
-/// What handlers share. Everything in it is thread-safe.
+/// The state that all handlers share. Everything in it is thread-safe.
 struct Service {
   SceneStore& scenes;
   FrameService& frames;
@@ -34,16 +34,16 @@ struct Service {
   Metrics metrics;
   IdempotencyCache idempotency;
   MeshCache meshes;
-  Gate waiting{worker_threads / 4};  // each holds a thread for seconds
-  Gate streams{worker_threads / 4};  // each holds a thread for as long as its client likes
-  ClientGate uploads{4, 2};          // each holds a file in memory, and a process that reads it
+  Gate waiting{worker_threads / 4};  // each waiting request holds a thread for seconds
+  Gate streams{worker_threads / 4};  // each event stream holds a thread as long as its client stays
+  ClientGate uploads{4, 2};          // each upload holds a file in memory and a process that reads it
   Gate large_frames{1};
-  Gate exports{1};  // each holds all strands of a scene in memory
+  Gate exports{1};  // each export holds all strands of a scene in memory
   std::atomic<bool> draining{false};
 
   explicit Service(const ServedParts& parts)
       : scenes(parts.scenes), frames(parts.frames), traces(parts.traces), gate(parts.gate) {}
-  /// Why the server takes no work.
+  /// Returns ok if the server takes work, else the reason why not.
   Status readiness() const;
 };
 
@@ -60,41 +60,41 @@ void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
 void add_studio_routes(httplib::Server& server);
 
-/// Answers with a scene that was made, and where it is; or with why it was not.
+/// Answers with a new scene and its Location (201), or with the problem.
 void reply_created(httplib::Response& response, const Result<std::shared_ptr<Scene>>& scene);
 
 /// Finds the scene of the address ("/v1/scenes/{id}...") and calls `use`, or answers 404.
 void with_scene(Service& service, const httplib::Request& request, httplib::Response& response,
                 const std::function<void(const std::shared_ptr<Scene>&)>& use);
 
-/// Returns a Cancel that ends the work for a client that has hung up, or that was cut off because the server stops.
+/// Returns a Cancel that stops the work once the client has hung up, or was disconnected by a stopping server.
 /// Valid as long as `client` lives.
 Cancel cancel_of(const ClientSocket& client);
 
 /// Returns the id by which the renderer caches the scene's model.
 std::uint64_t model_id_of(const Scene& scene);
 
-/// Runs a request once: one with an Idempotency-Key that changed something, before a restart too, is answered by
-/// `again` from what it made.
+/// Runs a request once. If a request with its Idempotency-Key has made a change already, even before a restart, `again`
+/// answers from that change instead.
 void run_once(Service& service, const httplib::Request& request, httplib::Response& response,
               const std::function<void(const RequestedChange&)>& again, const std::function<void()>& run);
 
-/// A POST; bodies over the limit, that of commands unless another is given, are refused (413).
+/// Adds a POST handler; bodies of more than `max_bytes` are refused (413).
 void add_post(httplib::Server& server, const std::string& pattern, const httplib::Server::Handler& handler,
               std::size_t max_bytes = limits::command_body_bytes);
 
 Query query_of(const httplib::Request& request);
-/// The same with the field of the address ".../maps/{field}" as a parameter.
+/// Returns the query with the field of the address ".../maps/{field}" as one more parameter.
 Query map_query_of(const httplib::Request& request);
 /// Refuses (invalid) parameters of the address that are not among `known`, and repeated ones (malformed).
 Status check_query(const httplib::Request& request, const std::vector<std::string_view>& known);
 
-/// If-Match and Pelage-Author of a request that changes a scene. Refused (malformed) as if_match_of and check_author
-/// do, and where there is more than one author.
+/// Reads If-Match, Pelage-Author and Idempotency-Key of a request that changes a scene. Fails (malformed) as
+/// if_match_of and check_author do, and if there is more than one author.
 Result<ExecuteOptions> change_options_of(const httplib::Request& request);
 
-/// The template of a path, such as "/v1/scenes/{id}/undo", and the methods that it takes; "other" and none for a path
-/// that nothing answers.
+/// The template of a path, such as "/v1/scenes/{id}/undo", and the methods that it takes; "other" and no methods for a
+/// path without a handler.
 struct RouteInfo {
   std::string path;
   std::string methods;

@@ -42,7 +42,7 @@ void Metrics::count_frame(double seconds) {
   frame_seconds_ += seconds;
 }
 
-/// Escaped as the text format wants it.
+/// Escapes a label value for the text format.
 static std::string label_value(const std::string& text) {
   std::string value;
   for (const char c : text) {

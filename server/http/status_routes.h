@@ -13,19 +13,19 @@
 
 namespace pelage {
 
-/// What the service knows at the moment of asking.
+/// Values that are read when a client asks for the metrics.
 struct Gauges {
   std::size_t scenes = 0;
   MemoryUse memory;
   bool ready = false;
-  int streams = 0;  // of events
+  int streams = 0;  // open event streams
   std::size_t frames_drawn = 0, lost_contexts = 0;
   double seconds_drawing = 0;
   std::size_t coat_bytes = 0;
   std::uint64_t coats_baked = 0;
   std::size_t gl_bytes = 0;
   TraceCounts traces;
-  std::string renderer;  // what the GL calls itself
+  std::string renderer;  // names of the GL vendor, device and version
 };
 
 /// Thread-safe.
@@ -33,7 +33,7 @@ class Metrics {
  public:
   /// `route` is a template such as "/v1/scenes/{id}", never a path with an id.
   void count_request(const std::string& route, int http_status);
-  /// Counts a frame; the seconds run from the start of the call to the encoded picture.
+  /// Counts a frame; `seconds` is the time from the start of drawing to the encoded picture, with its time in queues.
   void count_frame(double seconds);
   std::string text(const Gauges& gauges) const;
 

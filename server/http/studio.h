@@ -7,19 +7,19 @@
 
 namespace pelage {
 
-/// All views are of the program's own constants.
+/// A file built into the program; the views refer to constants.
 struct StudioFile {
-  std::string_view path;  // of its address: "/" for the page, "/assets/..." for its files, "/docs/...", "/openapi.json"
+  std::string_view path;  // its address: "/" for the page, "/assets/..." for its files, "/docs/..." or "/openapi.json"
   std::string_view type;  // for Content-Type
-  std::string_view identity, gzip, brotli;  // its bytes; the compressed forms are empty where they would not be shorter
-  std::string_view etag;                    // of what it holds, without quotes
-  bool hashed;                              // the name has a hash of the content: what is at this address never changes
+  std::string_view identity, gzip, brotli;  // the content; a compressed form is empty if it would not be shorter
+  std::string_view etag;                    // hash of the content, without quotes
+  bool hashed;                              // the name has a hash of the content, which therefore never changes
 };
 
-/// All of them; one is the studio's page.
+/// Returns all files; one is the studio's page.
 std::span<const StudioFile> studio_files();
 
-/// Null where there is none.
+/// Returns the file at an address; null if there is none.
 const StudioFile* find_studio_file(std::string_view path);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ std::string_view bytes_of(const StudioFile& file, ContentCoding encoding) {
   return encoding == ContentCoding::brotli ? file.brotli : encoding == ContentCoding::gzip ? file.gzip : file.identity;
 }
 
-/// A page that only does what its own files say: no other site can frame it, follow it or put a script into it.
+/// Restricts a page to its own files: no other site can frame it, see where its users come from or inject a script.
 void set_security_headers(Response& response) {
   response.set_header(
       "Content-Security-Policy",
@@ -26,7 +26,7 @@ void set_security_headers(Response& response) {
   response.set_header("Permissions-Policy", "camera=(), geolocation=(), microphone=(), payment=(), usb=()");
 }
 
-/// Not set_content, whose bytes cpp-httplib would compress once more.
+/// Sends bytes that are compressed already; cpp-httplib would compress them again if they were given to set_content.
 void send(std::string_view bytes, std::string_view type, Response& response) {
   response.set_content_provider(bytes.size(), std::string(type),
                                 [bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
@@ -55,11 +55,12 @@ void answer_file(const StudioFile& file, const Request& request, Response& respo
 
 void answer_address(const Request& request, Response& response) {
   if (const StudioFile* file = find_studio_file(request.path)) return answer_file(*file, request, response);
-  response.set_header("Cache-Control", "no-store");  // the next version may have it
+  response.set_header("Cache-Control", "no-store");  // a later version of the server may have it
   reply_problem(response, failure(Code::not_found, "The server has no such file."));
 }
 
-/// The pages link to each other by relative addresses, so that a proxy may put them under another path.
+/// Redirects /docs and /docs/ to the first page. All links between the pages are relative, as this one is, so that a
+/// proxy may put them under another path.
 void answer_first_page(const Request& request, Response& response) {
   response.set_header("Location", request.path.ends_with('/') ? "index.html" : "docs/index.html");
   response.status = 308;

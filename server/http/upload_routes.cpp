@@ -23,10 +23,11 @@ struct Upload {
   Cancel cancel;
 };
 
-/// Subdivisions and turns, and versions of a model, begin a log of their own with the groom that was there.
+/// Returns whether the scene has a groom. Subdivisions, turns and new versions of a model start an empty log, and leave
+/// an entry in `subdivisions` that stands for the groom before it.
 bool is_groomed(const Scene& scene) { return !scene.effective_log().empty() || !scene.model()->subdivisions.empty(); }
 
-/// Loads the model so that no groom is lost, not even one of commands that come while its bytes are read.
+/// Loads the model without losing a groom, not even one made by commands that arrive while its bytes are read.
 Result<SceneSummary> load_and_keep(Service& service, Scene& scene, const ImportOptions& options,
                                    std::span<const std::byte> bytes, const ExecuteOptions& execute) {
   ExecuteOptions as_now = execute;
@@ -111,7 +112,7 @@ struct Kind {
   void (*use)(Service& service, Scene& scene, const Request& request, Response& response, const Upload& file);
 };
 
-/// The whole body; a refusal leaves bytes unread, so the connection has to end.
+/// Reads the whole body. A failure leaves bytes unread, so the caller has to end the connection.
 Result<std::string> read_body(const Request& request, const httplib::ContentReader& read, std::size_t max_bytes) {
   const auto length = request.get_header_value<std::uint64_t>("Content-Length");
   if (length > max_bytes) {
@@ -127,7 +128,7 @@ Result<std::string> read_body(const Request& request, const httplib::ContentRead
   return bytes;
 }
 
-/// Hands the body to `use`; it is read only once there is room for it.
+/// Reads the body and passes it to `use`; refuses (unavailable) while too many other uploads are being read.
 void with_body(Service& service, std::size_t max_bytes, const Request& request, Response& response,
                const httplib::ContentReader& read, const std::function<void(const std::string& bytes)>& use) {
   const auto pass = service.uploads.enter(client_of(request));
@@ -156,7 +157,7 @@ void upload(Service& service, const Kind& kind, const Request& request, Response
   });
 }
 
-/// The name that a scene is to have, checked as that of a branch.
+/// Returns the name for a new scene, checked like that of a branch; empty without the parameter.
 Result<std::string> name_of(const Request& request) {
   if (Status status = check_query(request, {"name"}); !status.ok()) return status;
   if (!request.has_param("name")) return std::string();

@@ -47,7 +47,7 @@ struct Channel {
   Descriptor ours, theirs;
 };
 
-/// Sockets and not pipes, because a write to a socket whose other end is gone need not raise SIGPIPE.
+/// Opens sockets, not pipes, because a write to a socket whose other end is closed need not raise SIGPIPE.
 bool open_channel(Channel& channel) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return false;
@@ -92,14 +92,14 @@ class SpawnActions {
   posix_spawnattr_t attributes_;
 };
 
-constexpr long long max_wait = 250;  // milliseconds until somebody is asked whether the child is still wanted
+constexpr long long max_wait = 250;  // milliseconds between calls of limits.cancelled
 
 int milliseconds_until(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<long long>(left, 0, max_wait));
 }
 
-/// One conversation with a running child, over its stream (in and out) and its standard error.
+/// The exchange of data with a running child, over its stream (in and out) and its standard error.
 class Conversation {
  public:
   Conversation(Descriptor stream, Descriptor error, std::span<const std::byte> input, const ChildLimits& limits,
@@ -113,7 +113,7 @@ class Conversation {
         deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                      std::chrono::duration<double>(std::clamp(limits.seconds, 0.0, 1e6)))) {}
 
-  /// Until the child has closed both ends, or broke a limit.
+  /// Exchanges data until the child has closed both streams, or breaks a limit.
   void hold(ChildResult& result) {
     while (stream_.is_open() || error_.is_open()) {
       std::array<pollfd, 2> waits = {pollfd{stream_.get(), POLLIN, 0}, pollfd{error_.get(), POLLIN, 0}};
@@ -148,14 +148,14 @@ class Conversation {
     if (!input_.empty()) {
       const ssize_t sent = send(stream_.get(), input_.data(), input_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (sent > 0) input_ = input_.subspan(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno != EAGAIN && errno != EINTR) input_ = {};  // it does not listen; its answer says why
+      if (sent < 0 && errno != EAGAIN && errno != EINTR) input_ = {};  // the child does not read; its answer says why
     }
     if (!input_.empty()) return;
     all_sent_ = true;
     shutdown(stream_.get(), SHUT_WR);
   }
 
-  /// What is there, until the next call. Closes at the end.
+  /// Returns the bytes that are available, valid until the next call. Closes `from` at its end.
   std::string_view receive(Descriptor& from) {
     const ssize_t count = recv(from.get(), buffer_.data(), buffer_.size(), MSG_DONTWAIT);
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) return {};
@@ -168,13 +168,13 @@ class Conversation {
   const TakeAnswer& take_;
   const std::function<bool()>& cancelled_;
   std::array<char, 65536> buffer_;
-  std::size_t answer_bytes_;  // that may still come
+  std::size_t answer_bytes_;  // that the child may still send
   Clock::time_point deadline_;
   bool all_sent_ = false;
 };
 
-/// Ends the child if it still runs, and takes its exit status. A child that has closed its streams is on its way out
-/// and keeps its own status.
+/// Kills the child if it is still running, and reads its exit status. A child that has closed its streams is exiting
+/// already and keeps its own status.
 void reap(pid_t child, ChildResult& result) {
   kill(child, SIGKILL);
   int status = 0;

@@ -1,4 +1,4 @@
-// Another program, fed and listened to until a deadline.
+// Runs another program with an input and reads its output, until a deadline.
 #pragma once
 
 #include <functional>
@@ -12,26 +12,26 @@
 namespace pelage {
 
 struct ChildLimits {
-  double seconds;                        // of wall time, then it is killed
-  std::size_t answer_bytes;              // on its standard output, then it is killed
-  std::function<bool()> cancelled = {};  // asked four times a second; then it is killed
+  double seconds;                        // wall time, after which the child is killed
+  std::size_t answer_bytes;              // maximum on its standard output; above it the child is killed
+  std::function<bool()> cancelled = {};  // called four times a second; the child is killed if it returns true
 };
 
-/// How a child ended and what it said.
+/// The end of a child, and its error output.
 struct ChildResult {
   std::string complaint;   // the first 4 KiB of its standard error
   bool timed_out = false;  // killed at the deadline
   bool too_long = false;   // killed because its answer grew over the limit
-  bool cancelled = false;  // killed because nobody waited for it
-  int exit_code = -1;      // -1 when a signal ended it
-  int signal = 0;          // 0 when it exited
+  bool cancelled = false;  // killed because limits.cancelled returned true
+  int exit_code = -1;      // -1 if a signal ended it
+  int signal = 0;          // 0 if it exited
 };
 
-/// Takes the next bytes of a child's standard output; false ends it.
+/// Takes the next bytes of a child's standard output. Returns false to end the child.
 using TakeAnswer = std::function<bool(std::string_view)>;
 
-/// Runs arguments[0] with nothing of this process but the three standard streams: no other descriptor, an empty
-/// environment, default signals. Refused (internal) when it cannot be started.
+/// Runs arguments[0] with three standard streams and nothing else of this process: no other descriptor, an empty
+/// environment, default signals. Fails: internal if it cannot be started, unavailable if there are no sockets for it.
 Result<ChildResult> run_child(const std::vector<std::string>& arguments, std::span<const std::byte> input,
                               const ChildLimits& limits, const TakeAnswer& take);
 

@@ -13,12 +13,12 @@ namespace pelage {
 
 namespace {
 
-/// A refusal of what was uploaded: "model", "environment" or "picture".
+/// Returns the refusal of an upload; `subject` is "model", "environment", "picture" or "file".
 Status refusal(const std::string& subject, const std::string& reason) {
   return failure(Code::invalid, "The " + subject + " cannot be read: " + reason);
 }
 
-/// The last line that the worker wrote; libraries may have written others before it.
+/// Returns the last line that the worker wrote; libraries may have written others before it.
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.substr(text.rfind('\n') + 1);
@@ -36,7 +36,7 @@ std::string seconds_text(double seconds) {
   return text.str();
 }
 
-/// Why there is no answer; ok when there is one.
+/// Returns ok if there is an answer, else the reason why not.
 Status outcome(const std::string& subject, const ChildResult& result, const ImportLimits& limits) {
   if (result.cancelled) return failure(Code::unavailable, "Nobody waits for the " + subject + " any more.");
   if (result.timed_out) return refusal(subject, "it takes longer than " + seconds_text(limits.seconds) + " s.");
@@ -54,7 +54,7 @@ Status outcome(const std::string& subject, const ChildResult& result, const Impo
                                      last_line(result.complaint));
 }
 
-/// Hands the worker's answer over as it comes.
+/// Runs the worker, and passes its answer to `take` as it arrives.
 Status run_worker(const std::string& worker, const std::string& job, const std::string& subject,
                   std::span<const std::byte> bytes, const ImportLimits& limits, const TakeAnswer& take,
                   const std::string& pose = {}) {

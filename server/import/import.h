@@ -1,7 +1,7 @@
-// What the server and pelage-import agree on: `pelage-import JOB SECONDS BYTES [POSE]`, bytes in. The job is a model's
-// format, alone or with "-shape" for a model without its pictures (encode_raw_model out), "environment"
-// (encode_harmonics out), "picture" (encode_raw_image out), "map" (encode_map_picture out), a format of guide
-// curves (encode_guides out) or "saved" (the rows of an exported scene out, server/history/plain_rows.h).
+// The contract between the server and pelage-import: `pelage-import JOB SECONDS BYTES [POSE]`, with the file on
+// standard input. The job is a model's format, alone or with "-shape" for a model without its pictures (output:
+// encode_raw_model), "environment" (encode_harmonics), "picture" (encode_raw_image), "map" (encode_map_picture), a
+// format of guide curves (encode_guides) or "saved" (the rows of an exported scene, server/history/plain_rows.h).
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace pelage {
 
-/// By ModelFormat.
+/// Indexed by ModelFormat.
 inline constexpr std::array<const char*, 8> worker_format_names = {"obj",  "ply", "stl", "off",
                                                                    "gltf", "glb", "3ds", "zip"};
 
-/// By GuideFormat.
+/// Indexed by GuideFormat.
 inline constexpr std::array<const char*, 3> worker_guide_names = {"guides-usda", "guides-hair", "guides-json"};
 
 inline constexpr const char* worker_shape = "-shape";
@@ -32,7 +32,7 @@ inline constexpr const char* worker_picture = "picture";
 inline constexpr const char* worker_map = "map";
 inline constexpr const char* worker_saved = "saved";
 
-/// How the worker ends. The reason for bad_input is the last line on its standard error.
+/// The exit codes of the worker. The reason for bad_input is the last line on its standard error.
 namespace worker_exit {
 inline constexpr int done = 0;
 inline constexpr int usage = 2;
@@ -44,31 +44,29 @@ inline constexpr int out_of_memory = 33;
 // Reading uploaded models and pictures through the confined worker pelage-import.
 
 struct ImportLimits {
-  double seconds = 60;                              // of wall time and of CPU
+  double seconds = 60;                              // limit of wall time and of CPU time
   std::size_t memory_bytes = std::size_t{6} << 30;  // address space of the worker
-  std::size_t answer_bytes = std::size_t{2} << 30;  // what the worker may send back
-  std::function<bool()> cancelled = {};             // ends the worker (unavailable); asked four times a second
+  std::size_t answer_bytes = std::size_t{2} << 30;  // limit of the worker's answer
+  std::function<bool()> cancelled = {};             // true ends the worker (unavailable); called four times a second
 };
 
-/// The folder that holds this program, where its workers lie too.
+/// Returns the folder of this program, which also has its workers.
 std::string program_folder();
 
-/// Runs `worker` (path of pelage-import), sends it `bytes`, reads and validates its answer. A worker that crashes,
-/// runs over a limit or answers nonsense gives a Status (invalid) that says so; the caller lives on. `pose` as in
-/// ImportOptions.
+/// Runs `worker` (path of pelage-import), sends it `bytes`, reads and validates its answer. Fails (invalid), with the
+/// reason, if the worker crashes, exceeds a limit or sends a malformed answer. `pose` is that of ImportOptions.
 Result<RawModel> import_model(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const std::string& pose = {}, const ImportLimits& limits = {});
 
-/// The same without pictures, which are much of the time: for a model that is known and stands elsewhere.
+/// The same without pictures, which take much of the time: for other poses of a known model.
 Result<RawModel> import_shape(const std::string& worker, ModelFormat format, std::span<const std::byte> bytes,
                               const std::string& pose = {});
 
-/// The same for a picture of all directions (EXR or HDR; renderer/light/environment.h): the light that it stands
-/// for.
+/// The same for an environment (EXR or HDR of all directions; renderer/light/environment.h). Returns its light.
 Result<SphericalHarmonics> import_environment(const std::string& worker, std::span<const std::byte> bytes,
                                               const ImportLimits& limits = {});
 
-/// The same for a picture that is laid on a model (PNG or JPEG).
+/// The same for a skin texture or a backplate (PNG or JPEG).
 Result<RawImage> import_picture(const std::string& worker, std::span<const std::byte> bytes,
                                 const ImportLimits& limits = {});
 
@@ -76,17 +74,17 @@ Result<RawImage> import_picture(const std::string& worker, std::span<const std::
 Result<GuideFile> import_guides(const std::string& worker, GuideFormat format, std::span<const std::byte> bytes,
                                 const ImportLimits& limits = {});
 
-/// The same for an exported scene (.pelage): its rows as they come. Also ends where `take` refuses them, as that does.
+/// The same for an exported scene (.pelage): passes its rows to `take` as they arrive. Also fails as `take` does.
 using TakeRows = std::function<Status(std::string_view bytes)>;
 Status import_saved(const std::string& worker, std::span<const std::byte> bytes, const TakeRows& take,
                     ImportLimits limits = {});
 
-/// The worker's wire format, also what the journal stores. decode checks every count and index. Native byte order.
+/// The worker's wire format, which the journal also stores. decode checks every count and index. Native byte order.
 std::string encode_raw_model(const RawModel& model);
 Result<RawModel> decode_raw_model(std::span<const std::byte> bytes);
 
-/// The worker's other answers; decoding refuses (invalid) numbers beyond limits::harmonic, sizes beyond
-/// limits::picture_pixels, curves of one point or with numbers that are not finite, and bytes that do not fit them.
+/// The worker's other answers. Decoding refuses (invalid) numbers beyond limits::harmonic, sides beyond
+/// limits::picture_pixels, curves of one point or with numbers that are not finite, and a wrong number of bytes.
 std::string encode_harmonics(const SphericalHarmonics& harmonics);
 Result<SphericalHarmonics> decode_harmonics(std::span<const std::byte> bytes);
 std::string encode_guides(const GuideFile& file);

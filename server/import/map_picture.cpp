@@ -1,4 +1,4 @@
-// A header and then the samples in the depth of the file. Native byte order.
+// The encoding of map pictures: a header, then the samples in the bit depth of the file. Native byte order.
 #include "server/import/map_picture.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr std::uint64_t map_signature =
-    0x31'50'41'4d'4c'45'50ULL;  // "PELMAP1"; no picture of raw_model.h begins with it
+    0x31'50'41'4d'4c'45'50ULL;  // "PELMAP1"; no bytes of encode_raw_image begin with it
 
 struct Header {
   std::uint64_t mark = map_signature;

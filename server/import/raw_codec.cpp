@@ -1,4 +1,5 @@
-// encode_raw_model and decode_raw_model: a header of counts, then the arrays one after the other.
+// The encodings of models, guide curves, environments and pictures. A model has a signature, then its arrays one after
+// the other, each after its count.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,12 +13,11 @@ namespace pelage {
 
 namespace {
 
-// "PELRAW3"; journals from before materials had names have "PELRAW2", and those from before notes were kept "PELRAW1",
-// which are the same but for that.
+// "PELRAW3". Older journals have "PELRAW2", the same without names of materials, and "PELRAW1", also without notes.
 constexpr std::uint64_t raw_signature = 0x33'57'41'52'4c'45'50ULL, without_names = 0x32'57'41'52'4c'45'50ULL,
                         without_notes = 0x31'57'41'52'4c'45'50ULL;
 
-/// A material but for its name.
+/// A material without its name.
 struct StoredMaterial {
   glm::vec3 base_colour{1};
   std::int32_t image = -1;
@@ -45,7 +45,8 @@ class Writer {
   std::string bytes_;
 };
 
-/// After the first value that is not there, everything reads as zero or empty and ok() is false.
+/// Reads values as Writer writes them. After the first missing value, everything reads as zero or empty and ok() is
+/// false.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -97,7 +98,7 @@ std::vector<std::string> read_texts(Reader& in) {
   return texts;
 }
 
-/// What files say beside their polygons.
+/// Writes the axes, the pose, the animations and the losses.
 void write_notes(Writer& out, const RawModel& model) {
   const auto axis = [&](const std::optional<Axis>& value) {
     out.value(static_cast<std::int8_t>(value ? static_cast<int>(*value) : -1));
@@ -137,7 +138,7 @@ void read_notes(Reader& in, RawModel& model) {
   }
 }
 
-/// What a journal's model holds beside what all hold.
+/// The parts that only newer encodings of models have.
 struct Beside {
   bool notes = true, names = true;
 };
@@ -250,8 +251,8 @@ Result<RawModel> decode_raw_model(std::span<const std::byte> bytes) {
   return model;
 }
 
-// Guide curves: up and unit (-1 and 0 where the file does not say), how many were left out, their number, then of each
-// the number of its points and these. Native byte order.
+// Guide curves: up axis and unit (-1 and 0 if the file gives none), number of curves left out, number of curves, then
+// for each curve its number of points and the points. Native byte order.
 
 std::string encode_guides(const GuideFile& file) {
   Writer out;
@@ -281,7 +282,8 @@ Result<GuideFile> decode_guides(std::span<const std::byte> bytes) {
   return in.at_end() ? Result<GuideFile>(std::move(file)) : misfit;
 }
 
-// The worker's answers for pictures: nine vectors of doubles, or width, height and bytes. Native byte order.
+// The worker's answers for pictures: nine vectors of doubles for an environment, or width, height and RGBA bytes.
+// Native byte order.
 
 namespace {
 

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// The keys before and after a time, and the share of the time between them that has passed.
+/// The indices of the keys before and after a time, and the share of the time between them that has passed, [0, 1].
 struct Between {
   unsigned first = 0, second = 0;
   double share = 0;

@@ -10,12 +10,12 @@
 
 namespace pelage {
 
-/// Names of a scene's animations; "1", "2", ... of those without one.
+/// Returns the names of a scene's animations; those without one are called by their number, from "1".
 std::vector<std::string> animation_names(const aiScene& scene);
 
-/// Moves nodes and weights of morph targets to where the animation has them: `pose` is NAME@SECONDS, NAME one of
-/// animation_names; before its first and after its last key it holds still, without @SECONDS it begins. Keys are
-/// interpolated linearly, turns by slerp. Refused (invalid) for another name, with those that there are, and for
+/// Sets nodes and weights of morph targets to a pose of an animation. `pose` is NAME@SECONDS, where NAME is one of
+/// animation_names; @SECONDS defaults to 0. Before its first and after its last key the animation holds still. Keys are
+/// interpolated linearly, rotations by slerp. Refused (invalid) for an unknown name, listing the known ones, and for
 /// seconds that are no number of 0 or more.
 Status apply_pose(aiScene& scene, const std::string& pose);
 

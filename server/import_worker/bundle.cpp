@@ -33,14 +33,14 @@ std::string last_name(std::string_view path) { return std::string(path.substr(pa
 
 std::optional<ModelFormat> format_of(std::string_view path) {
   const std::string name = lower(last_name(path));
-  if (name.starts_with(".")) return {};  // what a Mac leaves beside files
+  if (name.starts_with(".")) return {};  // metadata that macOS stores beside files
   const std::string ending = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
   for (const auto& known : json_names::model_formats)
     if (known.text == ending && known.value != ModelFormat::zip) return known.value;
   return {};
 }
 
-/// With slashes, without "." and "..".
+/// Returns the path with slashes, without "." and "..".
 std::string normal(std::string path) {
   std::replace(path.begin(), path.end(), '\\', '/');
   return std::filesystem::path(path).lexically_normal().generic_string();

@@ -35,7 +35,7 @@ class BytesStream : public Assimp::IOStream {
   std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
   aiReturn Seek(std::size_t offset, aiOrigin origin) override {
     const std::size_t base = origin == aiOrigin_SET ? 0 : (origin == aiOrigin_CUR ? place_ : bytes_.size());
-    const std::size_t wanted = base + offset;  // wraps for a negative offset, and comes out right
+    const std::size_t wanted = base + offset;  // a negative offset wraps around to the right sum
     if (wanted > bytes_.size()) return aiReturn_FAILURE;
     place_ = wanted;
     return aiReturn_SUCCESS;
@@ -76,13 +76,13 @@ bool limit_resources(double seconds, std::size_t memory_bytes) {
 
 using Filter = std::unique_ptr<void, void (*)(scmp_filter_ctx)>;
 
-/// A call is allowed when its arguments meet all of the conditions.
+/// Allows a system call if its arguments meet all of the conditions.
 bool allow(const Filter& filter, int call, const std::vector<scmp_arg_cmp>& conditions = {}) {
   return seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, call, static_cast<unsigned>(conditions.size()),
                                 conditions.data()) == 0;
 }
 
-/// Memory, but none that can be executed: the third argument of both calls holds the protection.
+/// Allows mapping memory that is not executable: the third argument of both calls holds the protection.
 bool allow_memory(const Filter& filter) {
   const scmp_arg_cmp not_executable{2, SCMP_CMP_MASKED_EQ, PROT_EXEC, 0};
   return allow(filter, SCMP_SYS(mmap), {not_executable}) && allow(filter, SCMP_SYS(mprotect), {not_executable});
@@ -95,7 +95,7 @@ bool allow_streams(const Filter& filter) {
          allow(filter, SCMP_SYS(write), {on(STDERR_FILENO)});
 }
 
-/// The sanitizers find out whether memory can be read by writing it to a pipe.
+/// Allows the sanitizers to check whether memory is readable, which they do by writing it to a pipe.
 bool allow_checks_of_sanitizers(const Filter& filter) {
   return !is_sanitized || (allow(filter, SCMP_SYS(pipe)) && allow(filter, SCMP_SYS(pipe2)) &&
                            allow(filter, SCMP_SYS(write)) && allow(filter, SCMP_SYS(close)));

@@ -1,4 +1,4 @@
-// The only files that assimp sees: those of the upload.
+// Confines the worker: assimp sees only the files of the upload, and the process gives up all rights it does not need.
 #pragma once
 
 #include <assimp/IOSystem.hpp>
@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// Gives assimp the model under a name, and the files that are bundled with it. Every other open, and every write,
-/// fails and is recorded.
+/// Gives assimp the model under a name, and the files that are bundled with it. Opening any other file, or a file for
+/// writing, fails and is recorded.
 class ClosedIo : public Assimp::IOSystem {
  public:
   ClosedIo(std::string name, const std::string& model, const Bundle& others)
@@ -22,7 +22,7 @@ class ClosedIo : public Assimp::IOSystem {
   Assimp::IOStream* Open(const char* file, const char* mode) override;
   void Close(Assimp::IOStream* stream) override;
 
-  /// The first other file that was asked for; empty when there was none.
+  /// Returns the first file that could not be opened; empty if there was none.
   const std::string& refused() const { return refused_; }
 
  private:
@@ -34,12 +34,12 @@ class ClosedIo : public Assimp::IOSystem {
   std::string refused_;
 };
 
-// Giving up every right that parsing does not need.
+// Gives up every right that parsing does not need.
 
-/// From here on this process may compute, read and write its three open streams, and end. Opening files, sockets, new
-/// processes and threads fail with EPERM. It is ended (SIGXCPU) after `seconds` of processor time, and has at most
-/// `memory_bytes` of address space (not under the sanitizers, which map terabytes). Refused (internal) when the
-/// kernel does not take one of these.
+/// From this call on the process may only compute, use its three open streams, and exit. Opening files and sockets, and
+/// starting processes and threads, fail with EPERM. The kernel ends it (SIGXCPU) after `seconds` of processor time, and
+/// limits it to `memory_bytes` of address space (not under the sanitizers, which map terabytes). Fails (internal) if
+/// the kernel rejects one of these limits.
 Status confine(double seconds, std::size_t memory_bytes);
 
 }  // namespace pelage

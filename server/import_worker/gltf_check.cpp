@@ -36,7 +36,7 @@ Status check_version(const json& root) {
   return broken("its glTF version is \"" + printable(version) + "\"; only 2.0 is read.");
 }
 
-/// What a required extension does to the mesh.
+/// Returns the reason for refusing a required extension.
 std::string reason_of_extension(const std::string& name) {
   const auto compressed = [&](const char* by) {
     return std::string("its mesh is compressed with ") + by + " (" + name + "); export it without compression.";
@@ -81,7 +81,7 @@ Status check_scenes(const json& root) {
 
 bool is_outside(const std::string& uri) { return !uri.empty() && !uri.starts_with("data:"); }
 
-/// Returns whether all of what a data URI has after its comma is base64.
+/// Returns whether a data URI is base64 and has nothing else after its comma.
 bool is_base64(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64")) return false;
@@ -91,7 +91,7 @@ bool is_base64(std::string_view uri) {
   return data.size() % 4 != 1 && std::all_of(data.begin(), data.end(), is_digit);
 }
 
-/// Buffers have to be there; pictures that are not are counted by count_pictures.
+/// Refuses missing or broken buffers; count_pictures counts missing pictures.
 Status check_uris(const json& root, const Bundle& bundle) {
   const json& buffers = list(root, "buffers");
   for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -118,7 +118,7 @@ Status check_buffers(const json& root, std::size_t binary_bytes) {
   return {};
 }
 
-/// Every node has one parent at most, and none is below itself.
+/// Checks that every node has at most one parent, and that the nodes have no cycle.
 Status check_nodes(const json& root) {
   const json& nodes = list(root, "nodes");
   std::vector<std::int64_t> parent(nodes.size(), -1);
@@ -131,7 +131,7 @@ Status check_nodes(const json& root) {
       parent[static_cast<std::size_t>(c)] = static_cast<std::int64_t>(i);
     }
   }
-  // With one parent each, the nodes that no walk from a root reaches lie on a cycle.
+  // As each node has at most one parent, nodes that cannot be reached from a root lie on a cycle or below one.
   std::vector<std::size_t> reached;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (parent[i] < 0) reached.push_back(i);
@@ -156,7 +156,7 @@ Status check_attributes(const json& root) {
   return {};
 }
 
-/// Base colours whose texture has no PNG or JPEG: those that only an extension names.
+/// Counts base-colour textures without a PNG or JPEG, whose picture only an extension names.
 void count_textures(const json& root, RawModel& model) {
   std::set<std::int64_t> textures;
   for (const json& material : list(root, "materials"))
@@ -205,7 +205,7 @@ struct Chunk {
   std::string_view data;
 };
 
-/// Takes the next chunk off `bytes`; false when it is cut off.
+/// Removes the next chunk from `bytes`. Returns false if it is cut off.
 bool take_chunk(std::string_view& bytes, Chunk& chunk) {
   constexpr std::size_t header = 8;
   if (bytes.size() < header) return false;

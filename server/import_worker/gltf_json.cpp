@@ -6,7 +6,7 @@ namespace pelage::gltf {
 
 namespace {
 
-/// Null where the object has no such member, or is none.
+/// Returns a member; null if there is none, or if `object` is no object.
 const json* find(const json& object, const char* name) {
   if (!object.is_object()) return nullptr;
   const auto found = object.find(name);

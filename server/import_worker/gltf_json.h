@@ -1,4 +1,4 @@
-// Looking into the JSON of a glTF file that may hold anything.
+// Reads the JSON of a glTF file that may be malformed in any way.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@ namespace pelage::gltf {
 
 using nlohmann::json;
 
-/// The member when it is an array, else an empty one.
+/// Returns the member if it is an array, else an empty array.
 const json& list(const json& object, const char* name);
-/// The member when it is an object, else an empty one.
+/// Returns the member if it is an object, else an empty object.
 const json& member(const json& object, const char* name);
-/// The member when it is text, else "".
+/// Returns the member if it is text, else "".
 std::string text(const json& object, const char* name);
-/// The member as an index, -1 when it is none.
+/// Returns the member if it is an index, else -1.
 std::int64_t index(const json& object, const char* name);
-/// The item of an array; null where it has none of that number.
+/// Returns an item of an array; null if it is out of range.
 const json* item(const json& array, std::int64_t number);
 
-/// At most 200 bytes, without control characters.
+/// Returns at most 200 bytes of the word as valid UTF-8, without control characters.
 std::string printable(std::string word);
-/// What a file calls an item: its name, or the kind and number.
+/// Returns the name of an item; without one its kind and number.
 std::string name_of(const json& items, std::int64_t number, const char* kind);
 
 }  // namespace pelage::gltf

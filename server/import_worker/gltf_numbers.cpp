@@ -16,7 +16,7 @@ using gltf::text;
 
 constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// `digits` are base64 and nothing else (gltf_check).
+/// Decodes base64. gltf_check has made sure that `digits` are nothing else.
 std::string from_base64(std::string_view digits) {
   while (digits.ends_with('=')) digits.remove_suffix(1);
   std::array<std::uint32_t, 256> values{};
@@ -31,16 +31,16 @@ std::string from_base64(std::string_view digits) {
   return bytes;
 }
 
-/// How many numbers an item has; 0 where that is not known.
+/// Returns how many numbers an item has; 0 for matrices and unknown types.
 std::int64_t width_of(const std::string& type) {
   if (type == "SCALAR") return 1;
   return type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 0;
 }
 
-/// How a number is stored.
+/// The storage of a number.
 struct Component {
   std::int64_t bytes;
-  double largest;  // what stands for 1 where numbers are normalized
+  double largest;  // stored value of 1 for normalized numbers
   double (*read)(const char*);
 };
 
@@ -63,10 +63,10 @@ std::optional<Component> component_of(std::int64_t type) {
   }
 }
 
-/// The part of the buffer that a view with so many items of so many bytes takes.
+/// Returns the part of the buffer with `count` items of `bytes` bytes, `stride` bytes apart; none if it does not fit.
 std::optional<std::string_view> cut(std::string_view buffer, std::int64_t begin, std::int64_t stride,
                                     std::int64_t count, std::int64_t bytes) {
-  constexpr std::int64_t large = std::int64_t{1} << 30;  // more than a model has bytes; products stay in range
+  constexpr std::int64_t large = std::int64_t{1} << 30;  // above the size of any model; keeps products in range
   const auto size = static_cast<std::int64_t>(buffer.size());
   if (begin > size || stride > large || count > large || count < 1) return {};
   const std::int64_t wanted = stride * (count - 1) + bytes;

@@ -23,7 +23,7 @@ using gltf::json;
 using gltf::list;
 using gltf::member;
 
-constexpr std::uint64_t float_type = 5126;  // JSON tells signed numbers from those that are not
+constexpr std::uint64_t float_type = 5126;  // unsigned, as the JSON library compares types, too
 
 bool is_float_attribute(const std::string& name) {
   return name == "POSITION" || name.starts_with("TEXCOORD_") || name.starts_with("WEIGHTS_");
@@ -34,12 +34,12 @@ double number(const json& object, const char* name, double fallback) {
   return found != object.end() && found->is_number() ? found->get<double>() : fallback;
 }
 
-/// An item of a list of numbers.
+/// Returns an item of a list of numbers; `fallback` if it is missing.
 double number_at(const json& numbers, std::size_t i, double fallback) {
   return i < numbers.size() && numbers[i].is_number() ? numbers[i].get<double>() : fallback;
 }
 
-/// Where KHR_texture_transform puts texture coordinates (v down): scaled, turned, shifted.
+/// Applies KHR_texture_transform to texture coordinates (v down): scale, then rotation, then offset.
 std::vector<double> transformed(const std::vector<double>& uvs, const json& transform) {
   const json &offset = list(transform, "offset"), &scale = list(transform, "scale");
   const double turn = number(transform, "rotation", 0), c = std::cos(turn), s = std::sin(turn);
@@ -52,7 +52,7 @@ std::vector<double> transformed(const std::vector<double>& uvs, const json& tran
   return moved;
 }
 
-/// Calls `visit` for each item of an array of the object, until one is refused.
+/// Calls `visit` for each item of an array of the object, until one fails.
 template <class Visit>
 Status each(json& object, const char* name, const Visit& visit) {
   if (list(object, name).empty()) return {};
@@ -73,7 +73,7 @@ Status use_diffuse(json& material) {
   return {};
 }
 
-/// How many triangles of these modes name a vertex that is not there.
+/// Counts the triangles with an index that no vertex has. `mode` is the glTF topology: strip, fan, else a list.
 std::size_t count_bad_faces(const std::vector<double>& indices, std::int64_t mode, double vertices) {
   constexpr std::int64_t strip = 5, fan = 6;
   const std::size_t step = mode == strip || mode == fan ? 1 : 3;
@@ -84,7 +84,7 @@ std::size_t count_bad_faces(const std::vector<double>& indices, std::int64_t mod
   return bad;
 }
 
-/// Rewrites in plain glTF what a document says by other means.
+/// Rewrites a document in plain glTF, as PlainGltf describes.
 class Plain {
  public:
   Plain(json& root, const Bundle& bundle, std::string_view binary) : root_(root), numbers_(root, bundle, binary) {}
@@ -143,7 +143,7 @@ class Plain {
     return {};
   }
 
-  /// Adds an accessor and returns its number.
+  /// Adds an accessor with these numbers as floats, and returns its index.
   std::size_t added(const std::vector<double>& numbers, const std::string& type) {
     const std::size_t width = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
     const std::size_t begin = floats_.size();
@@ -186,7 +186,7 @@ class Plain {
     texture["extensions"].erase("KHR_texture_transform");
   }
 
-  /// Adds nodes below each node for the instances of its mesh.
+  /// Replaces the instances of a node's mesh by child nodes.
   Status say_instances() {
     const std::size_t nodes = list(root_, "nodes").size();
     for (std::size_t i = 0; i < nodes; ++i) {
@@ -226,9 +226,9 @@ class Plain {
 
   json& root_;
   GltfNumbers numbers_;
-  std::string floats_;                             // of a new buffer
+  std::string floats_;                             // content of the new buffer
   std::map<std::int64_t, std::size_t> as_floats_;  // new accessors, by the ones that they replace
-  std::map<std::int64_t, std::int64_t> moved_;     // channels of materials whose coordinates are transformed
+  std::map<std::int64_t, std::int64_t> moved_;     // UV channels of materials with transformed coordinates
   std::size_t bad_faces_ = 0;
 };
 
@@ -239,7 +239,7 @@ std::string four_bytes(std::size_t number) {
   return bytes;
 }
 
-/// The node's mesh where the node gives weights of its own, else none.
+/// Returns the node's mesh if the node has weights of its own, else null.
 const json* weighted_mesh(const json& node, const json& meshes) {
   if (!node.is_object() || !node.contains("weights") || !node["weights"].is_array()) return nullptr;
   const auto index = node.find("mesh");
@@ -247,8 +247,8 @@ const json* weighted_mesh(const json& node, const json& meshes) {
   return exists && meshes[index->get<std::size_t>()].is_object() ? &meshes[index->get<std::size_t>()] : nullptr;
 }
 
-/// A node's own weights take the place of its mesh's (glTF 2.0, 3.7.2.2): they move to the mesh, of which each such
-/// node gets a copy that no other node has. The document is one that check_gltf takes.
+/// Moves the weights of nodes, which override those of their meshes (glTF 2.0, 3.7.2.2), to the meshes: each such node
+/// gets a copy of its mesh. check_gltf has accepted the document.
 void move_weights(json& root) {
   if (list(root, "nodes").empty() || list(root, "meshes").empty()) return;
   json& meshes = root["meshes"];

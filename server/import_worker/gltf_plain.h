@@ -1,4 +1,4 @@
-// Rewrites glTF so that assimp, which does not read all of it, finds the same model.
+// Rewrites features of glTF that assimp does not read by ones that it does.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ namespace pelage {
 ///  - KHR_texture_transform of the base colour (other texture coordinates),
 ///  - KHR_materials_pbrSpecularGlossiness (a base colour), and
 ///  - EXT_mesh_gpu_instancing (nodes).
-/// Documents without these stay as they are. Refused (invalid): attributes that reach beyond their buffers, and too
-/// many instances.
+/// Documents without these are not changed. Refused (invalid): attributes that reach beyond their buffers, and too many
+/// instances.
 struct PlainGltf {
-  std::string bytes;          // of the document, or of the GLB
-  std::size_t bad_faces = 0;  // with an index that no vertex has: assimp drops them without a word
+  std::string bytes;          // the document, or the GLB
+  std::size_t bad_faces = 0;  // faces with an index that no vertex has, which assimp drops silently
 };
 
 /// `binary` is the binary chunk of a GLB.

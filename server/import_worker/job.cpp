@@ -47,7 +47,7 @@ Result<std::string> read_curves(std::string&& bytes, const std::string&) {
 
 Result<std::string> read_saved(std::string&& bytes, const std::string&) { return read_saved_scene(std::move(bytes)); }
 
-/// By ModelFormat. Those that are one file of their own have no pictures.
+/// Indexed by ModelFormat. OBJ, PLY, STL, OFF and 3DS have pictures only in a zip archive.
 template <bool pictures>
 constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj, pictures>, false},
                                                                  {read_model<ModelFormat::ply, pictures>, false},
@@ -58,7 +58,7 @@ constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<Mod
                                                                  {read_model<ModelFormat::tds, pictures>, false},
                                                                  {read_model<ModelFormat::zip, pictures>, pictures}}};
 
-/// By GuideFormat.
+/// Indexed by GuideFormat.
 constexpr std::array<Job, worker_guide_names.size()> guides = {
     {{read_curves<GuideFormat::usda>}, {read_curves<GuideFormat::hair>}, {read_curves<GuideFormat::json>}}};
 

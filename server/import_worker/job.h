@@ -1,4 +1,4 @@
-// What the worker can do with an upload.
+// The jobs that the worker can run on an upload.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace pelage {
 struct Job {
   /// Turns the bytes of a file into the bytes of the answer; `pose` is for models. Refused (invalid) with the reason.
   Result<std::string> (*run)(std::string&& bytes, const std::string& pose) = nullptr;
-  bool reads_pictures = false;  // or may do so
+  bool reads_pictures = false;  // true if it may read pictures
 };
 
-/// The job of that name (server/import/import.h); none where there is no such job.
+/// Returns the job of that name (server/import/import.h); none if there is no such job.
 std::optional<Job> job_of(std::string_view name);
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// pelage-import JOB SECONDS BYTES [POSE]: reads a model or a picture on standard input, writes what the job makes of it
-// on standard output. Started by the server for each upload; server/import/import.h has the contract.
+// pelage-import JOB SECONDS BYTES [POSE]: reads an uploaded file from standard input and writes the result of the job
+// to standard output. The server starts it for each upload; server/import/import.h has the contract.
 #include <unistd.h>
 
 #include <cerrno>
@@ -55,12 +55,12 @@ int convert(const Job& job, const std::string& pose) {
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
 }
 
-/// Runs the job. Lack of memory, and whatever else the libraries throw, become exit codes.
+/// Runs the job. Turns lack of memory, and any other exception of the libraries, into exit codes.
 int run(int argc, char** argv) {
   const std::optional<Job> job = argc == 4 || argc == 5 ? job_of(argv[1]) : std::nullopt;
   if (!job) return complain("usage: pelage-import JOB SECONDS BYTES [POSE]", worker_exit::usage);
   try {
-    if (job->reads_pictures) picture_files();  // while libraries may still be opened
+    if (job->reads_pictures) picture_files();  // opens libraries, which confine() forbids
     const Status confined = confine(std::atof(argv[2]), std::strtoull(argv[3], nullptr, 10));
     if (!confined.ok()) return complain(confined.message, worker_exit::not_confined);
     return convert(*job, argc == 5 ? argv[4] : "");

@@ -63,7 +63,7 @@ Result<RawModel> parse_bundle(ModelFormat format, Bundle& bundle, const std::str
   return broken("the format is unknown.");
 }
 
-/// What programs that write these formats take for up and forward.
+/// Sets the axes that the file does not give to those that programs which write the format use.
 void note_axes(ModelFormat format, RawModel& model) {
   const bool z_is_up = format == ModelFormat::stl || format == ModelFormat::tds;
   if (!model.up) model.up = z_is_up ? Axis::plus_z : Axis::plus_y;

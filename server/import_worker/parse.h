@@ -29,23 +29,23 @@ inline constexpr bool is_sanitized = false;
 
 // Numbers, words and lines of text formats. Numbers are rounded correctly to double, whatever the locale.
 
-/// The whole word as a number, with an optional sign; also "nan" and "inf". Overflow is an infinity, underflow 0.
+/// Parses the whole word as a number with an optional sign, also "nan" and "inf". Overflow gives infinity, underflow 0.
 std::optional<double> to_number(std::string_view word);
 
-/// Takes the next word, ended by blanks or line ends, off the text; empty at the end.
+/// Removes the next word, which ends at a blank or line end, from the text and returns it; empty at the end.
 std::string_view take_word(std::string_view& text);
 
-/// Takes the next line, ended by LF, CR or both, off the text.
+/// Removes the next line, which ends with LF, CR or both, from the text and returns it.
 std::string_view take_line(std::string_view& text);
 
-// From the bytes of a file to polygons. Runs in the confined worker only.
+// Parsing the bytes of a file to polygons. Runs in the confined worker only.
 
-/// Reads `bytes` as `format` and as nothing else. Refused (invalid) with the reason when they are broken, cut off,
-/// or ask for files or extensions that are not there. Opens no file. `pose` as in ImportOptions; refused where the
-/// format has no animations. Without `pictures` it has no images.
+/// Parses `bytes` as `format` and as nothing else. Refused (invalid) with the reason if they are broken, cut off, or
+/// need missing files or unknown extensions. Opens no file. `pose` is that of ImportOptions; refused if the format has
+/// no animations. Without `pictures` the model has no images.
 Result<RawModel> parse_model(ModelFormat format, std::string bytes, const std::string& pose = {}, bool pictures = true);
 
-/// What a file does not say of a vertex.
+/// Marks a number of a vertex that the file does not give.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the texture coordinates that a file gives; non-finite ones stay distinct from missing ones.
@@ -53,15 +53,15 @@ inline glm::dvec2 given_uv(double u, double v) {
   return is_finite({u, v, 0}) ? glm::dvec2(u, v) : glm::dvec2(std::numeric_limits<double>::infinity());
 }
 
-// One for each reader.
+// The parsers of the formats.
 Result<RawModel> parse_obj(Bundle& bundle);
 Result<RawModel> parse_ply(const std::string& bytes);
 Result<RawModel> parse_stl(const std::string& bytes);
 Result<RawModel> parse_off(const std::string& text);
-/// glTF, GLB and 3DS.
+/// Parses glTF, GLB and 3DS.
 Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std::string& pose);
 
-/// The refusal of a broken file.
+/// Returns the refusal (invalid) of a broken file.
 inline Status broken(std::string reason) { return failure(Code::invalid, std::move(reason)); }
 
 }  // namespace pelage

@@ -39,7 +39,7 @@ bool find_texture(const aiMaterial& material, Texture& texture) {
   return false;
 }
 
-/// "" where the file gives it none, for which assimp has names of its own.
+/// Returns the name of a material; "" for a name that assimp made up.
 std::string name_of(const aiMaterial& material) {
   aiString name;
   material.Get(AI_MATKEY_NAME, name);
@@ -48,7 +48,7 @@ std::string name_of(const aiMaterial& material) {
   return made_up ? std::string() : gltf::printable(std::string(text));
 }
 
-/// glTF has linear factors; 3DS has colours as they were on the screen.
+/// Returns the linear base colour. Factors of glTF are linear, colours of 3DS are sRGB.
 glm::vec3 base_colour(const aiMaterial& material, ModelFormat format) {
   aiColor4D colour(1, 1, 1, 1);
   if (format == ModelFormat::tds) {
@@ -89,7 +89,7 @@ std::optional<std::string_view> MaterialReader::bytes_of(const char* path) const
     const std::string* bundled = bundle_.find(path);
     return bundled ? std::optional<std::string_view>(*bundled) : std::nullopt;
   }
-  if (texture->mHeight != 0) return std::string_view();  // stored in an unknown way
+  if (texture->mHeight != 0) return std::string_view();  // raw texels, which no format here has
   return std::string_view(reinterpret_cast<const char*>(texture->pcData), texture->mWidth);
 }
 
@@ -109,13 +109,14 @@ int MaterialReader::read_image(const std::string& path) {
 
 namespace {
 
-/// Assimp turns 3DS scenes from Z up to Y up; this undoes it, for the upload itself says where up is.
+/// Undoes assimp's rotation of 3DS scenes from Z up to Y up; RawModel::up says which axis is up.
 glm::dmat4 root_matrix(ModelFormat format) {
   if (format != ModelFormat::tds) return glm::dmat4(1);
   return glm::dmat4(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
 }
 
-/// Leaves only the reader that is asked for, so that assimp guesses nothing. The others become ours to delete.
+/// Unregisters all readers except the named one, so that assimp does not guess a format. Unregistered readers belong to
+/// the caller, who has to delete them.
 void keep_only(Assimp::Importer& importer, std::string_view name) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     if (importer.GetImporterInfo(i)->mName == name) continue;
@@ -137,7 +138,7 @@ class Collector {
 
   const NodePlaces& places() const { return places_; }
 
-  /// Adds faces that assimp dropped, so that they are counted, and names joints that mirror.
+  /// Adds invalid faces for those that assimp dropped, so that they are counted, and reports joints that mirror.
   void finish(std::size_t bad_faces) {
     for (std::size_t i = 0; i < bad_faces && !model_.materials.empty(); ++i) {
       model_.face_sizes.push_back(3);
@@ -208,11 +209,11 @@ class Collector {
   RawModel& model_;
   MaterialReader materials_;
   NodePlaces places_;
-  std::set<std::string> mirroring_;  // joints
+  std::set<std::string> mirroring_;  // names of joints
   bool has_uv_ = false, has_colour_ = false;
 };
 
-/// The first chunk of a 3DS file spans all of it.
+/// Checks the size of a 3DS file: its first chunk spans the whole file.
 Status check_3ds(std::string_view bytes) {
   if (bytes.size() < 6 || !bytes.starts_with("MM")) return broken("it does not begin as a 3DS file does.");
   std::uint32_t size = 0;

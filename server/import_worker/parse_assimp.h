@@ -1,4 +1,4 @@
-// Base colours and base-colour pictures of an assimp scene.
+// Reads the base colours and base-colour pictures of an assimp scene.
 #pragma once
 
 #include <assimp/scene.h>
@@ -15,7 +15,7 @@
 
 namespace pelage {
 
-/// Reads materials as meshes ask for them, each once.
+/// Reads materials on demand, each once.
 class MaterialReader {
  public:
   MaterialReader(const aiScene& scene, ModelFormat format, const Bundle& bundle, RawModel& model)
@@ -26,14 +26,14 @@ class MaterialReader {
     unsigned uv_channel = 0;
   };
 
-  /// Refused (invalid) where there are too many. Pictures that are not there, broken, too large, or neither PNG nor
-  /// JPEG are counted among the losses.
+  /// Reads a material of the scene. Refused (invalid) if there are too many. Pictures that are missing, broken, too
+  /// large, or neither PNG nor JPEG are counted among the losses.
   Result<Entry> read(unsigned material);
 
  private:
   /// Returns the bytes of a picture inside the file or bundled with it.
   std::optional<std::string_view> bytes_of(const char* path) const;
-  /// Index of the picture; -1 where it cannot be had.
+  /// Returns the index of the picture; -1 if it is missing or broken.
   int read_image(const std::string& path);
 
   const aiScene& scene_;

@@ -1,5 +1,5 @@
-// Faces, texture coordinates and materials by tinyobjloader's callbacks without a
-// material reader, so that mtllib opens nothing; material files come from the bundle.
+// Parses OBJ. Faces and the materials that they use come from tinyobjloader's callbacks, without a material reader, so
+// that mtllib opens no file; material files come from the bundle.
 // Vertices are read here: tinyobjloader takes `nan` and other words for 0 and gives no vertex colours.
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -20,7 +20,7 @@ namespace pelage {
 
 namespace {
 
-/// A stream over bytes that somebody else owns.
+/// A stream buffer over bytes that it does not own.
 class BytesBuffer : public std::streambuf {
  public:
   explicit BytesBuffer(std::string& bytes) { setg(bytes.data(), bytes.data(), bytes.data() + bytes.size()); }
@@ -38,8 +38,8 @@ void join_continued_lines(std::string& text) {
 
 struct Vertices {
   std::vector<glm::dvec3> positions;  // NaN where a word is no number
-  std::vector<glm::vec4> colours;     // of each position; empty when none has one
-  std::vector<glm::dvec2> texture;    // given_uv
+  std::vector<glm::vec4> colours;     // linear, one for each position; empty if there are none
+  std::vector<glm::dvec2> texture;    // texture coordinates, from given_uv
 };
 
 void read_vertex(std::string_view line, Vertices& vertices) {
@@ -79,7 +79,7 @@ Vertices read_vertices(std::string_view text) {
   return vertices;
 }
 
-/// Materials as faces use them, each once.
+/// Adds materials to the model as faces use them, each once.
 class Materials {
  public:
   Materials(const Bundle& bundle, RawModel& model) : bundle_(bundle), model_(model) {}
@@ -107,7 +107,7 @@ class Materials {
   }
 
  private:
-  /// A picture under black counts as under white: many programs write black when there is a picture.
+  /// Makes a material. Black with a picture becomes white: many programs write black if there is a picture.
   RawMaterial made(const std::string& name) {
     RawMaterial material{.name = gltf::printable(name)};
     const auto found = known_.find(name);
@@ -159,7 +159,7 @@ class Materials {
   std::uint16_t current_ = 0;
 };
 
-/// What the callbacks fill.
+/// The data of the callbacks.
 struct Faces {
   const Vertices& vertices;
   RawModel& model;
@@ -167,7 +167,8 @@ struct Faces {
   std::size_t vertices_so_far = 0, texture_so_far = 0;
 };
 
-/// Index of a one-based or, when negative, relative OBJ index; no_position when there is no such item.
+/// Converts an OBJ index, which counts from 1 or, if negative, back from the newest item, to an index from 0;
+/// no_position if there is no such item.
 std::uint32_t resolve(int index, std::size_t so_far, std::size_t all) {
   const auto wanted = index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(so_far) + index;
   const bool exists = index != 0 && wanted >= 0 && wanted < static_cast<std::int64_t>(all);

@@ -1,4 +1,4 @@
-// Object File Format, text: [ST][C][N]OFF, the counts, a line for each vertex and for each face.
+// Parses the Object File Format, text: [ST][C][N]OFF, the counts, a line for each vertex and for each face.
 #include <array>
 #include <limits>
 
@@ -9,7 +9,8 @@ namespace pelage {
 
 namespace {
 
-/// The next line that holds more than blanks and a comment; empty at the end.
+/// Removes the text up to the next line with more than blanks and a comment, and returns that line without its comment;
+/// empty at the end.
 std::string_view take_full_line(std::string_view& text) {
   while (!text.empty()) {
     std::string_view line = take_line(text);
@@ -19,7 +20,7 @@ std::string_view take_full_line(std::string_view& text) {
   return {};
 }
 
-/// A whole number in [0, 2^32 - 2]; no_position for anything else.
+/// Parses a whole number in [0, 2^32 - 2]; no_position for anything else.
 std::uint32_t to_index(std::string_view word) {
   const double value = to_number(word).value_or(-1);
   return value >= 0 && value < no_position && value == static_cast<std::uint32_t>(value)
@@ -68,7 +69,8 @@ double take_number(std::string_view& line, bool& good) {
   return number.value_or(nan);
 }
 
-/// False when the line is not three numbers and what the header promises; colours are [0, 1] or bytes.
+/// Reads a vertex. Returns false if the line lacks one of the three numbers or a normal or colour that the header
+/// promises. Colours are in [0, 1], or bytes if a channel is above 1.
 bool read_vertex(std::string_view line, const Header& header, OffVertex& vertex) {
   bool good = true;
   for (int i = 0; i < 3; ++i) vertex.position[i] = take_number(line, good);
@@ -91,7 +93,8 @@ bool read_vertex(std::string_view line, const Header& header, OffVertex& vertex)
   return good;
 }
 
-/// False when the line has fewer indices than it says. Indices of no vertex become no_position.
+/// Reads a face. Returns false if the line has fewer indices than it says. Indices of missing vertices become
+/// no_position.
 bool read_face(std::string_view line, RawModel& model) {
   const std::uint32_t size = to_index(take_word(line));
   if (size == no_position || size > line.size()) return false;

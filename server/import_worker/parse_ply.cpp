@@ -70,7 +70,7 @@ bool read_property(std::string_view line, PlyHeader& header) {
   return true;
 }
 
-/// Fewest bytes that one element takes.
+/// Returns the minimum size of one element in bytes.
 std::size_t min_bytes(const PlyElement& element, PlyEncoding encoding) {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties) {
@@ -80,7 +80,7 @@ std::size_t min_bytes(const PlyElement& element, PlyEncoding encoding) {
   return bytes;
 }
 
-/// False for a line that is not understood.
+/// Reads a line of the header. Returns false if it is malformed.
 bool read_line(std::string_view line, PlyHeader& header, bool& has_format) {
   const std::string_view word = take_word(line);
   if (word == "element") return read_element(line, header);
@@ -131,7 +131,7 @@ Result<PlyHeader> take_ply_header(std::string_view& bytes) {
 
 namespace {
 
-/// The numbers of the body, one after the other. After the first that is not there, all are 0 and ok() is false.
+/// Reads the numbers of the body, one after the other. A missing number is read as 0, and ok() is false from then on.
 class Numbers {
  public:
   Numbers(std::string_view body, PlyEncoding encoding) : left_(body), encoding_(encoding) {}
@@ -181,7 +181,7 @@ class Numbers {
   bool ok_ = true;
 };
 
-/// A list's length, or nothing when it is no count or there is no room for it.
+/// Reads the length of a list; none if it is no whole number, or the remaining bytes have no room for the list.
 std::optional<std::size_t> take_count(Numbers& numbers, PlyType type) {
   const double count = numbers.next(type);
   const bool good =
@@ -200,7 +200,7 @@ struct PlyVertex {
   glm::dvec2 uv{nan};
 };
 
-/// Where a vertex property goes; null when nobody wants it.
+/// Returns the member of `vertex` for a property; null for an unknown property.
 double* place_of(PlyVertex& vertex, std::string_view name) {
   struct Name {
     std::string_view name;
@@ -256,7 +256,7 @@ class BodyReader {
     return numbers_.ok();
   }
 
-  /// Faces, and elements that nobody wants.
+  /// Reads faces and strips, and skips all other elements.
   bool read_other(const PlyElement& element) {
     for (const PlyProperty& property : element.properties) {
       const bool is_face = element.name == "face" && property.is_list &&
@@ -276,14 +276,14 @@ class BodyReader {
     return count.has_value() && numbers_.ok();
   }
 
-  /// An index that is none is read as no_position.
+  /// Reads an index; no_position if it is invalid.
   std::uint32_t next_index(PlyType type) {
     const double index = numbers_.next(type);
     const bool is_index = index >= 0 && index < no_position && index == std::floor(index);
     return is_index ? static_cast<std::uint32_t>(index) : no_position;
   }
 
-  /// Triangles that share sides with the ones before; every second is wound the other way, and -1 begins anew.
+  /// Reads triangle strips: every second triangle has the opposite winding, and -1 begins a new strip.
   bool read_strip(const PlyProperty& property) {
     const std::optional<std::size_t> count = take_count(numbers_, property.count_type);
     if (!count) return false;

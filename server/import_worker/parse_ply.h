@@ -1,4 +1,4 @@
-// The header of a PLY file: its elements in order, each with its properties.
+// Reads the header of a PLY file: its elements in order, each with its properties.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace pelage {
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of a number in a binary file.
+/// Returns the size in bytes of a number in a binary file.
 std::size_t size_of(PlyType type);
 
 struct PlyProperty {
@@ -34,8 +34,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// Takes the header off `bytes`, which then begin with the first element. Refuses (invalid) a header that is cut off
-/// or unknown, and counts of elements for which the rest has no room.
+/// Removes the header from `bytes`, which then begin with the first element. Refuses (invalid) a header that is cut off
+/// or malformed, and counts of elements for which the remaining bytes have no room.
 Result<PlyHeader> take_ply_header(std::string_view& bytes);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Stereolithography, text or binary.
+// Parses STL (stereolithography), text or binary.
 #include <bit>
 #include <cstring>
 
@@ -41,7 +41,7 @@ Result<RawModel> parse_binary(const std::string& bytes) {
   return model;
 }
 
-/// The words between `facet` and `endfacet`; each `endloop` ends a face.
+/// Reads a text STL: each `vertex` adds a corner, and each `endloop` ends a face.
 class TextReader {
  public:
   explicit TextReader(std::string_view text) : text_(text) {}
@@ -77,7 +77,7 @@ class TextReader {
 
   std::string_view text_;
   RawModel model_;
-  std::uint32_t corners_ = 0;  // of the face that is read
+  std::uint32_t corners_ = 0;  // of the face that is being read
 };
 
 /// A binary file may begin with "solid" too, so its size decides first.

@@ -13,7 +13,7 @@ namespace {
 
 glm::dvec3 to_vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// Returns the positions with the morph targets, which hold positions and not differences.
+/// Returns the positions with morph targets applied. Assimp's targets hold positions, not differences.
 std::vector<glm::dvec3> shaped(const aiMesh& mesh) {
   std::vector<glm::dvec3> positions;
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) positions.push_back(to_vector(mesh.mVertices[v]));
@@ -27,7 +27,7 @@ std::vector<glm::dvec3> shaped(const aiMesh& mesh) {
   return positions;
 }
 
-/// Sums of weighted matrices, and of weights, for each vertex.
+/// The sums of weighted matrices and of weights for each vertex.
 struct Blend {
   std::vector<glm::dmat4> matrices;
   std::vector<double> weights;
@@ -63,7 +63,7 @@ PosedMesh unposed(const aiMesh& mesh) {
 
 std::span<const unsigned> corners_of(const aiFace& face) { return {face.mIndices, face.mNumIndices}; }
 
-/// Gives turned faces positions of their own.
+/// Gives turned faces positions of their own (see pose).
 void set_apart(const aiMesh& mesh, PosedMesh& posed) {
   std::vector<bool> is_shared(mesh.mNumVertices, false), is_apart(is_shared);
   const auto each_vertex = [&](bool turned, const auto& visit) {

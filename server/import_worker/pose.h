@@ -13,12 +13,12 @@ namespace pelage {
 
 glm::dmat4 to_matrix(const aiMatrix4x4& m);
 
-/// Matrices of all nodes of a scene, from the node to the scene.
+/// The matrices of all nodes of a scene, from node space to scene space.
 class NodePlaces {
  public:
-  /// `root` comes before the transform of the root node.
+  /// `root` is the parent matrix of the root node.
   NodePlaces(const aiScene& scene, const glm::dmat4& root);
-  /// Null for a name that no node has.
+  /// Returns the matrix of a node; null if no node has that name.
   const glm::dmat4* of(const std::string& name) const;
 
  private:
@@ -26,19 +26,19 @@ class NodePlaces {
 };
 
 struct PosedMesh {
-  std::vector<glm::dvec3> positions;  // of the scene
-  std::vector<bool> turned;           // of each face: whether it is wound the other way
-  std::vector<std::uint32_t> apart;   // of each vertex, the position that turned faces have it at
+  std::vector<glm::dvec3> positions;  // in scene space
+  std::vector<bool> turned;           // for each face: true if its winding is reversed
+  std::vector<std::uint32_t> apart;   // for each vertex: index of its position in faces that are turned
 };
 
-/// A skinned mesh lies where its joints are, whatever its own node says (glTF 2.0, 3.7.3): each vertex is the sum over
-/// its joints of weight x place of the joint x inverse bind matrix. Weights count over their sum; without any, and
-/// where joints are not there, a vertex stays where it was bound. Faces most of whose corners joints mirror are turned,
-/// and set apart from the others by the least that a number can say, so that the two are not taken for one surface that
-/// is wound both ways. Any other mesh lies where `node` puts it.
+/// Returns the mesh in scene space. A mesh without joints is transformed by `node`. A skinned mesh follows its joints
+/// and ignores its own node (glTF 2.0, 3.7.3): each vertex is the sum over its joints of weight x joint matrix x
+/// inverse bind matrix, with normalized weights. A vertex without weights, or without existing joints, stays in its
+/// bind position. Faces with most corners mirrored by joints are turned. Their vertices are moved from those of other
+/// faces by the smallest floating-point step, so that the two are not welded to one surface with inconsistent winding.
 PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places);
 
-/// Names of the mesh's joints that turn what hangs on them inside out.
+/// Returns the names of the mesh's joints whose transforms mirror, and so turn the surface inside out.
 std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodePlaces& places);
 
 }  // namespace pelage

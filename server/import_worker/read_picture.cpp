@@ -28,7 +28,7 @@ Status reason_of(Status status) {
   return status;
 }
 
-/// The scale that the file says it has; none where that is no number above 0.
+/// Parses the scale that the file gives; none unless it is a number in [1e-27, 1e27].
 std::optional<double> scale_of(const std::string& text) {
   double scale = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
@@ -68,7 +68,7 @@ Result<MapPicture> read_map_picture(const std::string& bytes) {
   Result<DataImage> image =
       picture_files().decode_data_image(std::as_bytes(std::span(bytes)), max_pixels, map_scale_text);
   if (!image.ok()) return reason_of(image.status());
-  const bool list = image->width == 1;  // of vertices, of which there may be more than pixels on a side
+  const bool list = image->width == 1;  // one number for each vertex; there may be more than picture_pixels
   if (Status status = list ? Status{} : check_sides(image->width, image->height); !status.ok()) return status;
   const auto broken_numbers =
       std::count_if(image->rgba.begin(), image->rgba.end(), [](float value) { return !std::isfinite(value); });

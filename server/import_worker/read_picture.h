@@ -1,4 +1,5 @@
-// Reading uploaded pictures: environments, skin textures, maps and a model's own pictures; sRGB to linear colours.
+// Reads uploaded pictures: environments, skin textures, maps and a model's own pictures. Converts sRGB to linear
+// colours.
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,7 @@
 
 namespace pelage {
 
-/// Each channel in [0, 1]; others are clamped, NaN stays.
+/// Converts each channel, clamped to [0, 1]; NaN stays NaN.
 inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
   for (int i = 0; i < 3; ++i) {
     const float c = colour[i] < 0 ? 0 : (colour[i] > 1 ? 1 : colour[i]);
@@ -22,22 +23,24 @@ inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
   return colour;
 }
 
-// Pictures that are uploaded for themselves. Runs in the confined worker only.
+// Readers of pictures. They run in the confined worker only.
 
-// All refuse (invalid, with the reason) bytes that are broken or of another format, and pictures wider or higher than
-// limits::picture_pixels.
+// The functions that return a Result refuse (invalid, with the reason) bytes that are broken or of another format, and
+// pictures wider or higher than limits::picture_pixels.
 
-/// The light of an EXR or HDR of all directions; renderer/light/environment.h says which pixel is where.
+/// Returns the light of an equirectangular EXR or HDR; renderer/light/environment.h says which pixel is which
+/// direction.
 Result<SphericalHarmonics> read_environment(const std::string& bytes);
 
-/// Adds a PNG or JPEG to a model's pictures. Its index; -1 where it is broken, another format or larger than 8192 x
-/// 8192, which is counted among the losses under its name.
+/// Adds a PNG or JPEG to a model's pictures and returns its index; -1 if it is broken, of another format or larger than
+/// 8192 x 8192, which is counted among the losses under its name.
 int add_picture(RawModel& model, std::string_view bytes, const std::string& name);
 
-/// The colours of a PNG or JPEG that is laid on a model.
+/// Reads a PNG or JPEG: a skin texture or a backplate.
 Result<RawImage> read_skin_texture(const std::string& bytes);
 
-/// The numbers of a PNG, JPEG, EXR or HDR that holds data. Also refuses NaN and infinity, with their count.
+/// Reads a PNG, JPEG, EXR or HDR that holds data. Also refuses NaN and infinity, and says how many there are. A picture
+/// one pixel wide, which holds a number for each vertex, may have any height.
 Result<MapPicture> read_map_picture(const std::string& bytes);
 
 }  // namespace pelage

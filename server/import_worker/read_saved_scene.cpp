@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Undoes gzip piece by piece, so that a small file cannot ask for much at once.
+/// Decompresses gzip in steps of 1 MiB, so that a small file cannot allocate much at once.
 class Unpacker {
  public:
   explicit Unpacker(std::string& packed) {
@@ -24,7 +24,7 @@ class Unpacker {
   Unpacker(const Unpacker&) = delete;
   Unpacker& operator=(const Unpacker&) = delete;
 
-  /// Unpacks the file. Returns false where it is damaged or cut off, with all that came before in `bytes`.
+  /// Unpacks the file, and stops above `max` bytes. Returns false if the file is damaged or cut off.
   bool unpack(std::string& bytes, std::size_t max) {
     int code = Z_OK;
     while (good_ && code == Z_OK && bytes.size() <= max) {

@@ -1,4 +1,4 @@
-// Exported scenes, which anybody may have written. Runs in the confined worker only.
+// Reads exported scenes, which are untrusted files. Runs in the confined worker only.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// The rows (server/history/plain_rows.h) of a .pelage file. Refused (invalid), with the reason: what is no gzip file,
-/// damaged, cut off, over `max` bytes unpacked, or refused by foreign_rows.
+/// Returns the rows (server/history/plain_rows.h) of a .pelage file. Refused (invalid), with the reason, if it is not a
+/// gzip file, is damaged or cut off, has over `max` bytes unpacked, or is refused by foreign_rows.
 Result<std::string> read_saved_scene(std::string&& file, std::size_t max = limits::saved_bytes);
 
 }  // namespace pelage

@@ -20,7 +20,7 @@ struct Signature {
   const char* next;
 };
 
-/// Signatures of what is not read here as a model.
+/// Signatures of files that are not read as models.
 constexpr std::array others{
     Signature{"\x1f\x8b"sv, "gzip", "unpack it, and load what was in it"},
     Signature{"7z\xbc\xaf\x27\x1c"sv, "a 7z archive", "unpack it, and load what was in it"},
@@ -44,7 +44,7 @@ bool is_text_stl(std::string_view bytes) {
   return bytes.starts_with("solid") && bytes.substr(0, far_enough).find("facet") != std::string_view::npos;
 }
 
-/// Text with a vertex on a line of its own: no binary format has that at its beginning.
+/// Recognizes OBJ as text with a vertex on a line of its own; no binary format begins with that.
 bool is_obj(std::string_view bytes) {
   const std::string_view begin = without_byte_order_mark(bytes).substr(0, 2000);
   const auto is_text = [](char c) {
@@ -54,7 +54,7 @@ bool is_obj(std::string_view bytes) {
   return has_vertex && std::all_of(begin.begin(), begin.end(), is_text);
 }
 
-/// A glTF document, whose "asset" is required.
+/// Recognizes a glTF document by its member "asset", which is required.
 bool is_gltf(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == '{' && bytes.find("\"asset\"") != std::string_view::npos;

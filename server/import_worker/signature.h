@@ -8,11 +8,12 @@
 
 namespace pelage {
 
-/// Refuses bytes that are plainly something else than a model of that format: another format, a picture, an archive, a
-/// web page. The reason says what they are and what to do with them. What begins like nothing known passes.
+/// Refuses (invalid) bytes that are recognized as something else than a model of that format: another format, a
+/// picture, an archive, a web page. The reason says what they are and what to do with them. Bytes that are not
+/// recognized pass.
 Status check_signature(ModelFormat format, std::string_view bytes);
 
-/// Without the byte order mark that some editors put before UTF-8.
+/// Returns the text without the byte order mark that some editors put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
 }  // namespace pelage

@@ -24,7 +24,7 @@ glm::dvec3 direction_of(Axis axis) {
   return direction;
 }
 
-/// The axis that the vector is nearest to; none where another is nearly as near.
+/// Returns the axis that the vector is close to; none if the angle to every axis is too large.
 std::optional<Axis> nearest_axis(glm::dvec3 vector) {
   constexpr double clearly = 0.8;  // cosine
   const double length = glm::length(vector);

@@ -1,4 +1,4 @@
-// Which way an animal looks, by its skeleton.
+// Finds the front of an animal by its skeleton.
 #pragma once
 
 #include <assimp/scene.h>
@@ -15,12 +15,12 @@ namespace pelage {
 
 enum class BodySide { none, left, right };
 
-/// The side that a joint's name says: a word of it is l or left, r or right. Words end at other signs than letters, at
-/// digits and before a capital letter.
+/// Returns the side of the body in a joint's name: one of its words is l or left, r or right. Words end before a
+/// character that is no letter and before a capital letter.
 BodySide side_of_joint(const std::string& name);
 
-/// Returns the axis orthogonal to `up` along which an animal looks: its left joints lie on one side of it, its right
-/// joints on the other. None where the joints of its meshes do not say, or say a direction between the axes.
+/// Returns the axis, orthogonal to `up`, along which an animal looks: its left joints lie on one side of it, its right
+/// joints on the other. None if the names of the joints give no sides, or the direction is not close to an axis.
 std::optional<Axis> front_by_joints(const aiScene& scene, const NodePlaces& places, Axis up);
 
 }  // namespace pelage

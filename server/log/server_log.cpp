@@ -17,14 +17,14 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_text_bytes = 300;  // a line stays below 4096, which a pipe takes whole or not
+constexpr std::size_t max_text_bytes = 300;  // keeps lines below 4096 bytes, which a pipe writes atomically
 constexpr int slow_reader_milliseconds = 200;
 
 bool is_plain(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c < 127 && c != '"' && c != '\\'; });
 }
 
-/// The value as it stands in a line; a text in quotes where it would not be one word, and always with `quoted`.
+/// Returns the value as it is written in a line. A text is quoted if it is not one word, and always with `quoted`.
 std::string text_of(const LogField& field, bool quoted) {
   if (const auto* number = std::get_if<std::int64_t>(&field.value)) return fmt::format("{}", *number);
   if (const auto* number = std::get_if<double>(&field.value)) return fmt::format("{:.3f}", *number);
@@ -56,7 +56,7 @@ std::unique_ptr<spdlog::formatter> formatter_of(LogFormat format) {
   return std::make_unique<spdlog::pattern_formatter>(pattern, spdlog::pattern_time_type::utc);
 }
 
-/// Whole lines to a file, a pipe or a terminal. Waits a moment for a reader that is slow, once.
+/// Writes whole lines to a file, a pipe or a terminal. Waits a moment for a slow reader, but not while dropping lines.
 class DescriptorSink : public spdlog::sinks::base_sink<std::mutex> {
  public:
   DescriptorSink(LogFormat format, int descriptor) : format_(format), descriptor_(descriptor) {}

@@ -1,4 +1,4 @@
-// One line for each thing that happens, as text or JSON.
+// The server's log: one line for each event, as text or JSON.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace pelage {
 enum class LogFormat { text, json };
 enum class LogLevel { info, warning, error, off };  // lines below it are left out
 
-/// Part of a line. A text that is empty is left out, and one over 300 bytes is cut.
+/// A field of a line. A field with an empty text is left out; a text over 300 bytes is cut.
 struct LogField {
   std::string_view name;  // a plain word
   std::variant<std::string_view, std::int64_t, double> value;
@@ -22,10 +22,10 @@ struct LogField {
 /// Thread-safe. Each line goes out by one write, with its time in UTC:
 ///   2026-11-27T05:37:05.123Z info request id=6f1c path=/livez ms=0.3
 ///   {"time":"2026-11-27T05:37:05.123Z","level":"info","event":"request","id":"6f1c","path":"/livez","ms":0.3}
-/// A reader that stands still stops nobody: lines are dropped, and the first that goes out afterwards says how many.
+/// If the reader of the log stalls, lines are dropped, and the first line afterwards gives their number.
 class ServerLog {
  public:
-  /// Writes to `descriptor`, which stays the caller's.
+  /// Writes to `descriptor`, which the caller owns.
   ServerLog(LogFormat format, LogLevel level, int descriptor);
   ~ServerLog();
 

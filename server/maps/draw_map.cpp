@@ -21,7 +21,7 @@ double largest(const FieldSet& fields, Field field) {
   return *std::max_element(values.begin(), values.end());
 }
 
-/// Which field the scale is of; shares need none.
+/// Returns the field to which the scale applies.
 Field scaled_field(Field field, MapEncoding encoding) {
   if (encoding == MapEncoding::fast_fur) return Field::width;
   return encoding == MapEncoding::vector ? Field::length : field;
@@ -29,7 +29,8 @@ Field scaled_field(Field field, MapEncoding encoding) {
 
 bool is_length(Field field) { return field == Field::length; }
 
-/// The asked scale, or the one that uses the whole range of a PNG; in the field's unit, lengths in sizes.
+/// Returns the requested scale, or else the one that uses the whole range of a PNG (1 for floats). It is in the field's
+/// unit, lengths in sizes.
 double scale_of(const Mesh& mesh, const FieldSet& fields, const MapRequest& request, MapEncoding encoding) {
   const Field scaled = scaled_field(request.field, encoding);
   const bool world = is_length(scaled) && request.units == Units::world;
@@ -42,7 +43,7 @@ double scale_of(const Mesh& mesh, const FieldSet& fields, const MapRequest& requ
   return max > 0 ? max : 1;
 }
 
-/// A corner's value in the map, colours multiplied by what they cover.
+/// Returns a corner's value in the map; colours are premultiplied.
 glm::dvec4 value_at(const UvCorner& corner, const FieldSet& fields, Field field, MapEncoding encoding, double scale) {
   const glm::dvec4 value(fields.value(field, corner.vertex));
   if (encoding == MapEncoding::value) {
@@ -123,14 +124,14 @@ DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& re
 namespace {
 
 constexpr int band_rows = 32;
-constexpr int max_repeats = 4;  // of the picture that a triangle is drawn in, along each side
+constexpr int max_repeats = 4;  // repeats of the picture in which a triangle is drawn, along each side
 
 /// A triangle in pixels, rows from the top.
 struct PixelTriangle {
   glm::dvec2 a, b, c;
-  double area = 0;  // twice, with a sign
+  double area = 0;  // twice the signed area
 
-  /// In the repeat of the picture that begins at `origin`.
+  /// Makes the triangle in the repeat of the picture that begins at `origin`.
   PixelTriangle(const UvCorners& uvs, glm::uvec3 corners, int size, glm::dvec2 origin) {
     const auto place = [&](std::uint32_t k) {
       const glm::dvec2 uv = glm::dvec2(uvs.corners[k].uv) - origin;
@@ -145,14 +146,14 @@ struct PixelTriangle {
   }
 };
 
-/// The repeats of the picture that a triangle lies in, by their first corners.
+/// The range of repeats of the picture in which a triangle lies, by their lower corners.
 struct Repeats {
   glm::ivec2 first{0}, last{0};
 
   Repeats(const UvCorners& uvs, glm::uvec3 t) {
     const glm::vec2 a = uvs.corners[t.x].uv, b = uvs.corners[t.y].uv, c = uvs.corners[t.z].uv;
     const glm::vec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-    constexpr int farthest = 1 << 24;  // beyond it 32 bits have no fraction, so there is no place in a picture
+    constexpr int farthest = 1 << 24;  // beyond it 32-bit floats have no fraction, so no position in a picture
     for (int k = 0; k < 2; ++k) {
       first[k] = clamped_index(std::floor(low[k]), -farthest, farthest);
       last[k] = std::max(clamped_index(std::ceil(high[k]), -farthest, farthest) - 1, first[k]);
@@ -161,7 +162,7 @@ struct Repeats {
   }
 };
 
-/// The first and the last pixel whose centre lies in [low, high]; none where first > last.
+/// Returns the first and the last pixel whose centre lies in [low, high]; none if the first is larger.
 std::pair<int, int> centres_in(double low, double high, int first, int last) {
   return {static_cast<int>(std::clamp(std::ceil(low - 0.5), double(first), last + 1.0)),
           static_cast<int>(std::clamp(std::floor(high - 0.5), first - 1.0, double(last)))};
@@ -173,7 +174,7 @@ void put(MapImage& image, std::size_t pixel, glm::dvec4 value) {
   image.covered[pixel] = 1;
 }
 
-/// The rows [top, bottom] of one triangle in one repeat of the picture.
+/// Draws the rows [top, bottom] of one triangle in one repeat of the picture.
 void draw(const PixelTriangle& triangle, const std::array<glm::dvec4, 3>& values, int top, int bottom,
           MapImage& image) {
   const auto [low, high] = std::minmax({triangle.a.y, triangle.b.y, triangle.c.y});
@@ -203,7 +204,7 @@ void draw_repeats(const UvCorners& uvs, glm::uvec3 corners, std::span<const glm:
   }
 }
 
-/// Corners of islands so thin or small that no pixel's centre lies in them.
+/// Puts the corners of islands that are so thin or small that no pixel's centre lies in them.
 void put_corners(const UvCorners& uvs, std::span<const glm::vec4> values, MapImage& image) {
   for (std::size_t k = 0; k < uvs.corners.size(); ++k) {
     const glm::dvec2 uv(wrapped(uvs.corners[k].uv.x), wrapped(uvs.corners[k].uv.y));
@@ -226,7 +227,7 @@ MapImage make_map_image(int size, int channels, glm::dvec4 background) {
   return image;
 }
 
-// Bands of rows side by side, each with all triangles in their order, so that the last one wins everywhere.
+// Draws bands of rows in parallel, each with all triangles in their order, so that the last one wins everywhere.
 void draw_triangles(const UvCorners& uvs, std::span<const glm::vec4> values, MapImage& image) {
   const auto bands = static_cast<std::uint32_t>((image.size + band_rows - 1) / band_rows);
   for_each_in_parallel(bands, [&](std::uint32_t band) {
@@ -244,9 +245,10 @@ std::size_t count_outside(const UvCorners& uvs) {
 
 namespace {
 
-constexpr std::int8_t none = 127;  // farther than any distance that is asked for
+constexpr std::int8_t none = 127;  // larger than any requested distance
 
-/// For each pixel of a row how far to the right its nearest covered pixel in that row is; `none` beyond the distance.
+/// Writes for each pixel of a row the offset to its nearest covered pixel in that row, positive to the right; `none`
+/// beyond the distance.
 void find_in_row(const std::uint8_t* covered, int size, int distance, std::int8_t* steps) {
   const auto seek = [&](int from, int to, int step) {
     int last = -1;
@@ -263,7 +265,8 @@ void find_in_row(const std::uint8_t* covered, int size, int distance, std::int8_
 
 }  // namespace
 
-// Nearest along each row first, then over the rows: Felzenszwalb and Huttenlocher's two passes, cut at the distance.
+// Finds the nearest pixel along each row first, then over the rows: Felzenszwalb and Huttenlocher's two passes, limited
+// to the distance.
 void dilate(MapImage& image, int distance) {
   if (distance <= 0) return;
   const auto size = static_cast<std::size_t>(image.size);

@@ -1,4 +1,4 @@
-// From fields to a map, and from a picture to fields.
+// Draws maps of fields, and reads fields from pictures.
 #pragma once
 
 #include <array>
@@ -13,45 +13,47 @@
 
 namespace pelage {
 
-/// A map before it is a file: values as `layout` says, colours with straight alpha.
+/// A map before it is encoded; `layout` describes its values. Colours have straight alpha for PNG, and are
+/// premultiplied for formats of floats.
 struct DrawnMap {
   MapImage image;
   MapLayout layout;
-  MapAnswer answer;  // all but the revision
+  MapAnswer answer;  // without the revision
 };
 
-/// Draws the asked map of a mesh with texture coordinates; not `vertices`. Beside the picture it takes 4 bytes a pixel
-/// and channel.
+/// Draws the requested map of a mesh, which must have texture coordinates; the encoding must not be `vertices`. Takes 4
+/// bytes a pixel and channel in addition to the encoded file.
 DrawnMap draw_map(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
 
-/// A field's value at each vertex, in their order: numbers over the scale, colours linear with straight alpha, or the
-/// vectors along the surface, in model coordinates, of a direction.
+/// A field's values at all vertices, in their order: numbers divided by the scale, linear colours with straight alpha,
+/// or directions as vectors along the surface in model coordinates.
 struct VertexList {
-  std::size_t channels = 1;   // 1, 3 of a direction, 4 of a colour
+  std::size_t channels = 1;   // 1; 3 for a direction, 4 for a colour
   std::vector<float> values;  // channels * vertices
-  MapAnswer answer;           // all but the revision
+  MapAnswer answer;           // without the revision
 };
 
 VertexList list_vertices(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
 
-/// What a picture says about the fields of each vertex.
+/// The values of fields that a picture gives for each vertex.
 struct MapTargets {
-  std::vector<Field> fields;                                // by rising number: which ones the encoding holds
-  std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; beyond ranges too
-  std::vector<bool> keeps_direction;  // of `vector`, where it has no length and so no direction; else empty
-  std::vector<bool> says_nothing;     // of vertices that do not lie in the tile; empty where all are read
+  std::vector<Field> fields;                                // fields of the encoding, by rising number
+  std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; may be out of range
+  std::vector<bool> keeps_direction;  // for `vector`: true if its length is 0, so that it has no direction; else empty
+  std::vector<bool> says_nothing;     // true for vertices outside the tile; empty if all are read
 };
 
-/// Reads the picture at every vertex, mixed from four pixels; on seams the mean of what its islands say. The mesh has
-/// texture coordinates, or with `vertices` the picture has as many pixels as the mesh vertices. `scale` is in the
-/// field's unit, lengths in sizes. Of a UDIM `tile` the picture shows its square alone.
+/// Samples the picture bilinearly at every vertex; on seams it takes the mean over the islands. The mesh must have
+/// texture coordinates or, for `vertices`, the picture must have as many pixels as the mesh has vertices. `scale` is in
+/// the field's unit, lengths in sizes. If `tile` is not 0, the picture covers only the square of this UDIM tile.
 MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, MapEncoding encoding, double scale,
                     int tile = 0);
 
-/// How bright the picture is, [0, 1], at a place in [0, 1], v up: Rec. 709's weights of the file's own numbers.
+/// Returns the luminance of the picture, [0, 1], at a position in [0, 1], v up: Rec. 709's weights of the file's own
+/// numbers.
 double luminance_at(const MapPicture& picture, glm::dvec2 place);
 
-/// One channel of the picture at every vertex, the file's own numbers held in [0, 1].
+/// Returns one channel of the picture at every vertex: the file's own numbers, clamped to [0, 1].
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel);
 
 }  // namespace pelage

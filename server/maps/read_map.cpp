@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// Mixes what four pixels hold.
+/// Returns the weighted sum of pixel(rgba) over the four taps.
 template <class Pixel>
 glm::dvec4 mixed(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
   const Taps taps = taps_at(uv, picture.width, picture.height);
@@ -21,7 +21,7 @@ glm::dvec4 mixed(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
   return sum;
 }
 
-/// The values of one pixel; colours come multiplied by their cover, as an EXR has them.
+/// Returns the values of one pixel; colours are premultiplied, as in an EXR.
 glm::dvec4 decoded(const float* rgba, const MapLayout& layout, int bits) {
   glm::dvec4 value(0);
   for (int k = 0; k < layout.channels; ++k)
@@ -30,7 +30,7 @@ glm::dvec4 decoded(const float* rgba, const MapLayout& layout, int bits) {
   return value;
 }
 
-/// Calls use(corner) for the corners of a vertex that lie in the texture, or for all where none does; their number.
+/// Calls use(corner) for the corners of a vertex that are mapped, or for all if none is. Returns their number.
 template <class Use>
 int for_each_corner(const UvCorners& uvs, std::uint32_t vertex, const Use& use) {
   const std::span<const UvCorner> corners = uvs.of_vertex(vertex);
@@ -44,7 +44,7 @@ int for_each_corner(const UvCorners& uvs, std::uint32_t vertex, const Use& use) 
   return count;
 }
 
-/// What the picture says at a vertex: directions in its (tangent, bitangent), the rest as it is.
+/// Returns the picture's value at a vertex: directions in its (tangent, bitangent), other values unchanged.
 glm::dvec4 value_at_vertex(const UvCorners& uvs, std::uint32_t v, const MapPicture& picture, const MapLayout& layout,
                            MapEncoding encoding) {
   glm::dvec4 sum(0);
@@ -70,7 +70,7 @@ glm::dvec4 straight(glm::dvec4 colour) {
   return colour.w > 0 ? glm::dvec4(glm::dvec3(colour) / colour.w, colour.w) : glm::dvec4(0);
 }
 
-/// Splits a strand into where it leans and how long it is. What points into the skin lies on it.
+/// Splits the vector of a strand into direction and length. A vector that points into the skin is laid flat on it.
 void split_vector(glm::dvec3 strand, double scale, std::uint32_t v, MapTargets& targets) {
   const double length = glm::length(strand);
   auto& directions = targets.values[static_cast<std::size_t>(Field::direction)];
@@ -98,7 +98,7 @@ void split(glm::dvec4 value, const MapLayout& layout, MapEncoding encoding, doub
   if (encoding == MapEncoding::fast_fur) of(Field::width).x = value.z * scale, of(Field::density).x = value.w;
 }
 
-/// A list with a value for each vertex.
+/// Reads a list with a value for each vertex.
 MapTargets read_list(const Mesh& mesh, const MapPicture& list, Field field, double scale) {
   MapTargets targets;
   targets.fields = {field};

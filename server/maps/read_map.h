@@ -1,4 +1,4 @@
-// How pictures are read between the centres of their pixels.
+// Samples pictures bilinearly.
 #pragma once
 
 #include <algorithm>
@@ -9,19 +9,19 @@
 
 namespace pelage {
 
-/// The four pixels around a place and their weights, which add up to 1. Some may be the same pixel.
+/// The four pixels around a position and their weights, which sum to 1. Some may be the same pixel.
 struct Taps {
   std::array<std::size_t, 4> pixels{};  // rows from the top
   std::array<double, 4> weights{};
 };
 
-/// Returns whether a place lies in the picture itself.
+/// Returns whether a position lies in the picture itself.
 inline bool is_inside(glm::vec2 uv) { return uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1; }
 
-/// A coordinate in the picture repeated; both 0 and 1 stay where they are.
+/// Returns a coordinate wrapped to [0, 1], as in a picture that repeats; 0 and 1 are not changed.
 inline double wrapped(double x) { return x >= 0 && x <= 1 ? x : x - std::floor(x); }
 
-/// Places outside [0, 1] are those of the picture repeated; at its edges the last pixel goes on.
+/// Returns the taps at a position. Outside [0, 1] the picture repeats, but its edge pixels are extended, not wrapped.
 inline Taps taps_at(glm::vec2 uv, int width, int height) {
   const double x = wrapped(uv.x) * width - 0.5, y = (1 - wrapped(uv.y)) * height - 0.5;
   const double left = std::floor(x), top = std::floor(y);

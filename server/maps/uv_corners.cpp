@@ -19,13 +19,13 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-/// How a triangle lies in the texture.
+/// The orientation of a triangle in the texture.
 struct Slope {
-  dvec3 along_u{0};  // dP/du as long as twice the triangle's area; 0 where it has no area in the texture
+  dvec3 along_u{0};  // dP/du, twice the triangle's area long; 0 if it has no area in the texture
   double side = 1;
 };
 
-/// The slopes of the triangles around a corner, those of each side together.
+/// The sums of the slopes of the triangles around a corner, for plain and for mirrored ones.
 struct Slopes {
   dvec3 plain{0}, mirrored{0};
   double plain_area = 0, mirrored_area = 0;
@@ -49,7 +49,7 @@ Slope slope_of(const Mesh& mesh, std::size_t t) {
   return {glm::length(glm::cross(e1, e2)) / length * along, det < 0 ? -1.0 : 1.0};
 }
 
-/// A corner of a triangle: 3 * triangle + its number there.
+/// A corner of a triangle; `number` is 3 * triangle + its index in the triangle.
 struct Corner {
   std::uint32_t vertex;
   glm::vec2 uv;
@@ -72,7 +72,7 @@ std::vector<Corner> sorted_corners(const Mesh& mesh) {
   return corners;
 }
 
-/// The tangent space of a corner.
+/// Sets the tangent space of a corner.
 void settle(UvCorner& corner, const Slope& slope, const Mesh& mesh) {
   corner.side = slope.side;
   const dvec3 tangent(mesh.tangents[corner.vertex]), normal(mesh.normals[corner.vertex]);
@@ -111,11 +111,11 @@ UvCorners make_uv_corners(const Mesh& mesh) {
 namespace {
 
 constexpr std::size_t min_passes = 48, max_passes = 2000;
-constexpr std::size_t max_corrections = 10'000'000;  // beyond the least passes: small models may take more of them
-constexpr double close_enough = 1e-6;                // of a value's own size, or of 0.01 where it is smaller
-constexpr double min_hold = 0.05;  // of covered pixels on a corner; with less a correction would grow too far
+constexpr std::size_t max_corrections = 10'000'000;  // small models may take more than min_passes up to this
+constexpr double close_enough = 1e-6;                // relative to the value, or to 0.01 if that is larger
+constexpr double min_hold = 0.05;  // minimum of hold_of(); below it a correction would become too large
 
-/// The sum of weights of one pixel that stands for several of the four.
+/// Merges taps of the same pixel by adding their weights.
 Taps merged(Taps taps) {
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = i + 1; k < 4; ++k) {
@@ -125,28 +125,28 @@ Taps merged(Taps taps) {
   return taps;
 }
 
-/// What a corner's four pixels give now.
+/// Returns the present value of a corner from its four pixels.
 double found(const Taps& taps, int channel, const MapImage& image) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) sum += taps.weights[i] * image.at(taps.pixels[i])[channel];
   return sum;
 }
 
-/// The sum of the squared weights of covered pixels: how well a corner can be corrected.
+/// Returns the sum of the squared weights of covered pixels, which tells how well a corner can be corrected.
 double hold_of(const Taps& taps, const MapImage& image) {
   double hold = 0;
   for (std::size_t i = 0; i < 4; ++i) hold += image.covered[taps.pixels[i]] * taps.weights[i] * taps.weights[i];
   return hold;
 }
 
-/// Returns whether a pixel can go on in the direction of `miss`.
+/// Returns whether a pixel can still change in the direction of `miss`.
 bool is_free(const MapImage& image, std::size_t pixel, int channel, double miss, double min, double max) {
   const double value = image.at(pixel)[channel];
   return image.covered[pixel] && (miss > 0 ? value < max : value > min);
 }
 
-/// Moves the free pixels the shortest distance to where the corner's equation holds, and then those that are still free
-/// again if others reached a limit. Returns whether the equation did not hold before.
+/// Changes the free pixels as little as possible so that the corner's equation holds. If some reach a limit, repeats
+/// that with those that are still free. Returns whether the equation did not hold before.
 bool project(const Taps& taps, double wanted, int channel, double min, double max, MapImage& image) {
   const double enough = close_enough * std::max(std::abs(wanted), 0.01);
   double miss = wanted - found(taps, channel, image);
@@ -193,13 +193,13 @@ constexpr int udims_of_row = 10;
 glm::ivec2 square_of(const UvCorners& uvs, glm::uvec3 t) {
   const auto uv = [&](std::uint32_t k) { return dvec2(uvs.corners[k].uv); };
   const dvec2 square = glm::floor((uv(t.x) + uv(t.y) + uv(t.z)) / 3.0);
-  constexpr int farthest = 1 << 24;  // of what 32 bits can name a square
+  constexpr int farthest = 1 << 24;  // beyond it 32-bit floats do not identify a square
   return {clamped_index(square.x, -farthest, farthest), clamped_index(square.y, -farthest, farthest)};
 }
 
 glm::ivec2 square_of(int udim) { return {(udim - first_udim) % udims_of_row, (udim - first_udim) / udims_of_row}; }
 
-/// The corners in `kept`, moved by `shift`.
+/// Returns the corners in `kept`, moved by `shift`.
 UvCorners chosen(const UvCorners& uvs, const std::vector<bool>& kept, glm::vec2 shift) {
   UvCorners chosen;
   std::size_t corner = 0;

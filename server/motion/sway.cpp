@@ -21,7 +21,7 @@ Response response(const Oscillator& oscillator, double w) {
 double step_response(const Oscillator& oscillator, double seconds) {
   const double damping = oscillator.damping, t = oscillator.rate * seconds;  // in units of 1 / rate
   if (!(t > 0)) return 0;
-  constexpr double nearly = 1e-5;  // critical: the formulas beside it divide by the distance
+  constexpr double nearly = 1e-5;  // critical damping; the other formulas divide by about damping - 1
   if (std::abs(damping - 1) < nearly) return 1 - std::exp(-t) * (1 + t);
   if (damping < 1) {
     const double swing = std::sqrt(1 - damping * damping);
@@ -56,13 +56,13 @@ BodyAcceleration acceleration_of(std::function<RigidPose(double time)> pose, std
 
 namespace {
 
-/// The two vectors along the skin that a direction is in.
+/// The two vectors along the skin in which a direction is given.
 struct Plane2 {
   glm::dvec3 tangent, bitangent;
   glm::dvec2 part(glm::dvec3 vector) const { return {glm::dot(vector, tangent), glm::dot(vector, bitangent)}; }
 };
 
-/// The answer to each wave by its closed form.
+/// Returns the sum of the responses to the mean wind and to each wave, in closed form.
 glm::dvec2 wind_offset(const WindField& field, const Spring& spring, const Plane2& plane, glm::dvec3 position,
                        double time) {
   glm::dvec2 sum = plane.part(field.mean);
@@ -74,13 +74,14 @@ glm::dvec2 wind_offset(const WindField& field, const Spring& spring, const Plane
   return spring.lean * sum;
 }
 
-/// 1 for the last half of the warm-up, then smoothly down to 0.
+/// Returns the weight of a motion `seconds` ago: 1 in the last half of the warm-up, and before it a smooth fall to 0.
 double counts_after(double seconds) {
   const double share = std::clamp(2 * seconds / warm_up_seconds - 1, 0.0, 1.0);
   return 1 - share * share * (3 - 2 * share);
 }
 
-/// Of a force per mass of -acceleration / length, which stands for a step at a time: the exact answer to each step.
+/// Returns the response to a force per mass of -acceleration / length that is constant over each step; exact for each
+/// step.
 glm::dvec2 body_offset(const BodyMotion& body, const Spring& spring, double length, const Plane2& plane,
                        std::uint32_t vertex, double time) {
   glm::dvec2 sum(0);

@@ -11,19 +11,20 @@ namespace {
 
 constexpr double two_pi = glm::two_pi<double>();
 constexpr int gust_waves = 12, turbulence_waves = 28;
-constexpr double shortest_gust = 4, longest_gust = 16;  // wavelengths, scales of the turbulence
-constexpr double shortest_eddy = 0.25;                  // of the largest
-constexpr double gust_spread = 0.45;                    // radians between a gust's way and the wind's
-constexpr double gust_ageing = 0.1;                     // of its rate, speed over the wind's
+constexpr double shortest_gust = 4, longest_gust = 16;  // wavelengths, in scales of the turbulence
+constexpr double shortest_eddy = 0.25;                  // wavelength, relative to the largest
+constexpr double gust_spread = 0.45;                    // maximum angle between gust and wind, radians
+constexpr double gust_ageing = 0.1;                     // maximum deviation of the phase speed, over the wind's
 constexpr double eddy_ageing = 0.4;
 
-/// A unit vector, evenly over the sphere.
+/// Returns a unit vector, uniformly distributed over the sphere.
 glm::dvec3 any_direction(Random& random) {
   const double z = random.uniform(-1, 1), angle = random.uniform(0, two_pi), across = std::sqrt(1 - z * z);
   return {across * std::cos(angle), across * std::sin(angle), z};
 }
 
-/// The part of a vector across a unit vector, unit; any unit vector across it where there is none.
+/// Returns the component of a vector orthogonal to a unit vector, normalised; any orthogonal unit vector if it
+/// vanishes.
 glm::dvec3 across(glm::dvec3 vector, glm::dvec3 along) {
   const glm::dvec3 left = vector - glm::dot(vector, along) * along;
   const double length = glm::length(left);
@@ -31,7 +32,7 @@ glm::dvec3 across(glm::dvec3 vector, glm::dvec3 along) {
   return across(std::abs(along.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), along);
 }
 
-/// Wavelength i of count, from longest to shortest by equal ratios, each somewhere in its band.
+/// Returns wavelength i of count: a random one in its band. Bands of equal ratios run from the longest to the shortest.
 double wavelength(int i, int count, double longest, double shortest, Random& random) {
   return longest * std::pow(shortest / longest, (i + random.uniform()) / count);
 }
@@ -45,7 +46,7 @@ WindWave wave_along(glm::dvec3 way, double length, double ageing, glm::dvec3 mea
   return wave;
 }
 
-/// Adds gusts whose root mean square is `strength` together.
+/// Adds gusts with a total root mean square of `strength`.
 void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double strength) {
   Random random(wind.seed, 1);
   for (int i = 0; i < gust_waves; ++i) {
@@ -59,8 +60,7 @@ void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double stre
   }
 }
 
-/// Adds eddies whose root mean square is `strength` together. Bands of equal ratios hold an energy that falls as
-/// k^(-2/3).
+/// Adds eddies with a total root mean square of `strength`. The energy in bands of equal ratios falls as k^(-2/3).
 void add_turbulence(WindField& field, const Wind& wind, double strength) {
   Random random(wind.seed, 2);
   const std::size_t first = field.waves.size();

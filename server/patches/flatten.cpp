@@ -17,7 +17,7 @@ glm::dvec2 turned(glm::dvec2 v, double angle) {
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-/// The smallest rotation from one unit vector to another, applied to v. Opposite vectors leave it as it is.
+/// Returns v rotated by the smallest rotation from one unit vector to another. Opposite vectors leave v unchanged.
 glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
   const double cosine = glm::dot(from, to);
   if (cosine < -0.9999) return v;
@@ -69,8 +69,8 @@ class ExponentialMap {
     }
   }
 
-  /// Places a vertex at the mean of what the placed neighbours predict, nearer ones counting more; the seed, which has
-  /// none, at the origin.
+  /// Places a vertex at the mean of the predictions of its placed neighbours, with larger weights for nearer ones; the
+  /// seed, which has none, stays at the origin.
   void predict(std::uint32_t v) {
     glm::dvec2 place(0), heading(0);
     double weights = 0;
@@ -86,7 +86,7 @@ class ExponentialMap {
     turn_[v] = std::atan2(heading.y, heading.x);
   }
 
-  /// The edge in the tangent plane of its start, at its full length, turned into the plane of the map.
+  /// Returns the edge projected to the tangent plane of its start, at its full length, in the plane of the map.
   glm::dvec2 step(std::uint32_t from, std::uint32_t to) const {
     const glm::dvec3 edge = position(to) - position(from), t = tangent(from);
     const glm::dvec2 flat(glm::dot(edge, t), glm::dot(edge, glm::cross(normal(from), t)));
@@ -95,7 +95,7 @@ class ExponentialMap {
     return turned(flat * (glm::length(edge) / length), turn_[from]);
   }
 
-  /// Angle of one vertex's tangent, brought along the edge, in the frame of the other.
+  /// Returns the angle of the tangent of `from`, transported along the edge, in the frame of `to`.
   double turn_between(std::uint32_t from, std::uint32_t to) const {
     const glm::dvec3 brought = transported(tangent(from), normal(from), normal(to));
     return std::atan2(glm::dot(brought, glm::cross(normal(to), tangent(to))), glm::dot(brought, tangent(to)));
@@ -104,7 +104,7 @@ class ExponentialMap {
   const Mesh& mesh_;
   FlatPatch& patch_;
   const Adjacency& neighbours_;
-  std::vector<double> turn_;  // of each vertex: the angle of its tangent on the map
+  std::vector<double> turn_;  // for each vertex: angle of its tangent on the map
   std::vector<bool> placed_;
   std::vector<double> distance_;
 };
@@ -139,7 +139,7 @@ FlatTriangle unfolded(const std::array<glm::dvec3, 3>& p) {
   return flat;
 }
 
-/// Alternates between the best rotation of each triangle and the places that fit all of them best.
+/// Alternates between the best rotation of each triangle and the positions that fit all of them best.
 class RigidFit {
  public:
   RigidFit(const Mesh& mesh, FlatPatch& patch) : patch_(patch) {
@@ -178,7 +178,8 @@ class RigidFit {
  private:
   static constexpr double hold = 1e-7;
 
-  /// Adds the wanted differences of the positions: the sides of triangle t, turned as the map turns it.
+  /// Adds the target differences of positions to the right-hand side: the sides of triangle t, rotated as the map
+  /// rotates the triangle.
   void add_wishes(std::size_t t, Eigen::MatrixX2d& right) const {
     const FlatTriangle& flat = flat_[t];
     const glm::uvec3& v = patch_.triangles[t];
@@ -219,7 +220,7 @@ bool is_like_a_surface(const Adjacency& neighbours) {
   return edges <= 3.2 * static_cast<double>(neighbours.begin.size() - 1);
 }
 
-/// One scale that makes the areas agree, and one turn that brings the mean tangent to u.
+/// Scales the patch to the area of its triangles, and rotates it so that the mean tangent points along u.
 void align(const Mesh& mesh, FlatPatch& patch) {
   double area = 0, flat_area = 0;
   glm::dvec2 heading(0);
@@ -243,13 +244,13 @@ void align(const Mesh& mesh, FlatPatch& patch) {
   for (glm::dvec2& uv : patch.uv) uv = scale * turned(uv, angle);
 }
 
-/// Where a vertex of the mesh is in the patch.
+/// Returns the index in the patch of a vertex of the mesh.
 std::uint32_t index_of(const FlatPatch& patch, std::uint32_t vertex) {
   const auto found = std::lower_bound(patch.vertices.begin(), patch.vertices.end(), vertex);
   return static_cast<std::uint32_t>(found - patch.vertices.begin());
 }
 
-/// The triangles with vertices of their own, all at the origin.
+/// Returns the triangles with their vertices as a patch, with all positions at the origin.
 FlatPatch without_places(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   FlatPatch patch;
   for (const std::uint32_t t : triangles) {
@@ -284,7 +285,7 @@ FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, st
 Stretch stretch_of(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& uv) {
   const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
   const double length = glm::length(e1), twice = glm::length(glm::cross(e1, e2));
-  // Rounding of 32-bit positions decides about thinner triangles.
+  // The shape of thinner triangles would depend on the rounding of 32-bit positions.
   if (!(twice > 1e-7 * std::max(glm::dot(e1, e1), glm::dot(e2, e2)))) return {};
   const double x2 = glm::dot(e1, e2) / length, y2 = twice / length;
   const glm::dvec2 du = (uv[1] - uv[0]) / length, dv = ((uv[2] - uv[0]) - du * x2) / y2;

@@ -1,4 +1,4 @@
-// Lays a part of a surface flat with as little stretch as possible.
+// Flattens a part of a surface with as little stretch as possible.
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@ struct FlatPatch {
   std::vector<glm::dvec2> uv;           // of each of `vertices`
 };
 
-/// Lays triangles flat: a discrete exponential map around `seed`, one of their vertices (Schmidt et al. 2006, with
+/// Flattens triangles: a discrete exponential map around `seed`, one of their vertices (Schmidt et al. 2006, with
 /// averaged predictions), then local/global iterations towards rigid triangles (ARAP, Liu et al. 2008), then one scale
-/// so that the area is true. Triangles that meet as on no surface keep the exponential map. u runs along the mean of
-/// the vertices' tangents. Always finite; triangles without area follow their edges. Deterministic.
+/// to preserve the area. Triangles that do not form a surface keep the exponential map. u runs along the mean of the
+/// vertices' tangents. Always finite; triangles without area follow their edges. Deterministic.
 FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, std::uint32_t seed);
 
-/// How the map from a triangle to the plane stretches: its singular values, the larger first.
+/// The stretch of the map from a triangle to the plane: its singular values, the larger first.
 struct Stretch {
   double large = 1, small = 1;
   bool flipped = false;
@@ -33,7 +33,7 @@ struct Stretch {
   double angle() const { return large / small; }  // 1 keeps angles
 };
 
-/// Nothing is stretched where the triangle has no area.
+/// Returns the stretch of a triangle's map; no stretch if the triangle has no area.
 Stretch stretch_of(const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec2, 3>& uv);
 
 }  // namespace pelage

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Vertices still to visit, nearest first, lower numbers first among equals.
+/// The vertices still to visit, nearest first, lower numbers first on ties.
 using Front = std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>,
                                   std::greater<>>;
 
 double angle_between(glm::dvec3 a, glm::dvec3 b) { return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0)); }
 
-/// A step costs its length and its bending, so that ears and toes are as far away as they need seeds of their own;
-/// noise keeps borders from running straight.
+/// Returns the cost of a step: its length and its bending, so that ears and toes are far enough away to get seeds of
+/// their own. Noise keeps borders from running straight.
 double step_cost(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   constexpr double bend_length = 0.08, noise_length = 0.03, noise_share = 0.4;
   const glm::dvec3 a(mesh.positions[from]), b(mesh.positions[to]);
@@ -32,7 +32,8 @@ double step_cost(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   return (glm::distance(a, b) + bend_length * bend) * (1 + noise_share * noise);
 }
 
-/// Returns whether nearly all of the area faces about the same way.
+/// Returns whether a cell of these members has few enough vertices, and nearly all of its area faces about one
+/// direction.
 bool within_limits(const Mesh& mesh, const VertexGraph& graph, std::span<const std::uint32_t> members,
                    const CellLimits& limits) {
   if (members.size() == 1) return true;
@@ -130,7 +131,7 @@ struct Border {
   std::uint32_t low = 0, high = 0;
 };
 
-/// Longest first.
+/// Returns the borders of all cells, longest first.
 std::vector<Border> borders_of(const VertexGraph& graph, const Cells& cells) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> lengths;
   for (std::uint32_t v = 0; v < cells.cell.size(); ++v) {
@@ -147,7 +148,7 @@ std::vector<Border> borders_of(const VertexGraph& graph, const Cells& cells) {
   return borders;
 }
 
-/// Joins each cell with at most one neighbour; gives whether any was joined.
+/// Merges each cell with at most one neighbour. Returns whether any was merged.
 bool merge_once(const Mesh& mesh, const VertexGraph& graph, const CellLimits& limits, Cells& cells) {
   const Adjacency members = members_of(cells);
   std::vector<std::uint32_t> joined(cells.count);  // the cell that each becomes part of

@@ -16,7 +16,7 @@ glm::vec2 uv_at(const Mesh& mesh, std::uint32_t triangle, std::uint32_t corner) 
   return mesh.texture_uv[triangle][corner];
 }
 
-/// The texture coordinates of a side at its low and its high vertex.
+/// Returns the texture coordinates of a side at its low and its high vertex.
 std::pair<glm::vec2, glm::vec2> uv_along(const Mesh& mesh, const Side& side) {
   const glm::vec2 first = uv_at(mesh, side.triangle, side.side);
   const glm::vec2 second = uv_at(mesh, side.triangle, (side.side + 1) % 3);
@@ -60,7 +60,7 @@ double twice_uv_area(const Mesh& mesh, std::uint32_t t) {
   return d1.x * d2.y - d1.y * d2.x;
 }
 
-/// The island as a patch in sizes; a vertex with several coordinates comes several times.
+/// Returns the island as a patch in sizes. A vertex with several texture coordinates occurs several times.
 FlatPatch flat_island(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, double scale, bool mirrored) {
   using Key = std::tuple<std::uint32_t, float, float>;
   std::map<Key, std::uint32_t> places;
@@ -83,7 +83,8 @@ FlatPatch flat_island(const Mesh& mesh, const std::vector<std::uint32_t>& triang
   return flat;
 }
 
-/// Size of a unit of the island's coordinates, negative for a mirrored island; `usual` where it spans no area.
+/// Returns the sizes per unit of the island's texture coordinates, negative for a mirrored island; `usual` if they span
+/// no area.
 double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, double usual) {
   double area = 0, uv_area = 0, signed_area = 0;
   for (const std::uint32_t t : triangles) {
@@ -96,7 +97,7 @@ double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, d
   return (usable ? scale : usual) * (signed_area < 0 ? -1 : 1);
 }
 
-/// Size of a unit of texture coordinates over the whole model; none where they span no area.
+/// Returns the sizes per unit of texture coordinates over the whole model; none if they span no area.
 std::optional<double> usual_scale(const Mesh& mesh) {
   double area = 0, uv_area = 0;
   for (std::uint32_t t = 0; !mesh.texture_uv.empty() && t < mesh.triangles.size(); ++t) {

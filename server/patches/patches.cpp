@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-/// Patches while they are laid.
+/// The patches while they are made.
 struct Layout {
   Cells cells;
   VertexShares shares;
@@ -54,8 +54,8 @@ Layout lay_out(const Mesh& mesh, const VertexGraph& graph, Cells cells) {
   return layout;
 }
 
-/// Returns whether too much of the patch is stretched so much that the eye would see it in the fur's density. Where a
-/// cell has few vertices, splitting it makes more overlap than it saves stretch: then only what is much worse counts.
+/// Returns whether so much of the patch is stretched that it would be visible in the fur's density. Splitting a cell
+/// with few vertices costs more overlap than it saves stretch, so the limit is higher there.
 bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cell_size) {
   constexpr double allowed_share = 0.04;
   constexpr std::size_t few = 20;
@@ -76,7 +76,7 @@ bool stretches_too_much(const Mesh& mesh, const FlatPatch& flat, std::size_t cel
   return bad > allowed_share * area;
 }
 
-/// Splits the cells of patches that stretch too much; gives whether there were any.
+/// Splits the cells of patches that stretch too much. Returns whether there were any.
 bool split_stretched(const Mesh& mesh, const VertexGraph& graph, const Layout& layout, Cells& cells) {
   const std::uint32_t before = cells.count;
   const Adjacency members = members_of(cells);
@@ -197,13 +197,13 @@ std::vector<PatchPoint> make_points(const Mesh& mesh, const FlatPatch& flat, std
 
 namespace {
 
-/// A vertex within reach of another cell than its own.
+/// A vertex within the overlap of another cell than its own.
 struct Reach {
   std::uint32_t vertex, patch;
-  double distance;  // from the patch's cell, made irregular, sizes
+  double distance;  // from the patch's cell, made irregular by noise, sizes
 };
 
-/// Finds what lies around each cell.
+/// Finds the vertices around each cell.
 class ReachFinder {
  public:
   ReachFinder(const Mesh& mesh, const VertexGraph& graph, const Cells& cells, double width)
@@ -213,7 +213,7 @@ class ReachFinder {
         width_(width),
         distance_(mesh.positions.size(), std::numeric_limits<double>::infinity()) {}
 
-  /// By rising vertex, then patch.
+  /// Returns the vertices around all cells, by rising vertex, then patch.
   std::vector<Reach> find_all() {
     const Adjacency members = members_of(cells_);
     for (std::uint32_t c = 0; c < cells_.count; ++c) find_around(c, members.of(c));
@@ -258,7 +258,7 @@ class ReachFinder {
   static constexpr double ragged_share = 0.6;
 
   double raggedness(std::uint32_t vertex, std::uint32_t cell) const {
-    constexpr double length = 0.012;  // of the noise, sizes: some strands wide
+    constexpr double length = 0.012;  // of the noise, sizes; the width of some strands
     return ragged_share * value_noise(glm::dvec3(mesh_.positions[vertex]) / length, cell + 2);
   }
 
@@ -300,7 +300,7 @@ VertexShares normalised(const Cells& cells, const std::vector<Reach>& reaches, d
   return result;
 }
 
-/// Area of all pieces over the area of the surface.
+/// Returns the area of all pieces divided by the area of the surface.
 double area_factor(const Mesh& mesh, const VertexShares& shares) {
   double pieces = 0, surface = 0;
   std::vector<std::uint32_t> patches;

@@ -17,14 +17,14 @@ namespace {
 /// A point of the subdivided map: one of the old map, or the middle of two of them.
 struct Middle {
   std::uint32_t vertex = 0;         // of the subdivided mesh
-  std::uint32_t low = 0, high = 0;  // points of the old map; the same for a point that was there
+  std::uint32_t low = 0, high = 0;  // points of the old map; equal for an old point
 
   auto order() const { return std::tie(vertex, low, high); }
   bool operator<(const Middle& other) const { return order() < other.order(); }
   bool operator==(const Middle& other) const { return order() == other.order(); }
 };
 
-/// A piece of the subdivided map before its points have numbers.
+/// A piece of the subdivided map before its points are numbered.
 struct NewPiece {
   std::uint32_t triangle = 0, patch = 0;
   std::array<Middle, 3> corners;
@@ -45,7 +45,7 @@ NewPiece split_piece(const Piece& piece, const ChildTriangle& child, std::uint32
   return result;
 }
 
-/// The pieces of all children, by triangle, then patch.
+/// Returns the pieces of all children, by triangle, then patch.
 std::vector<NewPiece> split_pieces(const PatchMap& map, const std::vector<ChildTriangle>& children,
                                    const Mesh& subdivided) {
   std::vector<NewPiece> pieces;
@@ -62,7 +62,7 @@ std::vector<NewPiece> split_pieces(const PatchMap& map, const std::vector<ChildT
   return pieces;
 }
 
-/// The unit vector along `axis` across the unit normal; any across it where that vanishes.
+/// Returns `axis` projected orthogonal to the unit normal, unit; the tailward direction if the projection vanishes.
 glm::vec3 across(glm::dvec3 axis, glm::dvec3 normal) {
   constexpr double vanishing = 1e-4;
   axis -= glm::dot(axis, normal) * normal;
@@ -110,7 +110,7 @@ namespace {
 
 constexpr std::uint32_t whole = 0xffffffff;  // in place of a middle: the side is not split
 
-/// Where each triangle's sides are halved.
+/// The middles of all sides that are halved.
 struct Middles {
   std::vector<std::array<std::uint32_t, 3>> of;  // by triangle and side: the new vertex, or `whole`
   std::vector<glm::uvec2> parents;
@@ -137,7 +137,7 @@ Middles halve_edges(const Mesh& mesh, const std::vector<bool>& chosen) {
   return middles;
 }
 
-/// From a corner of a triangle to the middle of one of its sides that is halved.
+/// Returns the distance from a corner of a triangle to the middle of one of its sides, which must be halved.
 double distance_to_middle(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int corner, int side) {
   const std::uint32_t vertex = middles.of[triangle][static_cast<std::size_t>(side)];
   const glm::uvec2 ends = middles.parents[vertex - mesh.positions.size()];
@@ -145,7 +145,8 @@ double distance_to_middle(const Mesh& mesh, const Middles& middles, std::uint32_
   return glm::distance(glm::dvec3(from), glm::dvec3(middle_of(mesh, ends.x, ends.y)));
 }
 
-/// Three triangles where one side stays whole. The four corners beside it are cut along their shorter diagonal.
+/// Adds three triangles for one with two halved sides. The quadrilateral at the whole side is cut along its shorter
+/// diagonal.
 void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int whole_side,
                std::vector<ChildTriangle>& children) {
   const int a = whole_side, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -213,7 +214,7 @@ glm::vec3 mean(glm::vec3 a, glm::vec3 b) {
   return glm::length(sum) > vanishing ? glm::vec3(glm::normalize(sum)) : a;
 }
 
-/// What each corner of the children holds: what was there, or the mean of a side's ends.
+/// Returns the data of each corner of the children: that of the parent's corner, or the mean of a side's ends.
 template <class Corner>
 std::vector<std::array<Corner, 3>> corners_of(const std::vector<std::array<Corner, 3>>& before,
                                               const std::vector<ChildTriangle>& children) {
@@ -256,7 +257,7 @@ Status too_many(std::size_t triangles) {
                  "at most " + std::to_string(limits::model_triangles));
 }
 
-/// For each triangle whether it is chosen.
+/// Returns for each triangle whether it is chosen.
 Result<std::vector<bool>> flags_of(const ChosenTriangles& chosen, std::size_t triangles) {
   std::vector<bool> flags(triangles, false);
   for (const TriangleRun& run : chosen) {

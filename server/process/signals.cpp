@@ -14,7 +14,7 @@ StopSignals::StopSignals() {
 
 StopSignals::Stop StopSignals::wait() const {
   siginfo_t info{};
-  while (sigwaitinfo(&signals_, &info) < 0) {  // EINTR: the process was stopped and continued
+  while (sigwaitinfo(&signals_, &info) < 0) {  // EINTR if the process was stopped and continued
   }
   return {info.si_signo, info.si_code == SI_KERNEL ? 0 : info.si_pid};
 }

@@ -1,4 +1,4 @@
-// Changing an earlier step: what follows is evaluated anew, beside the scene, and then taken over as a whole.
+// Amends an earlier step of the log: the steps from there on are evaluated again on copies, then committed together.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -18,8 +18,8 @@ Status not_in_effect() {
                  "or reverted past");
 }
 
-/// Refuses a step that was fine before the amendment. The pointer into that step is dropped, because it does not help
-/// whoever amends.
+/// Returns the error for a later step that the amendment makes invalid. The pointer into that step is dropped, because
+/// it does not help the client who amends.
 Status not_replayed(const ListedStep& step, Status reason) {
   reason.message = "the step of revision " + std::to_string(step.first) + " cannot be replayed: " + reason.message;
   reason.pointer = "/commands";
@@ -37,7 +37,7 @@ Result<CommandAnswer> Scene::amend(const AmendRequest& request, const ExecuteOpt
   });
   if (amended == steps.end()) return not_in_effect();
 
-  // Beside the scene: nothing has changed yet.
+  // Evaluate on copies: the scene stays unchanged until the commit.
   Result<Replay> replay = begin_replay(amended->before);
   if (!replay) return replay.status();
   replay->entries.front().author = options.author;
@@ -65,7 +65,8 @@ Result<Scene::Replay> Scene::begin_replay(Revision before) const {
   return Replay{std::move(*then), history_.settings_at(before), {std::move(entry)}, {}};
 }
 
-/// Evaluates one step on the result of the steps before it. Its entry has its own revision, which its checkpoints name.
+/// Evaluates one step on the result of the steps before it. Its entry gets a revision of its own, which checkpoints set
+/// in that step then name.
 Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
                           const ExecuteOptions& options) const {
   const auto replayed_fields_at = [&](Revision revision) -> Result<FieldSet> {
@@ -94,7 +95,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
   }
   const Surface& surface = present_->model->surface;
   if (Status too_costly = check_cost(steps, replay.settings->symmetry, surface, replay.fields); !too_costly.ok()) {
-    if (steps.size() == 1) too_costly.pointer.insert(0, "/commands/0");  // as the other refusals here
+    if (steps.size() == 1) too_costly.pointer.insert(0, "/commands/0");  // as in the other errors of this function
     return too_costly;
   }
   const Revision next = replay.entries.back().revision + 1;
@@ -112,7 +113,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
   return {};
 }
 
-// A scene's past beside its present: branches, the fields of an earlier revision, and what has changed since.
+// Access to earlier revisions: branches, fields and settings at a revision, and comparisons.
 
 Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                              std::uint64_t copy_id, const std::optional<KeyedRequest>& request) const {
@@ -129,7 +130,7 @@ Result<std::shared_ptr<Scene>> Scene::branch(const std::string& id, const std::s
                            : Status(stored.status());
   if (restored.ok() && scene->revision() == last) return scene;
   scene->remove();
-  if (Status gone = has_revision(last); !gone.ok()) return gone;  // it got another model or was removed meanwhile
+  if (Status gone = has_revision(last); !gone.ok()) return gone;  // removed, or got another model, meanwhile
   return restored;
 }
 
@@ -146,7 +147,8 @@ Status Scene::has_revision(Revision revision) const {
   return check_revision(revision);
 }
 
-/// Computes the fields of an earlier revision from the current ones by the journal's changes.
+/// Computes the fields of an earlier revision by applying the journal's changes since then to the current fields. The
+/// changes are bit flips, so that their order does not matter.
 Result<FieldSet> Scene::fields_before(const SceneSnapshot& now, Revision revision) const {
   FieldSet then = *now.fields;
   bool fits = true;
@@ -181,7 +183,7 @@ Result<SceneSnapshot> Scene::snapshot_at(Revision revision, const std::string& p
     then.skin_texture = std::move(*texture);
     return then;
   }
-  // Entries stay for as long as their model does. Where that went meanwhile, its entries were missing.
+  // Entries are missing if the scene got another model or was removed meanwhile. Then that is the error to return.
   const std::lock_guard lock(mutex_);
   if (Status removed = gone(); !removed.ok()) return removed;
   if (Status bad = check_revision(revision, pointer); !bad.ok()) return bad;

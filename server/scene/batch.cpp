@@ -19,7 +19,7 @@ namespace {
 
 std::string text_of(const SceneSettings& settings) { return encode(commands_of(settings)); }
 
-/// Carries out a command that sets something about the scene; whether that made a difference.
+/// Executes a command that changes settings of the scene. Returns whether a setting changed.
 bool set(const Command& command, SceneSettings& settings, Revision next) {
   const std::optional<SceneSettings> after = with_setting(settings, command, next);
   if (!after || text_of(*after) == text_of(settings)) return false;
@@ -27,7 +27,7 @@ bool set(const Command& command, SceneSettings& settings, Revision next) {
   return true;
 }
 
-/// Replaces the name of a stored blower or attractor by its settings.
+/// Fills in the settings of the stored blower or attractor that a command names.
 Command with_named(Command command, const SceneSettings& settings) {
   if (auto* blow = std::get_if<Blow>(&command); blow && !blow->blower.empty()) {
     for (const NamedBlower& named : settings.blowers) {
@@ -53,13 +53,14 @@ Command with_named(Command command, const SceneSettings& settings) {
   return command;
 }
 
-/// Returns whether an erase takes away what its edit layer adds, and does not go back to another time.
+/// Returns whether the command is an erase that removes what an edit layer adds, rather than restoring an earlier
+/// state.
 bool erases_edit_layer(const Command& command) {
   const auto* erase = std::get_if<Erase>(&command);
   return erase && !erase->edit_layer.empty() && erase->checkpoint.empty() && !erase->revision;
 }
 
-/// Evaluates all images on all sheets, each as if it were alone; where images overlap, combines their changes.
+/// Evaluates all symmetry images of a command, each as if it were alone, and combines their changes where they overlap.
 Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface& surface, const FieldSet& fields,
                                const SceneSettings& settings, const ToolExtras& extras) {
   Evaluation all;
@@ -74,7 +75,7 @@ Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface
   return all;
 }
 
-/// Erases what all images take away from their edit layer, one image after the other.
+/// Erases what the edit layer adds for all symmetry images, one after the other.
 FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& surface, FieldSet fields,
                             const SceneSettings& settings, const ToolExtras& extras) {
   FieldDelta all;
@@ -86,7 +87,7 @@ FieldDelta erase_all_images(const std::vector<Command>& images, const Surface& s
   return all;
 }
 
-/// What a tool does to one coat.
+/// Evaluates a tool on one coat.
 Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& images, const Step& step,
                          const Surface& surface, const FieldSet& fields, const SceneSettings& settings,
                          const Cancel& cancel) {
@@ -107,7 +108,8 @@ Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& imag
   return done;
 }
 
-/// Evaluates a tool on each coat that it works on. What all coats share changes as the first of them says.
+/// Evaluates a tool on each coat that it works on. Fields that all coats share change as the evaluation of the first of
+/// these coats says.
 Evaluation evaluate_coats(const Step& step, const Surface& surface, const FieldSet& fields,
                           const SceneSettings& settings, const Cancel& cancel) {
   const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
@@ -127,7 +129,7 @@ Evaluation evaluate_coats(const Step& step, const Surface& surface, const FieldS
   return all;
 }
 
-/// Evaluates all images of a command, and applies them to the fields.
+/// Evaluates all symmetry images of a command and applies their change to the fields.
 Evaluation evaluate_images(const Step& step, const Surface& surface, FieldSet& fields, const SceneSettings& settings,
                            const Cancel& cancel) {
   Evaluation all;

@@ -1,4 +1,4 @@
-// Evaluates several commands without changing anything.
+// Evaluates a batch of commands without changing the scene.
 #pragma once
 
 #include <memory>
@@ -16,45 +16,46 @@
 namespace pelage {
 
 struct Outcome {
-  FieldSet fields;                                // after all commands
-  FieldDelta delta;                               // of all commands together
-  std::shared_ptr<const SceneSettings> settings;  // after them; null when they changed none
-  std::vector<CommandResult> results;             // of each command
-  std::vector<std::size_t> effective;             // numbers of the commands that changed anything
+  FieldSet fields;                                // the fields after all commands
+  FieldDelta delta;                               // combined change of all commands
+  std::shared_ptr<const SceneSettings> settings;  // the settings after all commands; null if no setting changed
+  std::vector<CommandResult> results;             // one for each command
+  std::vector<std::size_t> effective;             // indices of the commands that changed anything
 
   bool changed() const { return settings || !delta.empty(); }
 };
 
-/// A resolved command, and what it reads beside the scene's fields.
+/// A resolved command with the inputs that it reads in addition to the scene's fields.
 struct Step {
   Command command;
-  std::shared_ptr<const FieldSet> baseline;         // of erase: what it goes back to; of retarget: what it takes
-  std::shared_ptr<const Surface> source = nullptr;  // of retarget: where that lies
+  std::shared_ptr<const FieldSet> baseline;         // fields that an erase restores or a retarget takes; else null
+  std::shared_ptr<const Surface> source = nullptr;  // retarget: the surface that those fields lie on; else null
   ReadPictures pictures = {};
 };
 
-/// Extends the pointer of a refusal in a batch, so that it says which command the refusal is about.
+/// Prefixes the pointer of an error with "/commands/K", K being `command`, if there is more than one command.
 Status in_batch(Status status, std::size_t command, std::size_t commands);
 
-/// Evaluates commands one after the other, each on the result of those before it. With `start`, their change is counted
-/// from before `start` was applied to `fields`. `next` is the revision that the commands lead to. Ends early
-/// (unavailable) once nobody waits.
+/// Evaluates the commands in order, each on the result of those before it. `start` is applied to `fields` first and
+/// counts as part of the first command's change; a part of a stroke passes the delta that takes back the stroke so far.
+/// `next` is the revision that the commands lead to. Fails (unavailable) if cancelled.
 Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta& start, const Surface& surface,
                                const FieldSet& fields, const SceneSettings& settings, Revision next,
                                const Cancel& cancel);
 
-/// Refused (invalid, "/stroke/part") for a part of a stroke.
+/// Refuses (invalid, "/stroke/part") a command that holds only a part of a stroke.
 Status check_whole(const Command& command);
 
-/// Returns the commands with the given numbers.
+/// Returns the commands at the given indices.
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);
 
-/// Describes a change of the fields for an answer. `fields` are those before it or after it.
+/// Describes a change of the fields for an answer. `fields` may be those before or after the change.
 CommandResult describe_change(std::string op, const FieldDelta& delta, const FieldSet& fields);
 
 // Checks the cost of commands before any of them begins.
 
-/// Refused (invalid) when the commands are too much work together; those before one may change its symmetry.
+/// Refuses (invalid) commands whose estimated work exceeds the limit. `symmetry` applies until a command of the batch
+/// sets another one.
 Status check_cost(const std::vector<Step>& steps, Symmetry symmetry, const Surface& surface, const FieldSet& fields);
 
 }  // namespace pelage

@@ -7,7 +7,7 @@
 namespace pelage {
 
 Result<ChangeTurns::Turn> ChangeTurns::take(const Cancel& cancel) {
-  constexpr std::chrono::milliseconds look_again(100);  // whether anybody waits
+  constexpr std::chrono::milliseconds look_again(100);  // interval at which `cancel` is polled
   std::unique_lock lock(mutex_);
   if (waiting_.size() >= max_waiting) {
     return failure(Code::busy, "too many changes of the scene wait", "",
@@ -22,7 +22,7 @@ Result<ChangeTurns::Turn> ChangeTurns::take(const Cancel& cancel) {
     lock.lock();
     if (!left) continue;
     waiting_.erase(std::find(waiting_.begin(), waiting_.end(), own));
-    ended_.notify_all();  // the one behind may be the next now
+    ended_.notify_all();  // the next in line may proceed now
     return nobody_waits();
   }
   waiting_.pop_front();

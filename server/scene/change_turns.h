@@ -1,4 +1,4 @@
-// The order of a scene's changes.
+// Serializes the changes of one scene.
 #pragma once
 
 #include <condition_variable>
@@ -12,10 +12,10 @@
 
 namespace pelage {
 
-/// Changes take turns, one at a time, in the order that they came in. Thread-safe.
+/// A fair lock: changes run one at a time, in the order in which they arrive. Thread-safe.
 class ChangeTurns {
  public:
-  /// Most changes that wait. Each holds a thread of whoever serves its client, and other clients need threads too.
+  /// Maximum number of waiting changes. Each of them blocks a server thread, and other clients need threads too.
   static constexpr std::size_t max_waiting = 32;
 
   class Turn {
@@ -31,8 +31,8 @@ class ChangeTurns {
     ChangeTurns* turns_;
   };
 
-  /// Waits until the changes before have ended. Refused: busy while too many wait, unavailable once nobody waits for
-  /// the answer (asked ten times a second).
+  /// Waits until all earlier changes have ended. Refuses with `busy` if too many changes wait already, with
+  /// `unavailable` if cancelled meanwhile; `cancel` is polled ten times a second.
   Result<Turn> take(const Cancel& cancel = {});
 
  private:
@@ -40,7 +40,7 @@ class ChangeTurns {
 
   std::mutex mutex_;
   std::condition_variable ended_;
-  std::deque<std::uint64_t> waiting_;  // in order
+  std::deque<std::uint64_t> waiting_;  // tickets in order of arrival
   std::uint64_t came_ = 0;
   bool taken_ = false;
 };

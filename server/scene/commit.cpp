@@ -1,4 +1,4 @@
-// How a change comes into a scene: whole or not at all.
+// Commits changes to a scene atomically: to the journal, then to memory.
 #include <span>
 #include <utility>
 
@@ -31,8 +31,8 @@ Status Scene::take_over(const std::function<Status()>& write, const std::functio
   return {};
 }
 
-/// Commits entries that lead to `fields` and to `live`. Everything that can fail is done before the journal has the
-/// entries, and is prepared beside the scene; what follows only moves it in, so that the scene and the journal never
+/// Commits entries that lead to `fields` and to `live`. Everything that can fail happens before the journal has the
+/// entries, and the new state is prepared separately; what follows only moves it in, so that scene and journal never
 /// differ. Readers wait only for that move.
 Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live) {
   History::Prepared prepared = history_.prepare(entries);
@@ -44,7 +44,7 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
   after->revision = entries.back().revision;
   after->skin_texture = std::move(*texture);
   after->changes = present_->changes.with(changed_ranges(entries));
-  SnapshotPtr next = std::move(after);  // then the one before, which is freed without the lock
+  SnapshotPtr next = std::move(after);  // holds the old snapshot after the swap, so that it is freed without the lock
   {
     const std::lock_guard lock(mutex_);
     history_.reserve(entries.size());
@@ -57,8 +57,8 @@ Status Scene::commit(std::span<const Entry> entries, FieldSet fields, LiveStroke
                    });
 }
 
-/// Returns the picture that the settings name. The journal keeps the pictures that logs name, so that undo and redo
-/// find them.
+/// Returns the skin texture that the settings name. The journal keeps all pictures that logs name, so that undo and
+/// redo find them.
 Result<std::shared_ptr<const RawImage>> Scene::skin_texture_of(const SceneSettings& settings,
                                                                const SceneSnapshot* present) const {
   const std::string& name = settings.skin_texture;
@@ -86,7 +86,7 @@ SnapshotPtr Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet f
   return begun;
 }
 
-/// Swaps a new beginning into the scene. Both arguments then hold what was there before, to be freed without the lock.
+/// Swaps a new initial state into the scene. Both arguments then hold the old state, to be freed without the lock.
 Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write) {
   return take_over(write, [&] {
     present_.swap(snapshot);
@@ -95,7 +95,7 @@ Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::fun
   });
 }
 
-/// Publishes the newest revision and wakes those who wait for it.
+/// Publishes the newest revision and wakes the threads that wait for it.
 void Scene::announce() noexcept {
   newest_ = present_->revision;
   changed_.notify_all();

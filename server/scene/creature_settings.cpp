@@ -11,15 +11,15 @@ namespace {
 
 using glm::dvec3;
 
-/// A long hair in model coordinates, on the +X side.
+/// A long hair in model coordinates, on the +X side of the head.
 struct Hair {
   dvec3 root;       // near the skin
-  dvec3 direction;  // at the root, any length but 0
+  dvec3 direction;  // direction at the root, of any length but 0
   double length;
-  dvec3 bends;  // how far the tip ends from a straight hair's, in lengths
+  dvec3 bends;  // offset of the tip from that of a straight hair, in lengths of the hair
 };
 
-/// Rooted in the skin; `side` is 1, or -1 for its mirror image.
+/// Returns the hair as a curve rooted in the skin. `side` is 1, or -1 for its mirror image.
 GuideCurve guide_of(const Hair& hair, double side, const Surface& surface) {
   const dvec3 mirror(side, 1, 1);
   const Mesh& mesh = surface.mesh();
@@ -47,7 +47,8 @@ CurveGroup whiskers(const std::vector<Hair>& row, double side, const Surface& su
   return group;
 }
 
-/// Eight whiskers: four in an upper row and four in a lower one, the longest behind.
+/// Adds the eight whiskers of one side: an upper and a lower row of four, the longest behind. Two of each row are
+/// guides and two are interpolated.
 void add_whiskers(double side, const Surface& surface, std::vector<CurveGroup>& groups) {
   const std::vector<Hair> upper{{{.050, .796, .614}, {1, .24, .46}, .17, {-.02, -.20, -.26}},
                                 {{.077, .808, .560}, {1, .56, .04}, .25, {-.02, -.30, -.22}}};
@@ -68,9 +69,10 @@ void add_brow(double side, const Surface& surface, std::vector<CurveGroup>& grou
   groups.push_back(group);
 }
 
-/// A lash on the upper lid's edge, `across` from its middle (0) to a corner (-1, 1): first out, then up and outwards.
+/// Returns a lash on the edge of the upper lid; it grows first outwards, then up and sideways. `across` is its
+/// position, from -1 at one corner of the eye over 0 in the middle to 1 at the other.
 GuideCurve lash(const Eye& eye, const FurLids& lids, double across, double side, double size) {
-  constexpr double lid_radius = 1.07;  // as renderer/optics/iris-inl.h has it; the edge is that of its lid_opening()
+  constexpr double lid_radius = 1.07;  // as in renderer/optics/iris-inl.h; the edge follows lid_opening() there
   const double a = across * lids.opening.x, y = lids.opening.y * (1 - across * across);
   const glm::dmat3 frame(lids.frame);
   const dvec3 out = frame * dvec3(std::sin(a) * std::cos(y), std::sin(y), std::cos(a) * std::cos(y));
@@ -111,7 +113,7 @@ namespace {
 constexpr glm::vec3 black{0.016f, 0.014f, 0.014f}, hole{0.003f, 0.002f, 0.002f}, pad_grey{0.10f, 0.068f, 0.062f};
 constexpr glm::vec3 pink{0.44f, 0.22f, 0.175f}, deep_red{0.27f, 0.10f, 0.078f};
 
-/// `centre` and `radii` in the model's own units, on the +X side where it is one of a pair.
+/// Makes a region from `centre` and `radii` in the model's unit; one of a pair is given on the +X side.
 SkinRegion region(glm::dvec3 centre, glm::dvec3 radii, const Mesh& mesh) {
   return {.centre = centre, .radii = radii / mesh.size};
 }
@@ -135,7 +137,7 @@ SkinRegion nostril(double side, const Mesh& mesh) {
   return result;
 }
 
-/// Dark skin from the nose down and along the mouth.
+/// Returns dark skin from the nose down and along the mouth.
 std::vector<SkinRegion> lips(const Mesh& mesh) {
   std::vector<SkinRegion> result;
   SkinRegion cleft = region({0, .770, .655}, {.0035, .026, .03}, mesh);
@@ -156,7 +158,7 @@ std::vector<SkinRegion> lips(const Mesh& mesh) {
   return result;
 }
 
-/// On the hollow's floor: pink, and red where the ear is deep.
+/// Returns the skin on the floor of the ear's hollow: pink, and red where the ear is deep.
 std::vector<SkinRegion> ear(double side, const Mesh& mesh) {
   const glm::dvec3 mirrored(side, 1, 1);
   const auto on_floor = [&](double t) {
@@ -179,7 +181,7 @@ std::vector<SkinRegion> ear(double side, const Mesh& mesh) {
   return {whole, deep};
 }
 
-/// One large pad and four small ones under a paw.
+/// Returns one large pad and four small ones under a paw.
 std::vector<SkinRegion> pads(glm::dvec3 paw, double side, const Mesh& mesh) {
   struct Pad {
     glm::dvec3 at, radii;
@@ -220,7 +222,7 @@ std::vector<SkinRegion> creature_skin(const Mesh& mesh) {
 
 namespace {
 
-/// A fox's eyes: amber, with slit pupils and dark, slanted lids.
+/// Returns a fox's eyes: amber, with slit pupils and dark, slanted lids.
 std::vector<Eye> creature_eyes(const Mesh& mesh) {
   std::vector<Eye> eyes;
   for (const double side : {1.0, -1.0}) {

@@ -1,4 +1,5 @@
-// The whiskers, lashes and brows of the built-in creature.
+// The settings of a new scene: default coat, look and lights, and the built-in creature's eyes, whiskers, lashes, brows
+// and bare skin.
 #pragma once
 
 #include <span>
@@ -11,19 +12,19 @@
 
 namespace pelage {
 
-/// Two rows of whiskers and a few brow hairs on each side, rooted in the skin, and lashes along the upper lids of the
-/// eyes.
+/// Returns two rows of whiskers and a few brow hairs for each side of the head, rooted in the skin, and lashes along
+/// the upper lids of the eyes.
 std::vector<CurveGroup> creature_curves(const Surface& surface, std::span<const Eye> eyes);
 
-// Where the built-in creature is bare.
+// The bare skin of the built-in creature.
 
-/// A wet nose, the line of the lips, pink inner ears and dark pads.
+/// Returns the regions of bare skin: a wet nose, the lips, pink inner ears and dark pads.
 std::vector<SkinRegion> creature_skin(const Mesh& mesh);
 
-// What a scene begins with beside its fur.
+// The settings of a new scene.
 
-/// The default coat, look and lights; the built-in creature has two eyes, whiskers, lashes, brows and bare skin. The
-/// ground is visible where it is asked for.
+/// Returns the default coat, look and lights. The built-in creature also gets two eyes, whiskers, lashes, brows and
+/// bare skin. `ground` makes the ground visible.
 SceneSettings first_settings(const SceneModel& model, bool ground = false);
 
 }  // namespace pelage

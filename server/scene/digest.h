@@ -1,4 +1,4 @@
-// A name for bytes that follows from them alone.
+// A content hash that serves as a name.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// Returns 128 bits as 32 hex digits, the same on every server. It does not protect against deliberate collisions.
+/// Returns a 128-bit hash as 32 hex digits. It is the same on every server and does not resist deliberate collisions.
 std::string digest(std::string_view bytes);
 
 }  // namespace pelage

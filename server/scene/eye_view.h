@@ -1,4 +1,4 @@
-// Frames that stand upright, for what is placed in a scene.
+// Upright local frames for objects placed in a scene, and eyes in the renderer's form.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,16 +9,16 @@
 
 namespace pelage {
 
-/// Columns right, up and forward, unit and orthogonal; upright unless `forward` (of any length but 0) is nearly
-/// vertical.
+/// Returns an orthonormal frame with columns right, up and forward. Up is as close to +Y as `forward` allows. `forward`
+/// has any length but 0 and may be vertical.
 glm::dmat3 upright_frame(glm::dvec3 forward);
 
-/// Turns a frame around its third column by an angle in radians, counter-clockwise as seen from its tip.
+/// Rotates a frame around its third column by an angle in radians, counter-clockwise as seen from its tip.
 glm::dmat3 tilted(const glm::dmat3& frame, double angle);
 
-// Eyes as the renderer wants them.
+// Conversion of eyes for the renderer.
 
-/// Returns an eye in internal coordinates, with its frame upright as far as the gaze allows.
+/// Returns an eye in internal coordinates. Its frame is upright as far as the gaze allows.
 FurEye make_eye(const Eye& eye, const Mesh& mesh);
 
 }  // namespace pelage

@@ -8,7 +8,7 @@ namespace pelage {
 
 namespace {
 
-/// A corner of the part of a triangle that lies in the box.
+/// A corner of the polygon that the box cuts from a triangle.
 struct Corner {
   glm::dvec3 place, barycentric;
 };
@@ -20,7 +20,7 @@ struct HalfSpace {
   double depth(glm::dvec3 place) const { return side * (bound - place[axis]); }
 };
 
-/// The part of a convex polygon in a half space (Sutherland and Hodgman 1974).
+/// Clips a convex polygon to a half space (Sutherland and Hodgman 1974). `kept` is scratch memory.
 void clip(std::vector<Corner>& polygon, const HalfSpace& half, std::vector<Corner>& kept) {
   kept.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

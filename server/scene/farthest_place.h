@@ -1,4 +1,4 @@
-// Finds what of a surface lies farthest along a direction within a box, such as the tip of an ear.
+// Finds the position of a surface that lies farthest along a direction within a box, such as the tip of an ear.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// Finds the farthest position in the wanted direction inside the box; if several are equally far, the one on the first
-/// triangle. Returns nothing if no triangle reaches into the box.
+/// Returns the farthest position along the wanted direction inside the box; of several equally far ones, that on the
+/// first triangle. Returns nothing if no triangle reaches into the box.
 std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted);
 
 }  // namespace pelage

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Thins the keys to as many as one command may have and may cost.
+/// Thins the keys to at most `most`, and to what one command may cost.
 void thin(Interpolate& command, std::size_t most, const Symmetry& symmetry, const Surface& surface) {
   command.keys = thinned(command.keys, most);
   const double visits = evaluation_cost(command, symmetry, surface, 0).visits;
@@ -38,14 +38,15 @@ void warn(CommandAnswer& answer, std::size_t single, std::size_t curves, std::si
 bool is_z(Axis axis) { return axis == Axis::plus_z || axis == Axis::minus_z; }
 bool is_y(Axis axis) { return axis == Axis::plus_y || axis == Axis::minus_y; }
 
-/// Leads from a file with Y or Z up to axes with the other one up; nothing is turned to X.
+/// Returns the rotation between axes with Y up and axes with Z up; the identity if both have the same axis up or one
+/// has X.
 glm::dmat3 stood_up(Axis from, Axis to) {
   const glm::dmat3 z_to_y(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
   if (is_z(from) && is_y(to)) return z_to_y;
   return is_y(from) && is_z(to) ? glm::transpose(z_to_y) : glm::dmat3(1);
 }
 
-/// The curves in the scene's own coordinates.
+/// Returns the curves in the scene's model coordinates.
 std::vector<GuideCurve> in_scene(const GuideFile& file, const GuideUpload& upload, const SceneModel& model) {
   const ModelReport& report = model.surface.mesh().report;
   const bool as_source = upload.format != GuideFormat::json;

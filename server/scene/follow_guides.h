@@ -1,4 +1,4 @@
-// Guide curves of another program, for the fur to follow.
+// Grooms fur along guide curves that another program exported.
 #pragma once
 
 #include "protocol/commands/guides.h"
@@ -6,9 +6,10 @@
 
 namespace pelage {
 
-/// Runs an `interpolate` with a key for each curve of a file, turned and scaled to the scene as the upload says,
-/// thinned to upload.keys and to what one command may cost. Warns of curves that were left out. Refused as
-/// Scene::execute does, and (invalid) where no curve stands on the skin.
+/// Runs an `interpolate` command with a key for each curve of a file. The curves are rotated and scaled to the scene as
+/// the upload says, and thinned to upload.keys and to the cost limit of one command. The answer warns of curves that
+/// were left out. Fails as Scene::execute does, and refuses (invalid) a file none of whose curves is rooted near the
+/// skin.
 Result<CommandAnswer> follow_guides(Scene& scene, const GuideUpload& upload, const GuideFile& file,
                                     const ExecuteOptions& options);
 

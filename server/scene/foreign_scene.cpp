@@ -38,8 +38,8 @@ Result<std::set<std::string>> good_pictures(const Journal& file, const std::stri
   return std::set<std::string>(names->begin(), names->end());
 }
 
-/// Returns whether a vertex's value is valid on its sheet: the seen value lies in the field's range; the value under
-/// edit layers is NaN (nothing) or lies in that range; the value that an edit layer adds is finite.
+/// Returns whether a vertex's value is valid on its sheet: the visible value must be in the field's range, the value
+/// under the edit layers in that range or NaN (absent), and the value that an edit layer adds finite.
 bool is_good(const FieldSet& fields, const FieldDelta::Part& part, std::uint32_t vertex) {
   constexpr float max_addition = 1e9f;
   const FieldShape& shape = shape_of(part.field);
@@ -61,7 +61,7 @@ bool in_range(const FieldSet& fields, const FieldDelta& delta) {
   });
 }
 
-/// Replays a log like a scene that is restored from it, and checks what nobody has checked before.
+/// Replays a log as Scene::restore does, and checks the commands, settings and values, which a restore trusts.
 class LogCheck {
  public:
   LogCheck(const SceneModel& model, const StoredScene& stored, std::set<std::string> pictures)
@@ -141,8 +141,8 @@ class LogCheck {
     return check_all(commands_of(settings));
   }
 
-  /// Checks an entry's commands. Undo, redo and revert have none. A part of a stroke directly follows the part before
-  /// it.
+  /// Checks an entry's commands. Undo, redo and revert must have none. A part of a stroke must directly follow the part
+  /// before it.
   Status check_commands(const Entry& entry) {
     const bool moves =
         entry.kind == EntryKind::undo || entry.kind == EntryKind::redo || entry.kind == EntryKind::revert;
@@ -164,7 +164,7 @@ class LogCheck {
   std::set<std::string> pictures_;
   FieldSet fields_;
   History history_;
-  std::string last_stroke_;  // op of the last entry, where that is a lone command with a stroke
+  std::string last_stroke_;  // op of the last entry if it is a single command with a stroke, else ""
 };
 
 }  // namespace

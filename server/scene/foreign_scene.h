@@ -1,4 +1,4 @@
-// A scene that a stranger's file brings, before it becomes one of the server's.
+// Validates a scene from an untrusted file before the server takes it over.
 #pragma once
 
 #include "base/status.h"
@@ -7,9 +7,10 @@
 
 namespace pelage {
 
-/// Refused (invalid), saying which entry, unless the scene is one that commands could have made: pictures are what
-/// their names say; each entry follows those before it and its commands are within their limits on this model; fields
-/// stay in their ranges at each revision, and have the hash that the entry says. `model` is built of `stored`.
+/// Refuses (invalid, naming the entry) a scene that commands could not have made. It checks that each picture has the
+/// name that its content gives it; that each entry follows the one before it, and its commands are within their limits
+/// on this model; that at each revision the fields are in range and have the hash that the entry states. `model` is
+/// built from `stored`.
 Status check_foreign(const Journal& file, const StoredScene& stored, const SceneModel& model);
 
 }  // namespace pelage

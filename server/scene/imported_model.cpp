@@ -8,8 +8,8 @@ namespace pelage {
 
 namespace {
 
-/// Returns the options of the preparation. What is not asked for follows from the file, and never puts both axes on one
-/// line.
+/// Returns the options of the preparation. Axes that were not asked for follow from the file, and are chosen so that up
+/// and front never lie on one line.
 PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
   const auto line = [](Axis axis) { return static_cast<int>(axis) / 2; };
   PrepareOptions options{.source_is_32_bit = raw.is_32_bit, .crease_degrees = asked.crease_degrees};

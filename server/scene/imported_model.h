@@ -1,4 +1,4 @@
-// Models of files, as a scene takes them.
+// Imports model files for a scene.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,11 @@
 
 namespace pelage {
 
-/// An import that ends once nobody waits for it.
+/// Returns import limits that end the import if it is cancelled.
 ImportLimits ended_by(const Cancel& cancel);
 
-/// A new version of a file stands as the one before does, unless other axes are asked for.
+/// Returns import options with the up and front axes of the model before, unless the caller asked for other axes or
+/// that model did not come from a file.
 ImportOptions standing_as(const SceneModel& before, ImportOptions asked);
 
 struct ImportedModel {
@@ -28,7 +29,7 @@ struct ImportedModel {
   StoredModel stored;
 };
 
-/// Reads a model by the program `worker` and prepares it; `id` is the one that it gets. Refused (invalid) as
+/// Reads a model with the program `worker` and prepares it; `id` is the new model's. Refuses (invalid) what
 /// import_model and build_model refuse. Throws Cancelled.
 Result<ImportedModel> import_for_scene(const std::string& worker, std::uint64_t id, const ImportOptions& options,
                                        std::span<const std::byte> bytes, const Cancel& cancel,

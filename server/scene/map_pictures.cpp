@@ -18,7 +18,7 @@ namespace pelage {
 
 namespace {
 
-/// The name, and where it stands in the command.
+/// The name of a picture and the JSON pointer to it in its command; "" for none.
 struct NamedPicture {
   std::string name;
   const char* pointer = "";
@@ -104,7 +104,7 @@ std::string name_of_picture(std::string_view bytes) { return digest(bytes); }
 
 namespace {
 
-/// Returns the texts that describe the file. A scale of lengths is in sizes, whatever the units of the request.
+/// Returns the text entries that describe the file. A scale of lengths is in sizes, whatever the units of the request.
 std::vector<ImageText> texts_of(const MapAnswer& answer, double model_size) {
   const bool is_length = answer.field == Field::length || answer.encoding == MapEncoding::vector;
   const double scale = is_length && answer.units == Units::world ? answer.scale / model_size : answer.scale;
@@ -113,7 +113,7 @@ std::vector<ImageText> texts_of(const MapAnswer& answer, double model_size) {
           {map_scale_text, fmt::format("{}", scale)}};
 }
 
-/// Each channel of the map as the file's red, green, blue and alpha have it: grey is the first one three times.
+/// Converts the map to a picture with red, green, blue and alpha. A single channel becomes grey.
 template <class Picture>
 Picture integer_picture(const DrawnMap& map) {
   using Sample = typename decltype(Picture::rgba)::value_type;

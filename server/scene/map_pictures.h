@@ -1,4 +1,4 @@
-// Pictures that commands name, and maps as files.
+// Loads the pictures that commands name, and writes maps as files.
 #pragma once
 
 #include <map>
@@ -15,25 +15,25 @@
 
 namespace pelage {
 
-/// The names of the pictures that the commands read, each once.
+/// Returns the names of the pictures that the commands read, each once.
 std::vector<std::string> pictures_read_by(const std::vector<Command>& commands);
 
-/// What a command reads; null for none.
+/// The pictures that a command reads; null where it reads none.
 struct ReadPictures {
-  std::shared_ptr<const MapPicture> own;    // of map, and of a mask by a picture
-  std::shared_ptr<const MapPicture> alpha;  // of its brush
+  std::shared_ptr<const MapPicture> own;    // the picture of a `map`, or of a `mask` by a picture
+  std::shared_ptr<const MapPicture> alpha;  // the alpha picture of its brush
 };
 
-/// The pictures that the commands of a batch read, each once in memory.
+/// Loads the pictures that the commands of a batch read; each is in memory once.
 class BatchPictures {
  public:
-  static constexpr std::size_t max = 8;  // different ones in a batch: each takes up to 256 MiB
+  static constexpr std::size_t max = 8;  // maximum number of different pictures in a batch; each takes up to 256 MiB
 
   explicit BatchPictures(const Journal& journal) : journal_(journal) {}
 
-  /// The pictures that the command reads. Refused (invalid) when the journal has none of that
-  /// name, when the batch reads too many, when vectors are to be read from a picture that holds no floats, and when a
-  /// list of vertices is not as long as the mesh has `vertices`.
+  /// Returns the pictures that the command reads. Refuses (invalid) a name that the journal does not have, a batch that
+  /// reads too many pictures, vectors from a picture that holds no floats, and a list of vertices whose length is not
+  /// `vertices`, the number of vertices of the mesh.
   Result<ReadPictures> find(const Command& command, std::size_t vertices);
 
  private:
@@ -43,10 +43,10 @@ class BatchPictures {
   std::map<std::string, std::shared_ptr<const MapPicture>> known_;
 };
 
-/// Refuses (invalid, "/picture") a name that is not known, or is that of a picture that was uploaded as data.
+/// Refuses (invalid, "/picture") an unknown name, or the name of a picture that was uploaded as data.
 Status check_skin_texture(const std::string& name, const Journal& journal);
 
-/// 32 hex digits that follow from the bytes alone, so that a log finds its picture on another server too.
+/// Returns the content hash of the bytes, 32 hex digits, so that a log finds its picture on another server too.
 std::string name_of_picture(std::string_view bytes);
 
 struct MapFile {
@@ -55,9 +55,9 @@ struct MapFile {
   MapAnswer answer;
 };
 
-/// The map as a file, which says its field, encoding and scale in its texts. EXR: value in Y, or R, G, B and A of a
-/// colour, multiplied by its cover; the other encodings in R, G, B and A. PNG: grey, or colours with straight alpha;
-/// blue of uv_tangent is 0. Refused (invalid) for a model without texture coordinates.
+/// Draws a field as a map file whose text entries state its field, encoding and scale. An EXR holds a value in Y, a
+/// colour in R, G, B and A, premultiplied, and the other encodings in R, G, B and A. A PNG holds grey, or colours with
+/// straight alpha; the blue channel of uv_tangent is 0. Refuses (invalid) a model without texture coordinates.
 Result<MapFile> make_map_file(const Mesh& mesh, const FieldSet& fields, const MapRequest& request);
 
 }  // namespace pelage

@@ -30,7 +30,7 @@ std::string_view bytes_in(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// Returns the id of a mesh, which follows from its position, triangles, texture coordinates and own colours.
+/// Returns the id of a mesh: a hash of its placement, triangles, texture coordinates and own colours.
 std::string id_of(const Mesh& mesh) {
   std::string parts = digest(bytes_in(mesh.positions)) + digest(bytes_in(mesh.triangles)) +
                       digest(bytes_in(mesh.texture_uv)) + digest(bytes_in(mesh.corners));
@@ -39,8 +39,8 @@ std::string id_of(const Mesh& mesh) {
   return digest(parts.append(bytes_in(frame)));
 }
 
-/// Returns whether the model is built in. Formulas are tried on the built-in plane and cloth, so that their fur stands
-/// upright to the rim.
+/// Returns whether the model is built in. Tests compare fur on the built-in plane and cloth with formulas, so their fur
+/// stands upright to the rim.
 bool is_built_in(const std::string& name) {
   return std::any_of(json_names::builtins.begin(), json_names::builtins.end(),
                      [&](const auto& known) { return known.text == name; });
@@ -105,7 +105,7 @@ ChosenTriangles choose(const Mesh& mesh, const FieldSet& fields, bool masked) {
   return chosen;
 }
 
-/// Checks the number of triangles, which is known before any work if all of them are split.
+/// Checks the number of triangles, which is known in advance if all triangles are split.
 Status check_count(const Mesh& mesh, const Subdivide& how) {
   const double triangles = static_cast<double>(mesh.triangles.size()) * std::pow(4.0, how.levels);
   if (how.masked || triangles <= static_cast<double>(limits::model_triangles)) return {};

@@ -1,4 +1,4 @@
-// From a parsed model to one that a scene can hold.
+// Builds the model of a scene from a parsed file: prepares the mesh, lays out the fur's patches, subdivides.
 #pragma once
 
 #include <cstdint>
@@ -14,44 +14,45 @@
 
 namespace pelage {
 
-/// A model on its own triangles, before any is split.
+/// A prepared model before any triangle is subdivided.
 struct LaidModel {
   PreparedMesh prepared;
   PatchMap patches;
 };
 
-/// Prepares a model as `how` says (its bytes are not looked at) and lays its patches. Fails as prepare does, and
-/// (invalid, "/fur_patches") where the model has no texture coordinates to lay them by.
+/// Prepares a model as `how` says and lays out its fur patches; how.raw is not read. Fails as prepare does, and
+/// (invalid, "/fur_patches") if the patches are to follow texture coordinates that the model does not have.
 Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how);
 
-/// Triangles and where the fur's tile lies on them.
+/// A mesh, and the patches that map the fur's tile onto it.
 struct LaidMesh {
   Mesh mesh;
   PatchMap patches;
 };
 
-/// Splits triangles as `how` says. Fails as subdivide does.
+/// Subdivides triangles as how.subdivisions says. Fails as subdivide does.
 Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how);
 
-/// `rest`: SceneModel::rest.
+/// Makes a scene's model from its mesh. `rest` becomes SceneModel::rest.
 std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id,
                                                std::shared_ptr<const SceneModel> rest = {});
 
-/// Lays a model and splits its triangles. Fails as both do.
+/// Combines lay_model, split_triangles and finish_model. Fails as they do.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
-/// Returns how many metres the unit of a model's file is, by the format that SceneModel::name says; none where the
-/// format does not say it.
+/// Returns the number of metres per unit of a model's file, from its format (SceneModel::name); nothing if the format
+/// does not define it.
 std::optional<double> metres_of(const std::string& name);
 
-// A scene's model and fields on finer triangles.
+// Subdivision of a scene's model together with its fields.
 
 struct SubdividedScene {
-  std::shared_ptr<const SceneModel> model;  // null where no triangle was chosen
+  std::shared_ptr<const SceneModel> model;  // null if no triangle was chosen
   FieldSet fields;
 };
 
-/// As Scene::subdivide says; `id` is that of the new model. At each level the mask chooses anew, as it is there.
+/// Subdivides as described at Scene::subdivide; `id` is that of the new model. The mask, itself subdivided, is
+/// evaluated again at each level to choose the triangles.
 Result<SubdividedScene> subdivide_scene(const SceneModel& model, const FieldSet& fields,
                                         const std::vector<EditLayer>& layers, const Subdivide& how, std::uint64_t id);
 

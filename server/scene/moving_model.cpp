@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-/// How a place of the surface at rest moves.
+/// The rigid motion of a position on the rest surface.
 struct RigidMove {
   glm::dvec3 from{0}, to{0};  // internal
   glm::dmat3 turn{1};
@@ -20,7 +20,7 @@ struct RigidMove {
   glm::dvec3 place(glm::dvec3 internal) const { return to + turn * (internal - from); }
 };
 
-/// The rotation nearest to a mean of rotations that hardly differ: its columns made orthogonal again.
+/// Makes a mean of nearly equal rotations a rotation again, by orthogonalizing its columns.
 glm::dmat3 orthogonal(const glm::dmat3& mean) {
   const glm::dvec3 z = glm::normalize(mean[2]);
   const glm::dvec3 x = glm::normalize(mean[0] - glm::dot(mean[0], z) * z);
@@ -77,7 +77,7 @@ class Carrier {
   std::span<const glm::dmat3> turns_;
 };
 
-/// Keeps only the shape, which is compared with other files, and drops looks and pictures.
+/// Returns only the shape, which is compared with other files, without materials and pictures.
 RawModel shape_of(RawModel raw) {
   RawModel shape;
   shape.positions = std::move(raw.positions);
@@ -143,7 +143,7 @@ Result<LaidMesh> MovingModel::laid(const RawModel& raw) const {
   for (const std::uint32_t source : prepared.sources)
     positions.emplace_back(prepared.to_internal(raw.positions[source]));
   const std::vector<glm::dmat3> turns = surface_turns(own, positions);
-  for (std::size_t v = 0; v < positions.size(); ++v) {  // backs of sheets lie off what they are copies of
+  for (std::size_t v = 0; v < positions.size(); ++v) {  // back sides are offset from the vertices they copy
     const glm::vec3 source(prepared.to_internal(raw_.positions[prepared.sources[v]]));
     positions[v] += glm::vec3(turns[v] * glm::dvec3(own.positions[v] - source));
   }

@@ -1,4 +1,4 @@
-// A model that moves while its groom stays: the same triangles elsewhere, and what stands on it goes along.
+// An animated model: the same triangles at other positions. The groom stays, and what stands on the skin moves along.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,28 @@
 
 namespace pelage {
 
-/// Returns the settings with eyes, curves and bare skin moved along with the surface: each moves and turns as a whole
-/// with the nearest position of the surface at rest, a curve with that of its root. An eye that looks at a point goes
-/// on doing so. `turns` are those of `rest` (surface_turns), `moved` has its triangles.
+/// Returns the settings with eyes, curves and bare skin moved along with the surface. Each moves rigidly with the
+/// position of the rest surface that is nearest to it, a curve with the one nearest to its root. An eye that looks at a
+/// point keeps looking at it. `turns` are the rotations of the vertices of `rest` (surface_turns); `moved` has the
+/// triangles of `rest`.
 SceneSettings carried_along(SceneSettings settings, const Surface& rest, const Mesh& moved,
                             std::span<const glm::dmat3> turns);
 
-/// A model of a scene, ready to stand elsewhere.
+/// Computes poses of a scene's model.
 class MovingModel {
  public:
-  /// Of the scene's model, `rest`, as the journal has it in `stored`. Fails as preparing it does.
+  /// Prepares to pose the scene's model `rest`, which the journal has as `stored`. Fails as preparing the model does.
   static Result<MovingModel> create(const StoredModel& stored, std::shared_ptr<const SceneModel> rest);
 
-  /// Returns the pose of the same model from another file, or from another moment of it. Fields go along by vertex, the
-  /// fur's directions turn with the surface, the camera and the lights stay. `id` is the model's, unique in the
-  /// process. Refused (invalid) for other numbers of vertices or faces than at rest, or faces of other vertices; for
-  /// positions that are not finite or further than 1,000 sizes from the model at rest.
+  /// Returns the pose that another file, or another time of the same file, gives the model. Fields stay with their
+  /// vertices, fur directions rotate with the surface, and the camera and the lights stay. `id` is the posed model's,
+  /// unique in the process. Refuses (invalid) numbers of vertices or faces that differ from those at rest, faces with
+  /// other vertices, and positions that are not finite or farther than 1,000 sizes from the model at rest.
   Result<ScenePose> pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const;
 
-  /// Refuses what `pose` refuses, without making the pose.
+  /// Refuses the vertices and faces that `pose` refuses, without making the pose.
   Status check(const RawModel& raw) const;
-  /// Returns only the mesh of the pose. Refused as `pose`.
+  /// Returns only the mesh of the pose. Fails as `pose` does.
   Result<Mesh> mesh(const RawModel& raw) const;
   const Mesh& rest() const { return rest_->surface.mesh(); }
 

@@ -18,9 +18,10 @@ struct Aligned {
   NearestCorners nearest;
 };
 
-constexpr double as_good = 0.001;  // sizes of the source
+constexpr double as_good = 0.001;  // difference of medians that counts as equal, in sizes of the source
 
-/// A part that has moved changes the box of all others, and hardly the median.
+/// Chooses between aligning the bounding boxes and leaving coordinates as they are, by the median distance to the
+/// source: a single part that moved changes the box a lot, but the median little.
 Aligned align(const SceneModel& from, const SceneModel& to) {
   const Mesh& mesh = to.surface.mesh();
   Aligned as_they_are{Alignment::none, nearest_corners(mesh, from.surface, Alignment::none)};
@@ -30,7 +31,7 @@ Aligned align(const SceneModel& from, const SceneModel& to) {
   return box_is_better ? std::move(by_box) : std::move(as_they_are);
 }
 
-/// What the settings place on the model or around it, as commands place it.
+/// Transfers what the settings place on or around the model by converting the commands that set it.
 class SettingsCarrier {
  public:
   SettingsCarrier(const Surface& from, const Surface& to, Alignment how) : from_(from), to_(to), how_(how) {}
@@ -49,7 +50,7 @@ class SettingsCarrier {
   template <class Tool>
   Tool moved(Tool tool) const {
     Result<Command> carried = carried_command(tool, from_, to_, how_);
-    assert(carried);  // only commands that name vertices or revisions are refused
+    assert(carried);  // carried_command refuses only commands that name vertices or revisions
     return std::get<Tool>(std::move(*carried));
   }
 
@@ -57,7 +58,7 @@ class SettingsCarrier {
   Alignment how_;
 };
 
-/// Multiplies a size by a factor, within its range.
+/// Multiplies a size by a factor and clamps it to its range.
 void scale(double& size, double factor, double min, double max) { size = std::clamp(factor * size, min, max); }
 
 void scale(Coat& coat, double factor) {
@@ -68,7 +69,7 @@ void scale(Coat& coat, double factor) {
   scale(coat.pattern.scale, factor, 0.005, 2), scale(coat.variation.size, factor, 0.005, 2);
 }
 
-/// Sizes that are shares of the model's stay as long as they are in its unit.
+/// Rescales sizes that are relative to the model's size, so that they keep their length in its unit.
 SceneSettings scaled(SceneSettings settings, double factor) {
   if (factor == 1) return settings;
   for (NamedCoat& coat : settings.coats) scale(coat.coat, factor);
@@ -86,7 +87,7 @@ SceneSettings scaled(SceneSettings settings, double factor) {
 
 namespace {
 
-/// Parts that are new and named after what has no fur begin without, as on a new model.
+/// Makes new parts bare if their material's name says that they have no fur, as on a new model.
 void bare_new_parts(FieldSet& fields, const Mesh& before, const Mesh& after) {
   const std::vector<bool> bare = bare_vertices(after, before.report.materials);
   for (std::uint32_t v = 0; v < bare.size(); ++v)
@@ -100,7 +101,7 @@ CarriedGroom carried_groom(const SceneSnapshot& now, const SceneModel& model) {
   const Aligned aligned = align(*now.model, model);
   const double factor = length_factor(before.mesh(), after.mesh(), aligned.how);
   SceneSettings settings = SettingsCarrier(before, after, aligned.how).carried(*now.settings);
-  settings.checkpoints.clear();  // of revisions that are gone
+  settings.checkpoints.clear();  // their revisions are gone
   if (after.mesh().texture_uv.empty()) settings.skin_texture.clear();
   FieldSet fields =
       carried(*now.fields, before.mesh(), after.mesh(), aligned.nearest.corners, factor, now.settings->layers);

@@ -1,4 +1,4 @@
-// A scene's groom on a new version of its model.
+// Transfers a scene's groom to a new version of its model.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ struct CarriedGroom {
   CarriedReport report;
 };
 
-/// Fields, edit layers and the mask go over by the surface: each vertex of `model` takes what lies nearest to it on the
-/// scene's model. What stands on the skin goes to the nearest skin, and sizes stay as long as they are in the model's
-/// unit. Both models are taken to lie in the same coordinates, unless vertices lie nearer, by the median, where the
-/// new one's box is scaled to the old one's. Checkpoints are dropped. A picture on the skin goes along where the new
-/// model has texture coordinates. Parts with a new material that is left bare begin bare.
+/// Transfers fields, edit layers and the mask by proximity: each vertex of `model` takes the values at the nearest
+/// position of the scene's model. Objects on the skin move to the nearest skin, and sizes keep their length in the
+/// model's unit. Both models are assumed to share coordinates, unless scaling the new model's bounding box to the old
+/// one's brings its vertices nearer by the median distance. Checkpoints are dropped. The skin texture is kept if the
+/// new model has texture coordinates. Parts with a new material that is left bare start bare.
 CarriedGroom carried_groom(const SceneSnapshot& now, const SceneModel& model);
 
 }  // namespace pelage

@@ -13,7 +13,7 @@ namespace {
 
 Status no_such_scene() { return failure(Code::not_found, "there is no such scene"); }
 
-/// Not `busy`: waiting does not help, and clients wait for a busy server.
+/// `conflict`, not `busy`: clients wait and retry if a server is busy, and waiting does not help here.
 Status too_many() {
   return failure(Code::conflict, "there are as many scenes as the server holds; remove one first", {},
                  "at most " + std::to_string(limits::scenes) + " scenes");
@@ -26,7 +26,7 @@ OpenScenes::Slot* OpenScenes::slot_of(const std::string& id) {
   return found == slots_.end() ? nullptr : &*found;
 }
 
-/// A model that branches share counts once; each has a copy of its own.
+/// A model shared by branches counts once; the renderer's copy of each branch counts separately.
 std::size_t OpenScenes::open_bytes() const {
   std::map<std::uint64_t, std::size_t> models;
   std::size_t bytes = copies_bytes();
@@ -48,9 +48,9 @@ std::size_t OpenScenes::copies_bytes() const {
   return bytes;
 }
 
-/// Returns the scene to evict next, or null. While the lock is held, nobody else can begin to hold a scene that only
-/// its slot holds. The scene that was used last stays, for whoever works on it. A scene in the middle of a stroke goes
-/// after the others, because the journal does not know that its stroke continues.
+/// Returns the scene to evict next, or null. A scene referenced only by its slot cannot gain a user while the lock is
+/// held. The scene that was used last stays, since somebody works on it. Scenes in the middle of a stroke are evicted
+/// last, because the journal does not know that the stroke continues.
 OpenScenes::Slot* OpenScenes::next_to_evict() {
   Slot* next = nullptr;
   bool next_in_stroke = false;
@@ -76,7 +76,7 @@ OpenScenes::Dropped OpenScenes::keep_to_budget() {
   return dropped;
 }
 
-/// Frees evicted scenes. Called without the lock.
+/// Frees evicted scenes. The caller must not hold the lock.
 void OpenScenes::close(Dropped dropped) const {
   if (dropped.empty()) return;
   for (const auto& scene : dropped) {
@@ -92,11 +92,11 @@ Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<
   Slot slot{scene->id(), scene};
   std::unique_lock lock(mutex_);
   if (slots_.size() + adding_ >= limits::scenes) return too_many();
-  slots_.reserve(slots_.size() + adding_ + 1);  // what fails is to fail before the journal has it
+  slots_.reserve(slots_.size() + adding_ + 1);  // allocation must fail before the journal has the scene
   ++adding_;
   lock.unlock();
   Status written;
-  try {  // without the lock: the disk may be slow
+  try {  // without the lock, because the disk may be slow
     if (write) written = write();
   } catch (...) {
     lock.lock();
@@ -111,7 +111,7 @@ Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<
   Dropped dropped = keep_to_budget();
   lock.unlock();
   close(std::move(dropped));
-  give_memory_back();  // that preparing the model took
+  give_memory_back();  // memory that preparing the model took
   return {};
 }
 
@@ -141,7 +141,7 @@ Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
   return reopen(id);
 }
 
-/// Opens an evicted scene again. Its slot says `opening`, so that nobody else changes the slot.
+/// Opens an evicted scene again. Its slot has `opening` set, so that no other thread changes it meanwhile.
 Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
   const auto finish = [&](const std::shared_ptr<Scene>& scene, const std::string& damage = {}) {
     const std::lock_guard lock(mutex_);
@@ -176,11 +176,11 @@ Status OpenScenes::remove(const std::string& id, const std::function<Status(cons
   if (!slot) return no_such_scene();
   Dropped dropped;
   if (slot->scene) dropped.push_back(slot->scene);
-  slot->opening = !slot->scene;  // nobody opens it meanwhile
-  lock.unlock();                 // the disk may be slow
+  slot->opening = !slot->scene;  // keeps other threads from opening it meanwhile
+  lock.unlock();                 // because the disk may be slow
   Status removed = caught([&] { return dropped.empty() ? remove_evicted(id) : dropped[0]->remove(); });
   lock.lock();
-  if (Slot* left = slot_of(id)) left->opening = false;  // another call may have removed it
+  if (Slot* left = slot_of(id)) left->opening = false;  // another call may have removed the slot
   opened_.notify_all();
   if (!removed.ok()) return removed;
   std::erase_if(slots_, [&](const Slot& one) { return one.id == id; });

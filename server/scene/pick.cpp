@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Interpolates the fields at a place; fur leans in the plane across its normal.
+/// Interpolates the fields at the picked point. The lean of the fur is projected into the plane across the normal.
 void read_fields(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
   glm::dvec3 lean(0);
   for (int k = 0; k < 3; ++k) {
@@ -28,7 +28,7 @@ void read_fields(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
   answer.direction = safe_unit(lean);
 }
 
-/// Interpolates what is painted; a colour by how much of it covers.
+/// Interpolates painted fields; colours are premultiplied by their coverage.
 void read_paint(const Mesh& mesh, const FieldSet& fields, PickAnswer& answer) {
   for (std::size_t i = 0; i < answer.painted.size(); ++i) {
     const Field field = field_at(first_painted + i);

@@ -1,4 +1,4 @@
-// Finds a position of the surface, and the fur there.
+// Picks a position of the surface and reads the fur there.
 #pragma once
 
 #include "base/status.h"
@@ -9,8 +9,9 @@
 
 namespace pelage {
 
-/// Returns the position, with the fields interpolated between the corners of its triangle. No hit where a ray misses,
-/// or where no part of the surface lies in the box. Refuses positions that lie too far from the model, as commands do.
+/// Returns the picked position, with the fields interpolated between the corners of its triangle. The answer is no hit
+/// if the ray misses or no part of the surface lies in the box. Refuses positions too far from the model, as commands
+/// do.
 Result<PickAnswer> pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted);
 
 }  // namespace pelage

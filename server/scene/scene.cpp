@@ -24,7 +24,7 @@ namespace pelage {
 
 namespace {
 
-/// Returns a retarget with its source, and with the source's revision.
+/// Returns the step of a retarget: its source, and the command with the source's revision filled in.
 Result<Step> with_source(Retarget command, const std::vector<GroomSource>& sources) {
   const auto source = std::find_if(sources.begin(), sources.end(), [&](const GroomSource& one) {
     return one.scene == command.scene && one.asked == command.revision;
@@ -53,7 +53,7 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
   present_ = beginning(std::move(model), std::move(fields), history_, nullptr);
 }
 
-/// Steps beyond the budget are read back from the journal, which has every entry.
+/// Makes a history that reads steps beyond the memory budget back from the journal, which has every entry.
 History Scene::new_history(Revision first, SceneSettings settings) const {
   const auto read = [&journal = journal_, id = id_](Revision from, Revision to) {
     return journal.change(id, from, to);
@@ -70,14 +70,14 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
   Status taken = journal_.for_each_entry(id_, first, [&](const Entry& entry) {
     if (!history.accepts(entry) || !fields.accepts(entry.delta)) return damaged_journal();
     fields.apply(entry.delta);
-    if (fields.hash() != entry.fields_hash) return fields.apply(entry.delta), damaged_journal();  // taken back
+    if (fields.hash() != entry.fields_hash) return fields.apply(entry.delta), damaged_journal();  // undoes apply
     history.record(entry);
     return Status{};
   });
   auto texture = skin_texture_of(history.settings(), nullptr);
   if (taken.ok() && !texture) taken = texture.status();
   SnapshotPtr restored = beginning(present_->model, std::move(fields), history, texture ? *texture : nullptr);
-  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // the intact part of a damaged one too
+  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // also if it is damaged
   return taken.ok() ? begun : taken;
 }
 
@@ -87,12 +87,12 @@ void Scene::quarantine(const std::string& why) {
   announce();
 }
 
-// The story of a stroke. (Decoding comes before it and drawing after it, each on its own thread.)
+// Runs the stages of a stroke. Decoding comes before them and drawing after them, each on its own thread.
 Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const ExecuteOptions& options) {
   const Result<ChangeTurns::Turn> turn = begin_change(options);
   if (!turn) return turn.status();
 
-  // Pixels become places on the surface, and a part of a live stroke becomes the whole stroke so far.
+  // Resolve: pixels become positions on the surface, and a part of a live stroke becomes the whole stroke so far.
   const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
   const SceneSnapshot& now = *present_;
@@ -100,7 +100,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
       !too_costly.ok())
     return too_costly;
 
-  // What the commands do. This is pure: nothing has changed yet.
+  // Evaluate. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
   Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, now.model->surface, *now.fields, *now.settings,
@@ -110,7 +110,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   if (options.dry_run) return answer(std::move(outcome.results));
   const bool changed = outcome.changed();
 
-  // The next part of this stroke will join it; after anything else it cannot.
+  // A following part of this stroke can join the step; any other change ends the stroke.
   LiveStroke live = live_;
   if (commands.size() == 1) {
     live.accept({planned->whole[0].command, planned->logged[0], planned->joins}, commands[0], changed);
@@ -118,7 +118,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
     live.end();
   }
 
-  // On disk, and only then in the fields and the log. A stroke that misses makes no step.
+  // Commit: first to disk, and only then to the fields and the log. A stroke that changes nothing makes no step.
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
     const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
@@ -141,7 +141,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   return answer(std::move(outcome.results));
 }
 
-// Undo, redo and revert follow the same steps with a stored change.
+// Undo, redo and revert run the same stages with a stored change.
 Result<CommandAnswer> Scene::move(const HistoryMove& move, const ExecuteOptions& options) {
   const Result<ChangeTurns::Turn> turn = begin_change(options);
   if (!turn) return turn.status();
@@ -174,7 +174,8 @@ Result<ChangeTurns::Turn> Scene::begin_change(const ExecuteOptions& options) {
 Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const ExecuteOptions& options) const {
   Plan plan;
   BatchPictures pictures(journal_);
-  // A later part of a stroke meets fur as the first one did, so that parts give what the whole would have given.
+  // A later part of a stroke sees the fur as it was before the stroke, so that parts give the same result as the whole
+  // stroke at once.
   std::optional<FieldSet> before_stroke;
   if (commands.size() == 1 && live_.joins(commands.front())) {
     const Result<FieldDelta> so_far = history_.last_step();
@@ -195,7 +196,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   if (commands.size() != 1) return plan;
   Result<LiveStroke::Plan> live = live_.plan(plan.logged.front());
   if (!live) return live.status();
-  if (live->joins) {  // the whole stroke has limits that no part breaks alone
+  if (live->joins) {  // the whole stroke may exceed a limit although no single part does
     if (Result<Command> checked = resolve(live->whole, present_->model->surface); !checked) return checked.status();
   }
   plan.whole.front().command = std::move(live->whole);
@@ -204,7 +205,7 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   return plan;
 }
 
-/// A command as it is evaluated: resolved, with all that it names.
+/// Returns a command ready for evaluation: resolved, and with the fields and pictures that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
   const SeenFur fur{past.fields, past.settings.coats, past.visits, past.options.cancel};
   Result<Command> resolved = resolve(command, present_->model->surface, &fur);
@@ -220,7 +221,7 @@ Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& 
   return step;
 }
 
-/// Checks that what a command names exists: in the scene, or made by the commands before it in its batch.
+/// Checks that everything a command names exists in the scene or is made by earlier commands of its batch.
 Status Scene::check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const {
   for (const Command& earlier : before) settings = with_setting(settings, earlier).value_or(settings);
   const auto missing = [](const auto& list, const std::string& name) {
@@ -247,7 +248,8 @@ Status Scene::check_names(const Command& command, const std::vector<Command>& be
   return check_skin_texture(base->picture, journal_);
 }
 
-/// Finds the baseline of an erase.
+/// Makes the step of a command, with the fields that an erase restores. Also checks the revision that a checkpoint
+/// names.
 Result<Step> Scene::with_baseline(Command command, const Past& past) const {
   Step step{std::move(command), nullptr};
   const auto* erase = std::get_if<Erase>(&step.command);
@@ -362,7 +364,7 @@ Result<MapFile> Scene::draw_map(const MapRequest& request) const {
 Result<PickAnswer> Scene::pick(const PickRequest& wanted, const std::string& coat) const {
   const SnapshotPtr now = snapshot();
   const std::vector<NamedCoat>& coats = now->settings->coats;
-  const NamedCoat* asked = coat.empty() ? nullptr : find_coat(coats, coat);  // unless it went meanwhile
+  const NamedCoat* asked = coat.empty() ? nullptr : find_coat(coats, coat);  // null if the coat was removed meanwhile
   return pelage::pick(now->model->surface, now->fields->of_coat((asked ? *asked : first_seen(coats)).id), wanted);
 }
 
@@ -372,7 +374,7 @@ Status Scene::rename(const std::string& name) {
   return take_over([&] { return journal_.rename_scene(id_, name); }, [&] { name_ = name; });
 }
 
-/// Waits for no change that is being evaluated: that will find the scene gone.
+/// Does not wait for a change that is being evaluated; it will find the scene gone.
 Status Scene::remove() {
   const std::lock_guard writing(writing_);
   if (Status removed = gone(); !removed.ok()) return removed;

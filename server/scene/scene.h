@@ -1,5 +1,5 @@
-// One scene: its model, fields and settings, and the story of a stroke. Commands run one at a time, in order; whoever
-// reads the scene reads a snapshot.
+// One scene: its model, fields, settings and undo history, and the commands that change them. Changes run one at a
+// time, in order; readers get immutable snapshots.
 #pragma once
 
 #include <atomic>
@@ -32,166 +32,172 @@
 namespace pelage {
 
 struct ExecuteOptions {
-  std::optional<Revision> if_match = {};  // refused (precondition) when the scene is at another revision
-  bool dry_run = false;                   // answer what it would do; nothing changes
-  std::vector<GroomSource> sources = {};  // what retargets take (SceneStore::execute and amend find them)
-  Cancel cancel = {};                     // evaluation ends (unavailable) once nobody waits; nothing changes
-  std::string author = {};                // LogEntry::author of what is changed; a new model's log has no entry for it
-  std::optional<KeyedRequest> request = {};  // kept with what is changed
+  std::optional<Revision> if_match = {};     // refused (precondition) if the scene is at another revision
+  bool dry_run = false;                      // returns the answer without changing anything
+  std::vector<GroomSource> sources = {};     // sources of retargets; SceneStore::execute and amend fill them in
+  Cancel cancel = {};                        // cancels the evaluation (unavailable); nothing changes then
+  std::string author = {};                   // LogEntry::author of the change; a new model's log has no entry for it
+  std::optional<KeyedRequest> request = {};  // stored with the change, to recognize a repeated request
 };
 
-/// What has become of a scene.
+/// The current state of a scene, and changes since a revision.
 struct SceneNews {
   SceneEvent now;
-  std::vector<ChangeEvent> changes;  // the next ones, in order
+  std::vector<ChangeEvent> changes;  // the changes that follow the revision asked for, in order
 };
 
 struct Undo {
   int steps = 1;
-};  // [1, 1e6]; more than there are: invalid, nothing changes
+};  // [1, 1e6]; refused (invalid) if there are fewer; nothing changes then
 struct Redo {
   int steps = 1;
 };
 struct Revert {
   Revision revision = 0;
-};  // any earlier revision of this model
+};  // any revision of this model up to the present
 using HistoryMove = std::variant<Undo, Redo, Revert>;
 
 class Journal;
 struct MapFile;
 struct StoredModel;
 
-/// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned. What changes the
-/// scene waits for the changes before it (ChangeTurns) and fails as that does; all else sees the scene as it was after
-/// the last change, and waits for none.
+/// Thread-safe. Every accepted change is in the journal (and synced) before its answer is returned. Functions that
+/// change the scene wait for earlier changes (ChangeTurns) and fail as that does. All others see the scene as of its
+/// last change and do not wait.
 class Scene {
  public:
-  /// A scene at its first groom, revision 0; SceneStore puts it into the journal. Of its undo steps at most
-  /// `undo_bytes` stay in memory. Without `settings` they are those of the model (first_settings).
+  /// Makes a scene with its first groom at revision 0; SceneStore puts it into the journal. At most `undo_bytes` of its
+  /// undo steps stay in memory. Null `settings` stand for the model's first_settings.
   Scene(std::string id, std::string name, std::shared_ptr<const SceneModel> model, FirstGroom fur, Journal& journal,
         std::size_t undo_bytes = limits::undo_bytes, const SceneSettings* settings = nullptr);
 
-  /// Takes the place of what the constructor made: the stored first groom and every entry of the journal since. Fails
-  /// (internal) when they do not fit together; the scene then stands before the first one that does not.
-  /// Settings begin as `settings` say, or as a scene of this model begins.
+  /// Restores the scene from the journal: the stored first groom, then every entry since. It replaces the state that
+  /// the constructor made. Fails (internal) if an entry does not fit; the scene then has the state before that entry.
+  /// Null `settings` stand for the model's first_settings.
   Status restore(const FieldDelta& first_groom, Revision first,
                  const std::shared_ptr<const SceneSettings>& settings = nullptr);
 
-  /// A scene that could be restored in part stays as it was before the damage: it can be looked at, exported, branched
-  /// and removed, and refuses changes (conflict). `why` is what its summary says from now on.
+  /// Marks a scene as damaged. Its intact part can be viewed, exported, branched and removed, but changes are refused
+  /// (conflict). `why` appears in its summary from then on.
   void quarantine(const std::string& why);
 
-  /// The story of a stroke: resolve, evaluate, journal, apply. All or nothing; a batch is one undo step. Pointers of
-  /// refusals begin with "/commands/K" when there is more than one command. A change that touches nothing (no field
-  /// bit, no setting) keeps the revision and makes no step.
+  /// Executes commands: resolve, evaluate, journal, apply. All of them take effect or none; a batch is one undo step.
+  /// Pointers of errors begin with "/commands/K" if there is more than one command. A batch that changes no bit of a
+  /// field and no setting keeps the revision and makes no step.
   Result<CommandAnswer> execute(const std::vector<Command>& commands, const ExecuteOptions& options = {});
   Result<CommandAnswer> move(const HistoryMove& move, const ExecuteOptions& options = {});
 
-  /// Puts other commands in the place of an earlier step and evaluates the steps after it anew: a revert to before the
-  /// step, then an entry for each step that changes anything, all of them or none, and one undo step. Refused (invalid)
-  /// with "/revision" when no step that is in effect has it, with "/commands/K" as execute does, and with "/commands"
-  /// when a later step cannot be replayed. Results are those of all replayed commands.
+  /// Replaces the commands of an earlier step and evaluates the steps after it again. The log gets a revert to before
+  /// the step, then an entry for each step that changes anything; all of that takes effect or none, and is one undo
+  /// step. Refuses (invalid) with "/revision" if no step in effect has that revision, with "/commands/K" as execute
+  /// does, and with "/commands" if a later step cannot be replayed. The results are those of all replayed commands.
   Result<CommandAnswer> amend(const AmendRequest& request, const ExecuteOptions& options = {});
 
-  /// A scene of its own, in the journal too, that begins as this one is or was `at` a revision (refused, "/revision",
-  /// where this model has none of that number). `copy_id` is its own for the renderer.
+  /// Makes an independent scene, also in the journal, that begins with this one's state, as of revision `at` if given.
+  /// Refuses (invalid, "/revision") a revision that this model does not have. `copy_id` is the new scene's
+  /// SceneView::copy_id.
   Result<std::shared_ptr<Scene>> branch(const std::string& id, const std::string& name, std::optional<Revision> at,
                                         std::uint64_t copy_id, const std::optional<KeyedRequest>& request = {}) const;
 
-  /// Refused (invalid, "/revision") when this model has no such revision.
+  /// Refuses (invalid, "/revision") a revision that this model does not have.
   Status has_revision(Revision revision) const;
-  /// The scene as it is, which others may change meanwhile.
+  /// Returns the present state; the scene may change meanwhile.
   SnapshotPtr snapshot() const;
-  /// The scene as it was at a revision: of an earlier one without a copy_id, and not posed. Reads the journal. Refused
-  /// (invalid, with the pointer) when this model has no such revision.
+  /// Returns the state at a revision, for an earlier one without copy_id and pose. It reads the journal. Refuses
+  /// (invalid, with the pointer) a revision that this model does not have.
   Result<SceneSnapshot> snapshot_at(Revision revision, const std::string& pointer = "/revision") const;
 
   SceneSummary summary() const;
   SceneMemory memory() const noexcept;
-  /// Returns the settings at a revision, the present one when none is given. Refused (invalid, "/revision") when this
-  /// model has no such revision.
+  /// Returns the settings at a revision, by default the present one. Refuses (invalid, "/revision") a revision that
+  /// this model does not have.
   Result<SettingsAnswer> settings(std::optional<Revision> revision = {}) const;
-  /// All entries of the journal since the model came, oldest first.
+  /// Returns all log entries since the model was set, oldest first.
   std::vector<LogEntry> log() const;
-  /// The commands that lead from the first groom to where the scene is now, resolved; one element for each undo step.
+  /// Returns the resolved commands that lead from the first groom to the present state; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
-  /// The same, carried to another model (carried_command). The message of a refusal gives the number of its step,
-  /// from 1.
+  /// Returns effective_log() converted for another model (carried_command). The message of an error gives the number of
+  /// the step, from 1.
   Result<std::vector<std::vector<Command>>> effective_log_for(const SceneModel& other) const;
   std::shared_ptr<const SceneModel> model() const;
-  /// What a retarget takes from this scene: at the present revision or an earlier one of this model, else refused
-  /// (invalid, "/revision").
+  /// Returns the groom that a retarget takes from this scene, at the given revision or the present one. Refuses
+  /// (invalid, "/revision") a revision that this model does not have.
   Result<GroomSource> groom(std::optional<Revision> revision) const;
-  /// Values of fields are those of the named coat; "" for the first that is seen.
+  /// Picks as pelage::pick does. The fields are those of the named coat; "" stands for the first visible one.
   Result<PickAnswer> pick(const PickRequest& wanted, const std::string& coat = "") const;
-  /// Draws a field as a map through the model's texture coordinates. Refused as make_map_file.
+  /// Draws a field as a map through the model's texture coordinates. Fails as make_map_file does.
   Result<MapFile> draw_map(const MapRequest& request) const;
-  /// Refused (invalid, "/from" or "/to") for revisions that this model does not have.
+  /// Compares the fields at two revisions. Refuses (invalid, "/from" or "/to") revisions that this model does not have.
   Result<Comparison> compare(Revision from, Revision to) const;
 
-  /// Sets the pose in which the present scene is drawn until the next call; none stands for rest. Settings that are set
-  /// meanwhile are not visible. The pose is no part of the groom: it is not in the journal, and revisions stay. It has
-  /// the model's triangles. Only for a caller that alone changes the scene.
+  /// Sets the pose in which the present scene is drawn until the next call; nothing stands for the rest pose. Settings
+  /// that change meanwhile stay invisible. The pose is not part of the groom: it is not in the journal, and the
+  /// revision does not change. It must have the triangles of the scene's model. The caller must be the only one that
+  /// changes the scene.
   void pose(std::optional<ScenePose> pose);
 
-  /// Gives the scene a new model, which starts an empty log at the next revision. `stored` is what the journal keeps of
-  /// the model. `ground`: whether it is visible at first.
+  /// Sets a new model, which starts an empty log at the next revision. `stored` is the journal's form of the model;
+  /// `ground` makes the ground visible at first.
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      bool ground = false, const ExecuteOptions& options = {});
 
-  /// Gives the scene a new version of its model, with its groom (carried_groom), which `stored` says is older than the
-  /// log. An empty log starts at the next revision. The summary says how the groom went over.
+  /// Sets a new version of the model and transfers the groom to it (carried_groom). An empty log starts at the next
+  /// revision; `stored` must say that the groom is older than the log (StoredModel::subdivisions). The summary reports
+  /// the transfer.
   Result<SceneSummary> carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
                                 const ExecuteOptions& options = {});
 
-  /// Splits triangles of the model, whose fields, roots and settings stay; checkpoints are dropped. An empty log starts
-  /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refused
-  /// (invalid, "/levels") beyond the limit of triangles.
+  /// Subdivides triangles of the model. Fields, roots and settings stay; checkpoints are dropped. An empty log starts
+  /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refuses
+  /// (invalid, "/levels") a result above the limit of triangles.
   Result<SceneSummary> subdivide(const Subdivide& how, std::uint64_t id, const ExecuteOptions& options = {});
 
-  /// Turns the model to stand another way, with its fur and what stands on it; checkpoints are dropped. An empty log
-  /// starts at the next revision, unless it stands that way already: then nothing changes. `id` is the new model's.
-  /// Refused (invalid, "/front") where both axes lie on one line.
+  /// Rotates the model to other up and front axes, with its fur and what stands on it; checkpoints are dropped. An
+  /// empty log starts at the next revision, unless the axes stay the same: then nothing changes. `id` is the new
+  /// model's. Refuses (invalid, "/front") two axes on one line.
   Result<SceneSummary> turn(const TurnModel& how, std::uint64_t id, const ExecuteOptions& options = {});
 
-  /// Gives the scene another name, at its revision.
+  /// Renames the scene; the revision stays.
   Status rename(const std::string& name);
 
-  /// Takes the scene out of the journal. Whoever still holds it gets not_found for every change.
+  /// Removes the scene from the journal. Later changes by those who still hold it fail (not_found).
   Status remove();
 
-  /// Waits until the revision is above `after`, the scene is removed, `or_else` holds or `seconds` have gone by; the
-  /// revision then. Whoever makes `or_else` true calls wake(); it is asked under the scene's lock.
+  /// Waits until the revision is above `after`, the scene is removed, `or_else` returns true or `seconds` have passed,
+  /// and returns the revision then. `or_else` is called with the scene's lock held; whoever makes it true must call
+  /// wake().
   Revision wait_newer(Revision after, double seconds, const std::function<bool()>& or_else = {}) const;
   void wake() const;
-  /// The present, and at most 256 changes that came next after a revision; none where this model has no such revision.
+  /// Returns the present state and at most 256 changes that follow a revision; no changes if this model does not have
+  /// that revision.
   SceneNews news(std::optional<Revision> after) const;
   Revision revision() const;
-  /// Returns whether the scene is at this revision; a scene that has been removed is at none.
+  /// Returns whether the scene is at this revision; always false for a removed scene.
   bool is_at(Revision revision) const { return !removed() && newest_ == revision; }
   bool removed() const { return removed_; }
   const std::string& id() const;
 
  private:
-  /// Commands as they are evaluated and as they are logged: with pixels resolved, and parts of a stroke joined.
+  /// Commands as they are evaluated and as they are logged. Positions under pixels are resolved in both; the evaluated
+  /// ones hold the whole stroke so far.
   struct Plan {
     std::vector<Step> whole;
     std::vector<Command> logged;
     bool joins = false;
   };
 
-  /// What the names and revisions in commands refer to.
+  /// The state that names and revisions in commands refer to.
   struct Past {
     const SceneSettings& settings;
     const FieldSet& fields;
     std::function<Result<FieldSet>(Revision)> fields_at;
     const ExecuteOptions& options;
     BatchPictures& pictures;
-    double& visits;  // of vertices, by pixels of the commands so far
+    double& visits;  // vertices visited so far to resolve the pixels of the commands, for the cost limit
   };
-  /// Steps that have been evaluated but are not in the journal yet.
+  /// Steps that are evaluated but not in the journal yet.
   struct Replay {
-    FieldSet fields;  // after them
+    FieldSet fields;  // after all steps
     std::shared_ptr<const SceneSettings> settings;
     std::vector<Entry> entries;
     std::vector<CommandResult> results;
@@ -200,16 +206,17 @@ class Scene {
   Result<FieldSet> fields_before(const SceneSnapshot& now, Revision revision) const;
   Result<std::shared_ptr<const RawImage>> skin_texture_of(const SceneSettings& settings,
                                                           const SceneSnapshot* present) const;
-  /// The scene as it begins with a model and a log, and the texture that its settings name.
+  /// Returns the snapshot with which a scene begins: a model, its fields, a log, and the texture that its settings
+  /// name.
   SnapshotPtr beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
                         std::shared_ptr<const RawImage> skin_texture) const;
 
-  // All of these need a turn.
+  // The caller of these must hold a turn (ChangeTurns).
   Result<Plan> plan(const std::vector<Command>& commands, const ExecuteOptions& options) const;
   Result<Step> prepare(const Command& command, const std::vector<Command>& before, const Past& past) const;
   Status commit(std::span<const Entry> entries, FieldSet fields, LiveStroke live);
   Result<Replay> begin_replay(Revision before) const;
-  /// `number` as LogEntry::step.
+  /// `number` is as in LogEntry::step.
   Status replay_step(Replay& replay, Revision number, const std::vector<Command>& commands,
                      const ExecuteOptions& options) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
@@ -222,24 +229,25 @@ class Scene {
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
 
-  /// A turn. Refused as ChangeTurns::take, and where the scene cannot be changed or is at another revision than asked.
+  /// Takes a turn. Refuses as ChangeTurns::take does, and if the scene is removed, quarantined, or at another revision
+  /// than asked for.
   Result<ChangeTurns::Turn> begin_change(const ExecuteOptions& options);
-  /// Calls `write`, which puts a change into the journal, and then `publish` under the lock, which cannot fail. Neither
-  /// where the scene was removed meanwhile.
+  /// Calls `write`, which puts a change into the journal, and then `publish` under the lock; `publish` cannot fail.
+  /// Calls neither if the scene was removed meanwhile.
   Status take_over(const std::function<Status()>& write, const std::function<void()>& publish);
 
   Status gone() const;
-  // These need a turn or `mutex_`.
+  // The caller of these must hold a turn or `mutex_`.
   Status check_revision(Revision revision, const std::string& pointer = "/revision") const;
-  void announce() noexcept;  // needs `mutex_`
+  void announce() noexcept;  // the caller must hold `mutex_`
   History new_history(Revision first, SceneSettings settings) const;
 
   const std::string id_;
-  std::string name_;  // changes under a turn and `mutex_`
+  std::string name_;  // written only with a turn and `mutex_` held
   Journal& journal_;
   const std::size_t undo_bytes_;
-  // Whoever changes the scene takes a turn from the first look to the end, and holds `writing_` while the journal and
-  // the scene get what is ready. `mutex_` is held for a look or a swap, and never for work.
+  // A change holds a turn from its first read to its end, and `writing_` while the journal and then the scene take over
+  // the finished change. `mutex_` is held only to read or swap members, never during work.
   ChangeTurns turns_;
   std::mutex writing_;
   mutable std::mutex mutex_;
@@ -247,9 +255,9 @@ class Scene {
   SnapshotPtr present_;
   History history_;
   LiveStroke live_;
-  std::atomic<Revision> newest_{0};  // that of the present, without the lock
+  std::atomic<Revision> newest_{0};  // revision of present_, readable without the lock
   std::atomic<bool> removed_{false};
-  std::string damage_;  // of its journal; "" for none
+  std::string damage_;  // why the scene is quarantined; "" if it is intact
 };
 
 }  // namespace pelage

@@ -17,7 +17,7 @@ std::size_t bytes_of(const SceneModel& model) {
 
 SceneMemory Scene::memory() const noexcept {
   const std::lock_guard lock(mutex_);
-  std::size_t own = sizeof(Scene) + present_->fields->bytes() + history_.bytes();  // recent changes are a few numbers
+  std::size_t own = sizeof(Scene) + present_->fields->bytes() + history_.bytes();  // recent changes are small
   if (present_->skin_texture) own += present_->skin_texture->rgba.capacity();
   const SceneModel& model = *present_->model;
   return {own, model.id, bytes_of(model), present_->copy_id, live_.goes_on()};

@@ -1,4 +1,4 @@
-// News of a scene for clients that follow it: its state and the changes since a revision.
+// State and recent changes of a scene, for clients that follow it.
 #include <algorithm>
 
 #include "protocol/json/decode.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t changes_at_a_time = 256;
 
-/// The tools and settings in the text of an entry's commands, each once.
+/// Returns the ops in the JSON text of an entry's commands, each once.
 std::vector<std::string> ops_of(const std::string& commands) {
   std::vector<std::string> ops;
   if (commands.empty()) return ops;
@@ -34,7 +34,7 @@ SceneNews Scene::news(std::optional<Revision> after) const {
     if (after && *after >= news.now.first_revision && *after <= news.now.revision)
       logged = history_.changes_after(*after, changes_at_a_time);
   }
-  for (LoggedChange& change : logged) {  // without the lock: a stroke may be long
+  for (LoggedChange& change : logged) {  // without the lock, because decoding a long stroke takes time
     change.event.ops = ops_of(change.commands);
     news.changes.push_back(std::move(change.event));
   }

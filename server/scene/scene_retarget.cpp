@@ -1,4 +1,4 @@
-// What a scene gives to other models, and takes from itself on a finer one, or on one that stands another way.
+// Transfers a scene's groom: to other scenes, and to a new, subdivided or rotated model of the same scene.
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// Adds to the message of a refusal which step of a log it is about.
+/// Adds the number of the log's step to the message of an error.
 Status in_step(Status status, std::size_t step) {
   status.message = "step " + std::to_string(step) + " cannot be carried to another model: " + status.message;
   return status;
@@ -60,7 +60,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   if (!finer) return finer.status();
   if (options.dry_run || !finer->model) return summary();
   auto settings = std::make_shared<SceneSettings>(*now.settings);
-  settings->checkpoints.clear();  // of revisions that are gone
+  settings->checkpoints.clear();  // their revisions are gone
   StoredScene stored{id_, name_, {}, now.revision + 1, {}, settings, options.request};
   const ModelReport& report = now.model->surface.mesh().report;
   stored.model.subdivisions = finer->model->subdivisions;
@@ -71,7 +71,7 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
 
 namespace {
 
-/// The axes of a model's file that point up and forward after it has been turned.
+/// Returns the preparation with the file axes that point up and forward after the model has been rotated.
 PrepareOptions turned_axes(PrepareOptions stored, const TurnModel& how) {
   const glm::dmat3 turn = turn_of(how.up, how.front) * turn_of(stored.up, stored.front);
   stored.up = axis_turned_to(turn, Axis::plus_y), stored.front = axis_turned_to(turn, Axis::plus_z);
@@ -84,7 +84,7 @@ SceneSettings turned_settings(const SceneSettings& settings, const Surface& befo
   SceneSettings turned = carried_along(settings, before, after, turns);
   for (Eye& eye : turned.eyes)
     if (eye.look_at) eye.look_at = turn * *eye.look_at;
-  turned.checkpoints.clear();  // of revisions that are gone
+  turned.checkpoints.clear();  // their revisions are gone
   return turned;
 }
 
@@ -145,7 +145,7 @@ Result<SceneSummary> Scene::carry_to(const std::shared_ptr<const SceneModel>& mo
   return summary;
 }
 
-/// Begins the scene anew, with an empty log, as `stored` says; `write` puts that into the journal.
+/// Restarts the scene with an empty log, as `stored` says; `write` puts that into the journal.
 Result<SceneSummary> Scene::begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
                                        FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
                                        Status (Journal::*write)(const StoredScene&)) {

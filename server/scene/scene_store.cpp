@@ -25,7 +25,7 @@ namespace pelage {
 
 namespace {
 
-/// 12 random hex characters.
+/// Returns 12 random hex digits.
 std::string random_id() {
   static constexpr char digits[] = "0123456789abcdef";
   std::random_device device;
@@ -34,7 +34,7 @@ std::string random_id() {
   return id;
 }
 
-/// The name of the scene that stays behind when this one gets a new version of its model.
+/// Returns the name of the scene that keeps the old state when this one gets a new version of its model.
 std::string name_before(const SceneSummary& scene) {
   const std::string ending = " before " + std::to_string(scene.revision + 1);
   return scene.name.size() + ending.size() <= limits::name_bytes ? scene.name + ending : scene.name;
@@ -55,7 +55,7 @@ FieldDelta groom_of(const Scene& scene) {
 struct SceneStore::Impl {
   std::unique_ptr<Journal> journal;
   std::string worker;
-  std::size_t undo_bytes = 0;  // of each scene
+  std::size_t undo_bytes = 0;  // limit for each scene
   std::atomic<std::uint64_t> last_model{0};
   BuiltinCache builtins;
   OpenScenes scenes;
@@ -63,7 +63,7 @@ struct SceneStore::Impl {
   explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return opened(id); }) {}
 
   Result<std::shared_ptr<const SceneModel>> model_of(const StoredScene& stored);
-  /// A scene, and why not all of its log is in it.
+  /// A scene, and the error that stopped its log from being restored completely; ok if there was none.
   using Restored = std::pair<std::shared_ptr<Scene>, Status>;
   Result<Restored> restored(const std::string& id);
   Result<std::shared_ptr<Scene>> opened(const std::string& id);
@@ -86,7 +86,7 @@ Result<SceneStore::Impl::Restored> SceneStore::Impl::restored(const std::string&
   return std::pair(scene, scene->restore(stored->first_groom, stored->first_revision, stored->first_settings));
 }
 
-/// A damaged scene affects only itself: the server serves its intact part and refuses changes to it.
+/// Opens a scene. A damaged one does not affect others: the server serves its intact part and refuses changes to it.
 Result<std::shared_ptr<Scene>> SceneStore::Impl::opened(const std::string& id) {
   const Result<Restored> restored = this->restored(id);
   if (!restored) return failure(Code::conflict, "the scene cannot be opened: " + restored.status().message);
@@ -163,7 +163,7 @@ Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const Branc
   if (!scene) return scene;
   Status added = impl_->scenes.add(*scene);
   if (added.ok()) return scene;
-  const Status removed = (*scene)->remove();  // others came while it was copied
+  const Status removed = (*scene)->remove();  // the limit was reached by other scenes meanwhile
   return removed.ok() ? added : removed;
 }
 
@@ -181,7 +181,7 @@ namespace {
 
 constexpr const char* exported = "a file that was exported as pelage";
 
-/// The refusal of a file whose rows are no scene, for the reason of `status`.
+/// Returns the error for a file whose rows are no valid scene, with the reason of `status`.
 Status not_saved(const Status& status) {
   return failure(Code::invalid, "The file cannot be opened: " + status.message, "", exported);
 }
@@ -191,7 +191,7 @@ Status with_limit(Status status, const char* limit) {
   return status;
 }
 
-/// The one scene of a file.
+/// Returns the scene of a file that must hold exactly one.
 Result<StoredScene> only_scene(const Journal& file) {
   const Result<std::vector<std::string>> ids = file.scene_ids();
   if (!ids) return ids.status();
@@ -224,7 +224,7 @@ Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte>
   const Status whole = restored ? restored->second : restored.status();
   const Status added = whole.ok() ? impl_->scenes.add(restored->first) : whole;
   if (added.ok()) return restored->first;
-  static_cast<void>(impl_->journal->remove_scene(id));  // the failure before is the one to tell
+  static_cast<void>(impl_->journal->remove_scene(id));  // the earlier error is the one to report
   return added;
 } catch (const Cancelled&) {
   return nobody_waits();
@@ -325,7 +325,7 @@ Result<CommandAnswer> SceneStore::amend(Scene& scene, const AmendRequest& reques
   Result<std::vector<GroomSource>> sources = sources_of(request.commands);
   if (!sources) return sources.status();
   options.sources = std::move(*sources);
-  // What the log takes from scenes that are gone is refused only where it has to be replayed.
+  // A missing source of a logged retarget is an error only if that step has to be replayed.
   for (const std::vector<Command>& step : scene.effective_log()) {
     for (const Command& command : step) {
       Result<std::vector<GroomSource>> logged = sources_of({command});
@@ -350,7 +350,7 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, EnvironmentUplo
   if (!to_linear) return to_linear.status();
   Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, ended_by(execute.cancel));
   if (!harmonics) return harmonics.status();
-  for (glm::dvec3& one : *harmonics) one = glm::dmat3(*to_linear) * one;  // linear, as they are of the light
+  for (glm::dvec3& one : *harmonics) one = glm::dmat3(*to_linear) * one;  // valid: they are linear in the light
   how.environment.harmonics = *harmonics;
   return scene.execute({SetEnvironment{how.environment}}, execute);
 }
@@ -398,7 +398,7 @@ Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload
   command.tile = upload.tile;
   if (!upload.coat.empty()) command.coats = {upload.coat};
   command.scale = upload.scale.value_or(picture->scale.value_or(1));
-  if (!upload.scale && picture->scale) command.units = Units::relative;  // what files say is in sizes
+  if (!upload.scale && picture->scale) command.units = Units::relative;  // a scale stated by a file is in sizes
   return scene.execute({command}, execute);
 }
 

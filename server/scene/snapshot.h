@@ -1,5 +1,5 @@
-// A scene at a revision: what everybody reads who draws, traces, picks, exports or lists. Nothing of it changes, so
-// that nobody who reads a scene ever waits for it.
+// An immutable snapshot of a scene at a revision. All code that draws, traces, picks, exports or lists reads snapshots
+// and so never waits for changes.
 #pragma once
 
 #include <cstdint>
@@ -19,67 +19,67 @@
 
 namespace pelage {
 
-/// A model that never changes while it is in a scene; shared with frames that are being drawn.
+/// The immutable model of a scene; frames that are being drawn share it.
 struct SceneModel {
   Surface surface;
   PatchMap patches;
-  std::uint64_t id = 0;  // unique in the process: what the renderer caches by, but for branches that share the model
+  std::uint64_t id = 0;  // unique in the process; branches of a scene share the model with its id
   std::string name;      // "creature", "obj", ...
   FurPatches fur_patches = FurPatches::overlapping;
-  std::vector<ChosenTriangles> subdivisions = {};  // since it was prepared
+  std::vector<ChosenTriangles> subdivisions = {};  // applied in order since the model was prepared
   std::string mesh_id = {};                        // SceneSummary::model_id
-  std::shared_ptr<const SceneModel> rest = {};     // of one that has moved: as its coat was made, vertex by vertex
+  std::shared_ptr<const SceneModel> rest = {};     // of a posed model: the model at rest, with the same vertices
 };
 
-/// How a model that moves has moved, which makes its fur swing.
+/// The motion of an animated model, which makes its fur swing.
 struct BodySwing {
-  /// Returns the acceleration of the skin at a vertex at a time of the scene, sizes per second squared, rotated as the
-  /// skin has been since then: the form that BodyMotion (server/motion) takes. Called from several threads.
+  /// Returns the skin's acceleration at a vertex at a scene time in seconds, in sizes per second squared, rotated along
+  /// with the skin from then to now: the form that BodyMotion (server/motion) takes. Called from several threads.
   std::function<glm::dvec3(std::uint32_t vertex, double time)> acceleration;
-  double step = 1.0 / 24;  // seconds, [1/1000, 1], from one known acceleration to the next
+  double step = 1.0 / 24;  // time between known accelerations, in seconds, [1/1000, 1]
 };
 
-/// The pose of a scene at a moment: its model, moved, and its settings, moved along. The groom stays as it is.
+/// The pose of a scene at one time: its moved model, and its settings moved along. The groom stays.
 struct ScenePose {
-  std::shared_ptr<const SceneModel> model;  // with the triangles of the scene's
+  std::shared_ptr<const SceneModel> model;  // has the triangles of the scene's model
   SceneSettings settings;
   std::optional<BodySwing> swing = {};
 };
 
-/// What drawing needs to read of a scene.
+/// The parts of a scene that drawing reads.
 struct SceneView {
   const SceneModel& model;
   const FieldSet& fields;
   const SceneSettings& settings;
   Revision revision;
-  const RawImage* skin_texture = nullptr;  // that the settings name; null for the model's own colours
-  std::uint64_t copy_id = model.id;        // by which the renderer caches the model with these fields
-  const BodySwing* swing = nullptr;        // null for a model that stands still
+  const RawImage* skin_texture = nullptr;  // the texture that the settings name; null for the model's own colours
+  std::uint64_t copy_id = model.id;        // key under which the renderer caches the model with these fields
+  const BodySwing* swing = nullptr;        // null for a still model
   bool masked = false;                     // FrameRequest::masked
 };
 
-/// All vertices of a model.
+/// Returns the range of all vertices of a model.
 inline std::vector<VertexRange> whole_range(std::size_t vertices) {
   return {{0, static_cast<std::uint32_t>(vertices)}};
 }
 
-/// Which vertices the last changes of a scene touched, so that whoever has drawn an older snapshot takes over no
-/// others.
+/// The vertices that a scene's most recent changes touched, so that a renderer with an older snapshot copies only
+/// those.
 class RecentChanges {
  public:
   static constexpr std::size_t max_known = 256;
 
-  /// The number of the last change; 0 before the first.
+  /// Returns the number of the last change; 0 before the first.
   std::uint64_t number() const { return number_; }
-  /// The same with one more change.
+  /// Returns a copy with one more change.
   RecentChanges with(std::vector<VertexRange> touched) const;
-  /// Returns the vertices that changes after a number have touched, in order and without overlaps; nothing where that
-  /// is no longer known.
+  /// Returns the vertices that the changes after a number touched, sorted and without overlaps; nothing if they are no
+  /// longer known.
   std::optional<std::vector<VertexRange>> since(std::uint64_t number) const;
 
  private:
   std::uint64_t number_ = 0;
-  std::vector<std::shared_ptr<const std::vector<VertexRange>>> known_;  // the newest comes last
+  std::vector<std::shared_ptr<const std::vector<VertexRange>>> known_;  // newest last
 };
 
 struct SceneSnapshot {
@@ -87,20 +87,21 @@ struct SceneSnapshot {
   std::shared_ptr<const FieldSet> fields;
   std::shared_ptr<const SceneSettings> settings;
   Revision revision = 0;
-  std::uint64_t copy_id = 0;  // SceneView::copy_id of a scene that is not posed
+  std::uint64_t copy_id = 0;  // SceneView::copy_id if the scene is not posed
   std::shared_ptr<const RawImage> skin_texture = {};
   std::shared_ptr<const ScenePose> pose = {};
   RecentChanges changes = {};
 
-  /// Returns the scene as it is posed. Valid as long as the snapshot lives.
+  /// Returns a view of the scene in its pose. It is valid as long as the snapshot lives.
   SceneView view(bool masked = false) const;
-  /// An estimate of what it takes beside the model. A picture that the scene has too counts here as well.
+  /// Returns an estimate of the snapshot's bytes without the model. The skin texture is included, even if the scene
+  /// shares it.
   std::size_t bytes() const;
 };
 
 using SnapshotPtr = std::shared_ptr<const SceneSnapshot>;
 
-/// The groom of a scene at a revision of its model, which stays whatever becomes of the scene.
+/// A copy of a scene's groom at a revision, independent of what becomes of the scene.
 struct GroomSource {
   std::string scene;
   std::optional<Revision> asked = {};  // the revision that was asked for

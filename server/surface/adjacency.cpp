@@ -20,7 +20,7 @@ void for_each_side(const std::vector<glm::uvec3>& triangles, const Visit& visit)
 
 }  // namespace
 
-// Sorts by the lower vertex by counting, and then the few sides of each vertex.
+// Sorts by the lower vertex with a counting sort, then sorts the few sides of each vertex.
 std::vector<Side> sorted_sides(const std::vector<glm::uvec3>& triangles) {
   std::uint32_t max = 0;
   for (const glm::uvec3& t : triangles) max = std::max({max, t.x, t.y, t.z});

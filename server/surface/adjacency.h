@@ -1,4 +1,4 @@
-// Which vertices share an edge, and which triangles share one.
+// Adjacency of a mesh: the neighbours of vertices, and the triangles at each edge.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace pelage {
 
-/// For each item a run of others, one after the other in one array.
+/// Lists of neighbours for each item, stored one after the other in one array.
 struct Adjacency {
-  std::vector<std::uint32_t> begin;  // items + 1
+  std::vector<std::uint32_t> begin;  // offsets into `others`; number of items + 1
   std::vector<std::uint32_t> others;
 
   std::span<const std::uint32_t> of(std::uint32_t item) const {
@@ -18,21 +18,21 @@ struct Adjacency {
   }
 };
 
-/// Vertices that share an edge with each vertex, in rising order, each once.
+/// Returns for each vertex the vertices that share an edge with it, sorted, each once.
 Adjacency vertex_neighbours(const std::vector<glm::uvec3>& triangles, std::size_t vertices);
 
 /// One side of a triangle: from corner `side` to the next.
 struct Side {
-  std::uint32_t low, high;  // its vertices
+  std::uint32_t low, high;  // its vertices, low < high
   std::uint32_t triangle;
   std::uint32_t side;  // 0, 1, 2
-  bool rising;         // whether the triangle runs from low to high
+  bool rising;         // true if the triangle's winding runs from low to high
 };
 
-/// All sides, those of one edge beside each other, in rising order of (low, high, triangle, side).
+/// Returns all sides, sorted by (low, high, triangle, side), so that the sides of one edge are adjacent.
 std::vector<Side> sorted_sides(const std::vector<glm::uvec3>& triangles);
 
-/// Calls `visit(std::span<const Side>)` for each edge of `sides` in order.
+/// Calls `visit(std::span<const Side>)` for each edge of the sorted `sides`, in order.
 template <class Visit>
 void for_each_edge(const std::vector<Side>& sides, Visit visit) {
   for (std::size_t i = 0; i < sides.size();) {

@@ -18,7 +18,7 @@ constexpr std::size_t max_corners_for_ears = 128;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// A polygon seen along its mean normal, counter-clockwise, around its first corner.
+/// A polygon projected along the dominant axis of its mean normal, counter-clockwise, relative to its first corner.
 class Polygon {
  public:
   Polygon(std::span<const std::uint32_t> vertices, const std::vector<glm::dvec3>& positions)
@@ -68,9 +68,9 @@ class Polygon {
     if (!has_no_area(position(a), position(b), position(c))) triangles_.push_back({ring_[a], ring_[b], ring_[c]});
   }
 
-  /// Returns whether the polygon is strictly convex: every corner turns left, and all together once around.
+  /// Returns whether the polygon is strictly convex: every corner turns left, and all of them together once around.
   bool is_convex() const {
-    int sign_changes = 0;  // of the sides' x; a star goes around twice
+    int sign_changes = 0;  // in the x of the sides; more than 2 if the polygon, like a star, goes around twice
     double last = 0;
     for (std::size_t k = 0; k < ring_.size(); ++k) {
       if (!(turn(before(k), k, after(k)) > 0)) return false;
@@ -108,7 +108,7 @@ class Polygon {
     return true;
   }
 
-  /// The next ear after the last one cut; where the polygon crosses itself and has none, any corner.
+  /// Returns the next ear after the last one cut, or any corner if the polygon intersects itself and has no ear.
   std::size_t find_ear() {
     for (std::size_t step = 0; step < ring_.size(); ++step) {
       const std::size_t k = (next_ + step) % ring_.size();
@@ -125,8 +125,8 @@ class Polygon {
 
   std::span<const std::uint32_t> vertices_;
   const std::vector<glm::dvec3>& positions_;
-  std::vector<std::uint32_t> ring_;  // corners that are left
-  std::vector<glm::dvec2> flat_;     // of each corner
+  std::vector<std::uint32_t> ring_;  // corners that remain
+  std::vector<glm::dvec2> flat_;     // projected position of each corner
   std::size_t next_ = 1;
   std::vector<Indices> triangles_;
 };
@@ -152,8 +152,8 @@ constexpr std::uint32_t no_triangle = 0xffffffff;
 
 struct Neighbour {
   std::uint32_t triangle = no_triangle;
-  bool agrees = true;  // whether both are wound the same way
-  bool open = false;   // the side has no other triangle
+  bool agrees = true;  // true if both have consistent winding
+  bool open = false;   // true if the side has no other triangle
 };
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
@@ -171,7 +171,7 @@ Neighbours find_neighbours(const std::vector<glm::uvec3>& triangles, Orientation
   return neighbours;
 }
 
-/// Decides for each triangle whether it turns, part by part.
+/// Decides for each triangle, part by part, whether it is flipped.
 class Orienter {
  public:
   Orienter(const Soup& soup, Orientation& report)
@@ -181,7 +181,7 @@ class Orienter {
         flip_(soup.triangles.size(), false),
         part_(soup.triangles.size(), no_triangle) {}
 
-  /// `flipped`: numbers of parts, from 1.
+  /// Returns for each triangle whether it is flipped. `flipped` holds the numbers of parts to turn inside out, from 1.
   std::vector<bool> decide(const std::vector<std::uint32_t>& flipped) {
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       if (part_[t] != no_triangle) continue;
@@ -198,7 +198,7 @@ class Orienter {
   }
 
  private:
-  /// The part of `seed`, its triangles turned so that they agree with the seed.
+  /// Collects the part of `seed` and flips its triangles so that their winding is consistent with the seed.
   std::vector<std::uint32_t> gather(std::uint32_t seed) {
     std::vector<std::uint32_t> members = {seed};
     const auto number = static_cast<std::uint32_t>(report_.parts.size());
@@ -233,11 +233,11 @@ class Orienter {
     return place(positions);
   }
 
-  /// Measures of a part's winding, as its triangles are turned now.
+  /// Measures of a part's winding, with its current flips.
   struct Winding {
-    double volume = 0;             // signed, seen from the middle of the box
-    double kept = 0, flipped = 0;  // twice the area of those wound as in the file, and of the others
-    double holes = 0;              // twice the area of flat lids
+    double volume = 0;             // signed, with respect to the middle of the box
+    double kept = 0, flipped = 0;  // twice the areas of triangles with the file's winding, and of flipped ones
+    double holes = 0;              // twice the area of flat lids on the holes
     bool open = false;
   };
 
@@ -254,8 +254,8 @@ class Orienter {
     return winding;
   }
 
-  /// Open edges that share vertices go around a hole; the sum of what each spans with any point is twice the area
-  /// vector of the lid, where they go around once and whole.
+  /// Returns twice the area of flat lids on the part's holes. Open edges that share vertices surround a hole. The sum
+  /// of the area vectors that they span with any point is twice the area vector of the lid, if they go around once.
   double holes_of(const std::vector<std::uint32_t>& members) const {
     struct Rim {
       std::uint32_t from, to;
@@ -289,9 +289,9 @@ class Orienter {
   }
 
   bool should_turn(const std::vector<std::uint32_t>& members, WoundPart& part) const {
-    constexpr double next_to_nothing = 1e-3;      // of the cube of the box's diagonal; a ball has 0.1
-    constexpr double small_holes = 0.05;          // of its area
-    constexpr std::size_t enough_to_enclose = 8;  // triangles; fewer enclose nothing that says anything
+    constexpr double next_to_nothing = 1e-3;      // relative to the cube of the box's diagonal; a ball has 0.1
+    constexpr double small_holes = 0.05;          // relative to the part's area
+    constexpr std::size_t enough_to_enclose = 8;  // triangles; the volume of fewer is meaningless
     const Winding winding = winding_of(members, part.box);
     const double size = part.box.size;
     const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;

@@ -15,8 +15,8 @@ namespace pelage {
 
 namespace {
 
-/// Returns whether two ends of an edge, with a place on it, and a third vertex are the corners of a triangle. Three
-/// vertices that are neighbours need not be: they may go around a tube.
+/// Returns whether the ends of an edge, with a position on it, and a third vertex are the corners of a triangle. Three
+/// vertices that are neighbours of each other need not be: they may go around a tube.
 bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 place, std::uint32_t third) {
   constexpr double inside = 0.25;
   const glm::dvec3 within = glm::mix(place, glm::dvec3(surface.mesh().positions[third]), inside);
@@ -53,7 +53,7 @@ Spread nothing_reached(std::size_t vertices) {
   return {std::vector<double>(vertices, unreached), std::vector<glm::dvec3>(vertices, glm::dvec3(0))};
 }
 
-/// Sources that count, nearest first; their vertices already have their distances and vectors.
+/// Returns the sources that are nearest at their vertices, sorted by distance, and stores their distances and vectors.
 std::vector<MonotoneQueue::Place> placed(std::span<const SpreadSource> sources, Spread& spread) {
   std::vector<MonotoneQueue::Place> places;
   for (const SpreadSource& source : sources) {
@@ -83,14 +83,14 @@ EdgeSearch::EdgeSearch(const Surface& surface) : surface_(surface) {
 }
 
 Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
-  constexpr double bands_a_step = 4, max_bands = 1 << 14;  // narrow, but not so many that going through them counts
+  constexpr double bands_a_step = 4, max_bands = 1 << 14;  // narrow, but few enough to scan
   const std::vector<glm::vec3>& normals = surface_.mesh().normals;
   const Adjacency& edges = surface_.adjacency();
   Spread spread = nothing_reached(normals.size());
   const std::vector<MonotoneQueue::Place> starts = placed(sources, spread);
   if (lengths_.empty()) return spread;
   std::vector<std::uint32_t> before(
-      normals.size());  // the vertex that the way comes from; the vertex itself at sources
+      normals.size());  // the previous vertex on the shortest path; the vertex itself at sources
   for (const auto& [distance, vertex] : starts) before[vertex] = vertex;
   MonotoneQueue front(std::max(mean_ / bands_a_step, longest_ / max_bands), longest_);
   for (auto start = starts.begin(); start != starts.end() || !front.empty();) {
@@ -137,12 +137,12 @@ Spread spread_through_space(const Surface& surface, std::span<const SpreadSource
 
 namespace {
 
-/// Marches outwards from the corners of one triangle.
+/// Fast marching outwards from the corners around a point.
 class March {
  public:
   March(const Surface& surface, double radius) : surface_(surface), radius_(radius) {}
 
-  /// Sets the distances of the corners around the centre, to which the straight path is the shortest.
+  /// Sets the distances of the corners around the centre, for which the straight path is the shortest.
   void start(const SurfacePoint& centre) {
     const glm::dvec3 place = surface_.position(centre);
     for (const std::uint32_t corner : corners_around(surface_, centre)) {
@@ -158,7 +158,7 @@ class March {
       Known& known = known_[vertex];
       if (known.final || distance > known.distance) continue;
       known.settled = known.final = true;
-      // One ring beyond the radius is marched too: the straight way to a vertex inside it may pass between one vertex
+      // Marches one ring beyond the radius, because the shortest path to a vertex inside it may pass between one vertex
       // inside and one outside.
       for (const std::uint32_t next : surface_.neighbours(vertex)) {
         const double there = distance_by(vertex, distance, next);
@@ -179,8 +179,8 @@ class March {
  private:
   struct Known {
     double distance = unreached;
-    bool settled = false;  // it will not change
-    bool final = false;    // and its neighbours have been offered theirs
+    bool settled = false;  // the distance will not change
+    bool final = false;    // and its neighbours have been updated
   };
   using Place = std::pair<double, std::uint32_t>;
 
@@ -222,12 +222,12 @@ class March {
 
 double unfolded_distance(double along, double near, double far, double near_distance, double far_distance) {
   if (!(along > 0)) return unreached;
-  // The edge lies on the x axis from the near corner; the source is below it, the place above.
+  // In the unfolded plane the edge lies on the x axis from its near end; the source is below it, the corner above.
   const double source_x = (near_distance * near_distance - far_distance * far_distance + along * along) / (2 * along);
   const double depth = near_distance * near_distance - source_x * source_x;
   const double place_x = (near * near - far * far + along * along) / (2 * along);
   const double height = near * near - place_x * place_x;
-  // Rounding may put a source that lies on the edge itself a little above it.
+  // Rounding may put a source on the edge slightly above it.
   const double rounding = 1e-12 * (near_distance * near_distance + far_distance * far_distance + along * along);
   if (depth < -rounding || !(height > 0)) return unreached;
   const double below = std::sqrt(std::max(depth, 0.0)), above = std::sqrt(height);
@@ -248,13 +248,13 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// The shortest reach of the heat, which falls like exp(-distance / reach): a shorter one would leave the range of
-/// double on the far side.
+/// Minimum length scale of the heat, which falls like exp(-distance / reach). A shorter one would underflow double on
+/// the far side.
 constexpr double min_reach = 1.0 / 200;
-/// Of the smaller of two matrices' diagonals; makes the Laplacian of every connected part invertible.
+/// Added to the diagonal; makes the Laplacian of every connected part invertible.
 constexpr double regularisation = 1e-9;
 
-/// A triangle's corners, its area, and the gradients of its corners' hat functions.
+/// A triangle's corners, its area, and the gradients of the corners' hat functions.
 struct Element {
   glm::uvec3 corners{0};
   double area = 0;
@@ -270,7 +270,7 @@ std::vector<Element> elements_of(const Mesh& mesh) {
     const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double twice = glm::length(cross);
     const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-    constexpr double thinnest = 1e-8;  // height over longest side
+    constexpr double thinnest = 1e-8;  // height relative to the longest side
     if (!(twice > thinnest * longest * longest)) continue;
     Element element{corners, twice / 2, {}};
     for (int k = 0; k < 3; ++k)
@@ -280,7 +280,7 @@ std::vector<Element> elements_of(const Mesh& mesh) {
   return elements;
 }
 
-/// Returns the mean length of all sides of all triangles, so that the order of corners does not matter.
+/// Returns the mean length over all sides of all triangles, which does not depend on the order of corners.
 double mean_edge(const Mesh& mesh) {
   double sum = 0;
   for (const glm::uvec3& t : mesh.triangles) {
@@ -289,7 +289,7 @@ double mean_edge(const Mesh& mesh) {
   return mesh.triangles.empty() ? 1 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-/// Each vertex's connected part.
+/// Returns the number of each vertex's connected part.
 std::vector<std::uint32_t> parts_of(const Surface& surface) {
   constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> parts(surface.mesh().positions.size(), unknown), front;
@@ -332,7 +332,7 @@ HeatDistance::Impl::Impl(const Surface& surface) : elements(elements_of(surface.
                                element.area * glm::dot(element.gradients[i], element.gradients[k]));
     }
   }
-  for (Eigen::Index v = 0; v < size; ++v) {  // vertices of no triangle must not make the matrices singular
+  for (Eigen::Index v = 0; v < size; ++v) {  // keeps vertices of no triangle from making the matrices singular
     mass.emplace_back(v, v, 1e-12);
     stiffness.emplace_back(v, v, regularisation);
   }
@@ -343,7 +343,7 @@ HeatDistance::Impl::Impl(const Surface& surface) : elements(elements_of(surface.
   laplacian.compute(stiff);
 }
 
-/// Returns the divergence of the unit vectors against the heat's gradient.
+/// Returns the divergence of the normalized negative gradient of the heat.
 Vector HeatDistance::Impl::divergence(const Vector& heat) const {
   Vector divergence = Vector::Zero(heat.size());
   for (const Element& element : elements) {
@@ -366,7 +366,7 @@ std::vector<double> HeatDistance::operator()(std::span<const SpreadSource> sourc
   for (const SpreadSource& source : sources) heat[source.vertex] = 1;
   heat = impl_->flow.solve(heat);
   const Vector potential = impl_->laplacian.solve(impl_->divergence(heat));
-  // The potential is known but for a constant on each part: there the sources are at their own distances.
+  // The potential is determined up to a constant on each part, which the sources' own distances fix.
   std::vector<double> offsets(distances.size(), std::numeric_limits<double>::infinity());
   for (const SpreadSource& source : sources) {
     double& offset = offsets[impl_->parts[source.vertex]];

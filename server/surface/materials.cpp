@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 30> bare_words = {
     "eye",    "eyes", "eyeball", "eyeballs", "cornea", "iris", "sclera", "pupil",  "pupils",  "tooth",
     "teeth",  "fang", "fangs",   "tusk",     "tusks",  "claw", "claws",  "nail",   "nails",   "talon",
     "talons", "beak", "hoof",    "hooves",   "hoofs",  "horn", "horns",  "antler", "antlers", "tongue"};
-/// What has fur though it is named after an eye.
+/// Words that denote furred parts after a bare word, as in "eye brow".
 constexpr std::array<std::string_view, 6> furred_after_eye = {"brow", "brows", "lash", "lashes", "lid", "lids"};
 
 template <std::size_t N>
@@ -27,7 +27,7 @@ bool is_one_of(const std::array<std::string_view, N>& words, std::string_view wo
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_capital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
-/// In small letters.
+/// Splits a name into words, in lower case.
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words;
   bool inside = false;

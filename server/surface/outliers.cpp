@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-/// The box that leaves out a twentieth of the vertices at either end of each axis.
+/// Returns the box that leaves out a twentieth of the vertices at either end of each axis.
 Placement bulk_of(const std::vector<glm::dvec3>& positions) {
   const std::size_t cut = positions.size() / 20;
   glm::dvec3 low, high;
@@ -22,7 +22,7 @@ Placement bulk_of(const std::vector<glm::dvec3>& positions) {
   return place({low, high});
 }
 
-/// From a box to the nearest point of another one.
+/// Returns the distance between two boxes.
 double distance(const Placement& bulk, glm::dvec3 low, glm::dvec3 high) {
   return glm::length(glm::max(glm::max(low - bulk.high, bulk.low - high), glm::dvec3(0)));
 }
@@ -30,7 +30,7 @@ double distance(const Placement& bulk, glm::dvec3 low, glm::dvec3 high) {
 }  // namespace
 
 Outliers find_outliers(const Soup& soup, const Orientation& orientation) {
-  constexpr double far = 3, tiny = 1e-3;  // times the size of the bulk
+  constexpr double far = 3, tiny = 1e-3;  // relative to the size of the bulk
   const Placement bulk = bulk_of(soup.positions);
   Outliers outliers;
   if (!(bulk.size > 0)) return outliers;

@@ -1,4 +1,4 @@
-// What hardly belongs to a model: vertices far from all others, and parts too small to see.
+// Finds parts of a mesh that probably do not belong to the model: vertices far from all others, and tiny parts.
 #pragma once
 
 #include "server/surface/faces.h"
@@ -7,12 +7,12 @@
 namespace pelage {
 
 struct Outliers {
-  std::size_t far_vertices = 0;  // farther from the box of nine tenths of the vertices than three times its diagonal
-  std::size_t far_parts = 0;     // of which all of the box lies so far
-  std::size_t tiny_parts = 0;  // smaller than a thousandth of the diagonal of the box of nine tenths; of several parts
+  std::size_t far_vertices = 0;  // farther than 3 diagonals from the bulk box, which holds nine tenths of the vertices
+  std::size_t far_parts = 0;     // parts whose whole box is that far away
+  std::size_t tiny_parts = 0;    // parts smaller than a thousandth of the bulk box's diagonal; 0 for a single part
 };
 
-/// There is at least one vertex.
+/// Requires at least one vertex.
 Outliers find_outliers(const Soup& soup, const Orientation& orientation);
 
 }  // namespace pelage

@@ -16,7 +16,7 @@ namespace pelage {
 
 namespace {
 
-/// The normal of the triangle, as long as twice its area.
+/// Returns the normal of a triangle, with twice its area as length.
 glm::dvec3 area_vector(const Soup& soup, const glm::uvec3& t) {
   return glm::cross(soup.positions[t.y] - soup.positions[t.x], soup.positions[t.z] - soup.positions[t.x]);
 }
@@ -42,13 +42,14 @@ std::vector<glm::dvec3> vertex_normals(const Soup& soup) {
   return sums;
 }
 
-// Sheets of one layer that grow fur on both sides: an ear, a wing, a leaf.
+// Back sides of open sheets that grow fur on both sides: an ear, a wing, a leaf.
 
-/// How far the two sides lie apart, sizes: less than a strand's width, and enough that neither shows through the other.
+/// Distance between the two sides, in sizes: less than a strand's width, and enough that neither shows through the
+/// other.
 constexpr double sheet_thickness = 1e-3;
 
-/// Appends a copy of the parts in `numbers`, from 1, with vertices of their own and wound the other way. Gives the
-/// number of vertices before them.
+/// Appends a copy of the parts in `numbers`, from 1, with vertices of their own and the opposite winding. Returns the
+/// number of vertices before that.
 std::size_t add_backs(Soup& soup, const Orientation& orientation, const std::vector<std::uint32_t>& numbers) {
   const std::size_t fronts = soup.positions.size(), triangles = soup.triangles.size();
   std::vector<std::uint32_t> back(fronts, no_position);
@@ -68,8 +69,7 @@ std::size_t add_backs(Soup& soup, const Orientation& orientation, const std::vec
   return fronts;
 }
 
-/// Moves the vertices from `first` on by sheet_thickness along their normals, away from the sides that they are copies
-/// of.
+/// Moves the vertices from `first` on by sheet_thickness along their normals, away from the front sides.
 void lift_backs(Mesh& mesh, std::size_t first) {
   for (std::size_t v = first; v < mesh.positions.size(); ++v)
     mesh.positions[v] += static_cast<float>(sheet_thickness) * mesh.normals[v];
@@ -122,7 +122,7 @@ Status check_triangle_count(const RawModel& raw) {
   return check_count(triangles);
 }
 
-/// A 32-bit number near `largest` has neighbours this far away; it must be small beside the model.
+/// Checks that the spacing of 32-bit numbers at the largest coordinate is small compared to the model.
 Status check_precision(const Placement& placement) {
   const double largest = std::max({std::abs(placement.low.x), std::abs(placement.low.y), std::abs(placement.low.z),
                                    std::abs(placement.high.x), std::abs(placement.high.y), std::abs(placement.high.z)});
@@ -144,7 +144,7 @@ void add_repairs(ModelReport& report, std::initializer_list<Count> counts) {
   }
 }
 
-/// Triangles of all polygons; positions are internal.
+/// Triangulates all polygons; positions become internal.
 Soup split_polygons(const RawModel& raw, const Polygons& polygons, const Placement& placement, ModelReport& report) {
   Soup soup;
   soup.sources = polygons.sources;
@@ -167,7 +167,7 @@ Soup split_polygons(const RawModel& raw, const Polygons& polygons, const Placeme
   return soup;
 }
 
-/// Centres and scales by the box of what is left.
+/// Centres and scales the mesh by the box of the remaining vertices.
 void settle(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3& turn) {
   std::vector<glm::dvec3> positions;
   for (std::uint32_t source : soup.sources) {
@@ -206,7 +206,7 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
 
 namespace {
 
-/// Parts that the report names, where they lie in the file.
+/// Returns the parts for the report with the flag `is_named`, with centres in the file's coordinates.
 std::vector<NumberedPart> numbered_parts(const Orientation& orientation, bool WoundPart::*is_named,
                                          const Placement& placement, const glm::dmat3& turn) {
   std::vector<NumberedPart> named;

@@ -16,50 +16,52 @@ struct Frames {
   std::vector<glm::vec3> tangents;  // unit, orthogonal to the normals
 };
 
-/// Area-weighted normals; where they cancel, that of the vertex's first triangle. Tangents point tailwards: the
-/// surface part of -Z, of -Y where that vanishes. Every vertex belongs to a triangle with an area.
+/// Returns area-weighted vertex normals; where they cancel, that of the vertex's first triangle. Tangents point towards
+/// the tail: the projection of -Z into the tangent plane, or of -Y where that vanishes. Every vertex must belong to a
+/// triangle with an area.
 Frames make_frames(const Soup& soup);
 
-/// The rotation that turns `up` to +Y and `front` to +Z; they lie on different lines.
+/// Returns the rotation that takes `up` to +Y and `front` to +Z; they must lie on different lines.
 glm::dmat3 turn_of(Axis up, Axis front);
-/// The axis that a rotation of axes onto axes takes to `to`.
+/// Returns the axis that a rotation takes to `to`. The rotation must map axes to axes.
 Axis axis_turned_to(const glm::dmat3& turn, Axis to);
 
-/// The unit tangent of a surface with this unit normal that points tailwards.
+/// Returns the unit tangent that points towards the tail, for a unit normal.
 glm::dvec3 tailward(glm::dvec3 normal);
 
-// From polygons to a mesh that can be groomed.
+// Preparation of polygons to a mesh that can be groomed.
 
-/// How a model is prepared.
+/// Options of the preparation.
 struct PrepareOptions {
   Axis up = Axis::plus_y, front = Axis::plus_z;  // on different lines
   bool source_is_32_bit = false;                 // RawModel::is_32_bit
   double crease_degrees = default_crease_degrees;
-  // Numbers of parts, from 1, that
-  std::vector<std::uint32_t> flipped_parts = {};    // turn inside out
-  std::vector<std::uint32_t> two_sided_parts = {};  // get a back (add_backs)
+  // Numbers of parts, from 1.
+  std::vector<std::uint32_t> flipped_parts = {};    // parts to turn inside out
+  std::vector<std::uint32_t> two_sided_parts = {};  // parts that get a back side (add_backs)
 };
 
-/// Drops faces that are no faces (fewer than 3 corners, repeated or out-of-range vertices, non-finite or zero area in
-/// double), triangulates n-gons, turns `up` to +Y and `front` to +Z, welds vertices on equal positions, drops repeated
-/// faces and unused vertices, makes the winding of each part agree (orient), turns the parts that are asked for and
-/// gives backs to others, centres and scales in double, and makes area-weighted vertex normals (zero sums get any
-/// triangle's; at creases all sides count alike), shading normals, and tangent frames whose tangent points tailwards
-/// (the surface part of -Z; of -Y where that vanishes). Positions are rounded to 32 bits last. Refused (invalid): no
-/// triangle left, coordinates over 1e20, more triangles than the limit, zero size, or 32-bit steps above 1e-4 of the
-/// size ("precision": |coordinate| * 2^-23 > 1e-4 size) when `source_is_32_bit`. Also refused: `up` and `front` on one
-/// line ("/front"), and a part that is not there ("/flip", "/two_sided"). Deterministic. The report lists every repair
-/// that happened, what the file lost before, and counts what cannot be repaired: open, non-manifold and one-sided
-/// edges, parts and vertices far from the rest, and parts too small to see.
+/// Prepares a mesh, in this order. Drops invalid faces (fewer than 3 corners, repeated or out-of-range vertices,
+/// non-finite coordinates or zero area in double). Triangulates polygons, rotates `up` to +Y and `front` to +Z, welds
+/// vertices of equal position, drops repeated faces and unused vertices. Makes the winding of each part consistent
+/// (orient), turns the requested parts inside out and adds back sides to others. Centres and scales in double. Computes
+/// area-weighted vertex normals (zero sums take any triangle's; at creases all sides count equally), shading normals,
+/// and tangents that point towards the tail (the projection of -Z; of -Y where that vanishes). Positions are rounded to
+/// 32 bits last.
+/// Refuses (invalid): no triangle left, coordinates over 1e20, more triangles than the limit, zero size, or 32-bit
+/// steps above 1e-4 of the size ("precision": |coordinate| * 2^-23 > 1e-4 size) if `source_is_32_bit`; also `up` and
+/// `front` on one line ("/front"), and a part that does not exist ("/flip", "/two_sided"). Deterministic.
+/// The report lists every repair made here and every loss of the file's parser. It counts what cannot be repaired:
+/// open, non-manifold and one-sided edges, parts and vertices far from the rest, and parts too small to see.
 Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options = {});
 
-/// A prepared mesh, and where its vertices came from.
+/// A prepared mesh, with the origin of its vertices.
 struct PreparedMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> sources;  // in RawModel::positions, of each vertex: the first that was welded into it
-  glm::dmat3 turn{1};                  // from the file's axes to +Y up and +Z in front
+  std::vector<std::uint32_t> sources;  // for each vertex: index in RawModel::positions of the first one welded into it
+  glm::dmat3 turn{1};                  // rotation from the file's axes to +Y up and +Z forward
 
-  /// Where a position of the file lies.
+  /// Converts a position of the file to internal coordinates.
   glm::dvec3 to_internal(glm::dvec3 raw) const { return mesh.to_internal(turn * raw); }
 };
 Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOptions& options = {});

@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Sets of corners (three a triangle) that are seen as one smooth surface.
+/// Disjoint sets of corners (three for each triangle) that form one smooth surface.
 class SmoothCorners {
  public:
   explicit SmoothCorners(std::size_t corners) : parents_(corners) { std::iota(parents_.begin(), parents_.end(), 0u); }
@@ -28,13 +28,13 @@ class SmoothCorners {
   std::vector<std::uint32_t> parents_;
 };
 
-/// The corner of a side's triangle on its lower vertex, and that on its higher one.
+/// Returns the corners of a side's triangle at its lower and at its higher vertex.
 std::array<std::uint32_t, 2> ends_of(const Side& side) {
   const std::uint32_t first = 3 * side.triangle + side.side, second = 3 * side.triangle + (side.side + 1) % 3;
   return side.rising ? std::array{first, second} : std::array{second, first};
 }
 
-/// Splits corners at sharp edges, and knows which vertices have some.
+/// Separates corners at sharp edges, and records the vertices at which such edges end.
 class Creases {
  public:
   Creases(std::span<const glm::dvec3> area_vectors, const std::vector<glm::uvec3>& triangles, std::size_t vertices,
@@ -74,7 +74,8 @@ class Creases {
   bool any_ = false;
 };
 
-/// At each vertex the sum, over its open edges, of the unit vectors that lie in the edge's triangle and lead out of it.
+/// Returns for each vertex the sum, over its open edges, of the unit vectors that lie in the edge's triangle,
+/// orthogonal to the edge, and point out of it.
 std::vector<glm::dvec3> over_rims(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles) {
   std::vector<glm::dvec3> sums(positions.size(), glm::dvec3(0));
   for_each_edge(sorted_sides(triangles), [&](std::span<const Side> edge) {
@@ -123,7 +124,7 @@ std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& tria
                                              const std::vector<std::array<glm::vec3, 3>>& shading_normals,
                                              std::vector<glm::vec3>& normals) {
   constexpr float cancelled = 0.1f;
-  std::vector<std::vector<glm::vec3>> sides(normals.size());  // those that differ from the vertex's
+  std::vector<std::vector<glm::vec3>> sides(normals.size());  // the shading normals that differ from the vertex's
   for (std::size_t t = 0; t < shading_normals.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = triangles[t][static_cast<int>(k)];
@@ -144,7 +145,7 @@ void lean_over_rims(Mesh& mesh) {
   constexpr double cancelled = 0.1;
   const std::vector<glm::dvec3> over_rim = over_rims(mesh.positions, mesh.triangles);
   const auto at_rim = [&](std::uint32_t v) { return glm::length(over_rim[v]) > cancelled; };
-  std::vector<std::vector<glm::vec3>> sides(over_rim.size());  // of vertices at rims
+  std::vector<std::vector<glm::vec3>> sides(over_rim.size());  // shading normals of vertices at rims
   const bool split = !mesh.shading_normals.empty();
   std::vector<std::array<glm::vec3, 3>> seen(mesh.triangles.size());
   for (std::size_t t = 0; t < seen.size(); ++t) {

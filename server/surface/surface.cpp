@@ -62,7 +62,7 @@ struct PointTree::Ball {
 };
 
 struct PointTree::Capsule {
-  glm::dvec3 from, along;  // along is to - from
+  glm::dvec3 from, along;  // along = to - from
   double radius;
 
   bool holds(glm::dvec3 point) const {
@@ -70,7 +70,7 @@ struct PointTree::Capsule {
     const double share = square > 0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0;
     return distance(from + share * along, point) <= radius;
   }
-  /// Returns whether the line hits the box enlarged by the radius.
+  /// Returns whether the segment intersects the box enlarged by the radius.
   bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const {
     double enters = 0, leaves = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -119,7 +119,7 @@ TrianglePoint at(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place, glm
   return {barycentric, glm::length(place - point)};
 }
 
-/// Nearest on the side from corner `from` to corner `to`.
+/// Returns the nearest point on the side from corner `from` to corner `to`.
 TrianglePoint nearest_on_side(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place, int from, int to) {
   const glm::dvec3 start = corners[static_cast<std::size_t>(from)];
   const glm::dvec3 side = corners[static_cast<std::size_t>(to)] - start;
@@ -160,12 +160,13 @@ struct Releaser {
 using Device = std::unique_ptr<RTCDeviceTy, Releaser<RTCDevice, rtcReleaseDevice>>;
 using Scene = std::unique_ptr<RTCSceneTy, Releaser<RTCScene, rtcReleaseScene>>;
 
-/// Settings of the Embree device: one instruction set on every CPU, because hits differ between them. A number of
-/// threads is not set, because it would bound oneTBB's for the whole process; scenes are built on the caller's thread
+/// Settings of the Embree device: one instruction set on every CPU, because hits differ between them. The number of
+/// threads is not set, because that would limit oneTBB in the whole process; scenes are built on the caller's thread
 /// instead.
 constexpr const char* device_settings = "isa=sse4.2,set_affinity=0,hugepages=0";
 
-/// Copies: Embree reads 16 bytes from each vertex, and pads the buffers that it makes itself.
+/// Copies the mesh into Embree's buffers. Embree reads 16 bytes from each vertex, and pads the buffers that it
+/// allocates.
 void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
   auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
@@ -177,7 +178,7 @@ void fill_geometry(RTCGeometry geometry, const Mesh& mesh) {
   rtcCommitGeometry(geometry);
 }
 
-/// `bytes` is what the device has at any time.
+/// Makes a device that keeps `bytes` at its current memory use.
 Device make_device(std::atomic<std::ptrdiff_t>& bytes) {
   Device device(rtcNewDevice(device_settings));
   if (!device) throw std::bad_alloc();
@@ -219,12 +220,13 @@ std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
 struct Nearest {
   const Mesh* mesh;
   glm::dvec3 position;
-  double slack;  // what rounding the position to 32 bits may add to a distance
+  double slack;  // maximum error of a distance from rounding the position to 32 bits
   double distance = std::numeric_limits<double>::infinity();
   SurfacePoint point;
 };
 
-/// Embree's callback for each triangle within reach. Of equally near triangles the one with the lower number stays.
+/// Embree's callback for each triangle within the query radius. Of equally near triangles the one with the lower number
+/// wins.
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   Nearest& best = *static_cast<Nearest*>(arguments->userPtr);
   const TrianglePoint candidate = nearest_on_triangle(corners_of(*best.mesh, arguments->primID), best.position);
@@ -237,21 +239,22 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-/// Returns where the part of the ray near the model begins; none where the ray passes by. The origin is moved along the
-/// ray in double, because Embree's rays are 32-bit and end the process where a square overflows.
+/// Returns where the part of the ray near the model begins; nothing if the ray misses the model's surroundings. The
+/// origin is moved along the ray in double, because Embree's rays are 32-bit and end the process when a square
+/// overflows.
 std::optional<glm::dvec3> start_near_model(glm::dvec3 origin, glm::dvec3 direction) {
   // The model's box lies in the ball of radius 1/2 around the origin of the internal coordinates.
   const double closest = -glm::dot(origin, direction);
   const glm::dvec3 start = closest > 1 ? origin + direction * (closest - 1) : origin;
-  if (glm::length(start) <= 2) return start;  // not so where a number is none either
+  if (glm::length(start) <= 2) return start;  // false for NaN too
   return std::nullopt;
 }
 
-/// Of length 1; none where there is no direction.
+/// Normalizes a direction; returns nothing if it is 0 or not finite.
 std::optional<glm::dvec3> unit_of(glm::dvec3 direction) {
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (!is_finite(direction) || largest == 0) return std::nullopt;
-  return glm::normalize(direction / largest);  // whose square neither overflows nor vanishes
+  return glm::normalize(direction / largest);  // its square neither overflows nor underflows
 }
 
 }  // namespace
@@ -265,7 +268,7 @@ struct Surface::Impl {
         neighbours(vertex_neighbours(mesh.triangles, mesh.positions.size())) {}
 
   Mesh mesh;
-  std::atomic<std::ptrdiff_t> embree_bytes{0};  // counted by the device, which is destroyed before it
+  std::atomic<std::ptrdiff_t> embree_bytes{0};  // counted by the device, so it must outlive the device
   Device device;
   Scene scene;
   PointTree points;
@@ -304,7 +307,7 @@ std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direc
 }
 
 SurfacePoint Surface::nearest(glm::dvec3 position) const {
-  constexpr double far_away = 1e6;  // beyond it only the direction matters, and 32-bit squares stay finite
+  constexpr double far_away = 1e6;  // farther away only the direction matters; keeps 32-bit squares finite
   assert(is_finite(position));
   const double distance = glm::length(position);
   if (distance > far_away) position *= far_away / distance;

@@ -1,5 +1,5 @@
-// The surface of a mesh with its queries (ray, nearest position, vertices in a ball or along a line), and the
-// balanced k-d tree in one array behind them: one far vertex does not slow it down, as it would a uniform grid.
+// The surface of a mesh with its queries (ray, nearest position, vertices in a ball or along a line), and the balanced
+// k-d tree, stored in one array, behind them. Unlike a uniform grid, the tree is not slowed down by one far vertex.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@ class PointTree {
  public:
   explicit PointTree(std::span<const glm::vec3> points);
 
-  /// Appends the points at most `radius` from `centre`, in no order. Nothing for a radius that is negative or NaN.
-  /// `points` are the ones the tree was made of. Costs O(found + sqrt(points)) on a surface.
+  /// Appends the points at most `radius` from `centre`, in no particular order; nothing for a negative or NaN radius.
+  /// `points` must be those that the tree was built from. Costs O(found + sqrt(points)) on a surface.
   void find_within(std::span<const glm::vec3> points, glm::dvec3 centre, double radius,
                    std::vector<std::uint32_t>& found) const;
-  /// As find_within, of the points at most `radius` from the straight line between two places.
+  /// Does the same for the points at most `radius` from the segment between two positions.
   void find_along(std::span<const glm::vec3> points, glm::dvec3 from, glm::dvec3 to, double radius,
                   std::vector<std::uint32_t>& found) const;
 
-  /// What the tree takes in memory.
+  /// Returns the bytes of memory that the tree takes.
   std::size_t bytes() const { return order_.capacity() * sizeof(std::uint32_t) + boxes_.capacity() * sizeof(Box); }
 
  private:
@@ -42,30 +42,29 @@ class PointTree {
   void search(std::span<const glm::vec3> points, const Shape& shape, std::size_t node, std::size_t begin,
               std::size_t end, std::vector<std::uint32_t>& found) const;
 
-  std::vector<std::uint32_t> order_;  // points; a node owns a range of it, its children the halves
-  std::vector<Box> boxes_;            // of each node; the children of node n are 2n+1 and 2n+2
+  std::vector<std::uint32_t> order_;  // point indices; a node owns a range of it, its children the two halves
+  std::vector<Box> boxes_;            // one for each node; the children of node n are 2n+1 and 2n+2
 };
 
-// The point of a triangle that is nearest to a place.
+// The nearest point of a triangle.
 
 struct TrianglePoint {
-  glm::dvec3 barycentric{1, 0, 0};  // each in [0, 1], their sum is 1
+  glm::dvec3 barycentric{1, 0, 0};  // each in [0, 1], with sum 1
   double distance = 0;
 };
 
-/// Also for triangles that are a line or a point.
+/// Returns the point of a triangle nearest to a position; triangles degenerated to a line or a point are allowed.
 TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place);
 
 // Queries on a mesh: rays, nearest points, vertices in a ball, neighbours.
 
-/// A place on the surface: position = sum of barycentric[k] * corner k.
+/// A position on the surface: the sum of barycentric[k] * corner k.
 struct SurfacePoint {
   std::uint32_t triangle = 0;
   glm::dvec3 barycentric{0};
 };
 
-/// A mesh with the structures that speed up queries on it. All coordinates are internal. Const calls may run in
-/// parallel.
+/// A mesh with acceleration structures for queries. All coordinates are internal. Const calls may run in parallel.
 class Surface {
  public:
   explicit Surface(Mesh mesh);
@@ -75,18 +74,19 @@ class Surface {
 
   const Mesh& mesh() const;
 
-  /// First hit of the ray from `origin` along `direction` (any length but 0), from either side (Embree, robust mode).
+  /// Returns the first hit of the ray from `origin` along `direction` (any length but 0), from either side (Embree,
+  /// robust mode).
   std::optional<SurfacePoint> raycast(glm::dvec3 origin, glm::dvec3 direction) const;
 
-  /// Nearest point of the surface (Embree point query).
+  /// Returns the nearest point of the surface (Embree point query).
   SurfacePoint nearest(glm::dvec3 position) const;
 
-  /// Vertices at most `radius` from `centre`, in rising order; cost follows the number found and not the mesh.
+  /// Finds the vertices at most `radius` from `centre`, sorted. The cost depends on the number found, not on the mesh.
   void vertices_within(glm::dvec3 centre, double radius, std::vector<std::uint32_t>& found) const;
-  /// Vertices at most `radius` from the straight line between two places, in rising order; cost as above.
+  /// Finds the vertices at most `radius` from the segment between two positions, sorted, at a cost as above.
   void vertices_along(glm::dvec3 from, glm::dvec3 to, double radius, std::vector<std::uint32_t>& found) const;
 
-  /// Vertices that share an edge with `vertex`, in rising order.
+  /// Returns the vertices that share an edge with `vertex`, sorted.
   std::span<const std::uint32_t> neighbours(std::uint32_t vertex) const;
   /// Returns the neighbours of all vertices.
   const Adjacency& adjacency() const;
@@ -94,7 +94,7 @@ class Surface {
   glm::dvec3 position(const SurfacePoint& point) const;
   glm::dvec3 normal(const SurfacePoint& point) const;  // interpolated vertex normals, unit
 
-  /// What the mesh and all beside it take in memory.
+  /// Returns the bytes of memory that the mesh and the acceleration structures take.
   std::size_t bytes() const;
 
  private:

@@ -9,13 +9,13 @@ namespace pelage {
 
 namespace {
 
-/// What lies around a vertex: its normals, as long as twice the area, and the sums that a least-squares map of the
-/// edges follows from.
+/// Sums over the triangles around a vertex: normals with twice the area as length, and the terms of the least-squares
+/// map of the edges.
 struct Around {
   glm::dvec3 rest_normal{0}, normal{0};
-  glm::dvec3 edges_u{0}, edges_v{0};  // of edges there, times their coordinates at rest
-  double uu = 0, uv = 0, vv = 0;      // of those coordinates
-  glm::dvec3 u{0}, v{0}, w{0};        // at rest: tangent, bitangent, normal
+  glm::dvec3 edges_u{0}, edges_v{0};  // sums of moved edges times their rest coordinates
+  double uu = 0, uv = 0, vv = 0;      // sums of products of the rest coordinates
+  glm::dvec3 u{0}, v{0}, w{0};        // rest frame: tangent, bitangent, normal
 };
 
 glm::dvec3 unit_or(glm::dvec3 vector, glm::dvec3 other) {
@@ -23,7 +23,7 @@ glm::dvec3 unit_or(glm::dvec3 vector, glm::dvec3 other) {
   return length > 0 ? vector / length : other;
 }
 
-/// The shortest turn from one unit vector to another, applied to a third; any half turn where they are opposite.
+/// Applies the smallest rotation from one unit vector to another to a vector; any half turn if they are opposite.
 glm::dvec3 turned_along(glm::dvec3 from, glm::dvec3 to, glm::dvec3 vector) {
   const double cosine = glm::dot(from, to);
   if (cosine < -1 + 1e-9) return -vector + 2 * glm::dot(vector, tailward(from)) * tailward(from);
@@ -34,7 +34,7 @@ glm::dvec3 turned_along(glm::dvec3 from, glm::dvec3 to, glm::dvec3 vector) {
 glm::dmat3 turn_of(const Around& around) {
   const glm::dvec3 normal = unit_or(around.normal, around.w);
   const glm::dvec3 x = turned_along(around.w, normal, around.u), y = glm::cross(normal, x);
-  // Columns of the map, times the determinant of the coordinates, which turns nothing.
+  // Columns of the map, times a positive determinant, which does not change the rotation.
   const glm::dvec3 u = around.edges_u * around.vv - around.edges_v * around.uv,
                    v = around.edges_v * around.uu - around.edges_u * around.uv;
   const double across = glm::dot(u, y) - glm::dot(v, x), along = glm::dot(u, x) + glm::dot(v, y);

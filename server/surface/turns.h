@@ -1,4 +1,4 @@
-// How a surface turns as it moves, so that what stands on it goes along.
+// Rotations of a surface that moves, for the things that stand on it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,13 +9,14 @@
 
 namespace pelage {
 
-/// The rotation at each vertex that takes the surface from `rest` to where its vertices are at `positions`: the normal
-/// to the normal, and about it the rotation nearest to how the triangles around the vertex are stretched (the polar
-/// factor in the plane of the skin, as in Sorkine and Alexa 2007, in closed form). Rotations for all finite positions.
+/// Returns for each vertex the rotation that takes the surface from `rest` to the given positions. It takes the normal
+/// to the new normal; about the normal it is the rotation nearest to the deformation of the triangles around the vertex
+/// (the polar factor in the tangent plane, as in Sorkine and Alexa 2007, in closed form). Valid rotations for all
+/// finite positions.
 std::vector<glm::dmat3> surface_turns(const Mesh& rest, std::span<const glm::vec3> positions);
 
-/// Returns the mesh with its vertices moved. Normals, shading normals and tangents turn with the surface, so that
-/// creases stay where they are and a direction field goes along; triangles, looks, centre and size are those at rest.
+/// Returns the mesh with its vertices moved. Normals, shading normals and tangents rotate with the surface, so that
+/// creases stay and a direction field moves along. Triangles, colours, centre and size are those at rest.
 Mesh moved(Mesh rest, std::vector<glm::vec3> positions, std::span<const glm::dmat3> turns);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Smooth noise in space, the same for every run.
+// Smooth, deterministic noise in space.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace pelage {
 
-/// Value noise: random values in [-1, 1] on the lattice of whole numbers, blended smoothly between. |place| < 1e9.
+/// Returns value noise: random values in [-1, 1] on the integer lattice, interpolated smoothly. Requires |place| < 1e9.
 double value_noise(glm::dvec3 place, std::uint64_t seed);
 
-/// The same at one place for several seeds.
+/// Evaluates value noise at one position for several seeds.
 class ValueNoise {
  public:
   explicit ValueNoise(glm::dvec3 place);
@@ -18,7 +18,7 @@ class ValueNoise {
 
  private:
   glm::i64vec3 cell_;
-  std::array<double, 8> shares_;  // of the cell's corners
+  std::array<double, 8> shares_;  // interpolation weights of the cell's corners
 };
 
 }  // namespace pelage

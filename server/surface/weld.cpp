@@ -24,14 +24,14 @@ Placement place(const std::vector<glm::dvec3>& positions) {
   }
   const glm::dvec3 half = placement.high / 2.0 - placement.low / 2.0;
   placement.centre = placement.low + half;
-  // Scaled by the longest side first, so that squares of tiny extents do not underflow.
+  // Scales by the longest side first, so that squares of tiny extents do not underflow.
   const double longest = 2 * glm::max(half.x, glm::max(half.y, half.z));
   placement.size = longest > 0 ? longest * glm::length(2.0 * half / longest) : 0;
   return placement;
 }
 
 std::size_t drop_repeated(Soup& soup) {
-  std::vector<std::array<std::uint32_t, 4>> keys;  // sorted vertices, triangle
+  std::vector<std::array<std::uint32_t, 4>> keys;  // sorted vertices, then the triangle
   for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
     std::array<std::uint32_t, 4> key = {soup.triangles[t].x, soup.triangles[t].y, soup.triangles[t].z, t};
     std::sort(key.begin(), key.begin() + 3);
@@ -108,14 +108,14 @@ BadFace badness_of(const RawModel& raw, const Polygons::Face& face) {
   return all([&](std::uint32_t v) { return is_finite(raw.positions[v]); }) ? BadFace::none : BadFace::numbers;
 }
 
-/// The welded vertices, made as the faces name them.
+/// Makes the welded vertices in the order in which faces use them.
 class Welder {
  public:
   Welder(const RawModel& raw, const glm::dmat3& turn, Polygons& out) : raw_(raw), turn_(turn), out_(out) {
     out_.vertex.assign(raw.positions.size(), no_position);
   }
 
-  /// False when a coordinate is over the limit.
+  /// Adds a vertex; returns false if a coordinate is over the limit.
   bool add(std::uint32_t source) {
     if (out_.vertex[source] != no_position) return true;
     if (largest_coordinate(raw_.positions[source]) > limits::model_coordinate) return false;
@@ -166,11 +166,11 @@ bool is_colour(glm::vec3 c) {
 }
 
 bool is_place(glm::dvec2 uv) {
-  constexpr double farthest = 1e6;  // beyond it a 32-bit coordinate holds no place in the picture
+  constexpr double farthest = 1e6;  // farther away 32-bit coordinates are too coarse for a texture
   return std::abs(uv.x) <= farthest && std::abs(uv.y) <= farthest;
 }
 
-/// Returns whether the file has none there.
+/// Returns whether the file has no texture coordinates at the corner.
 bool is_left_out(glm::dvec2 uv) { return std::isnan(uv.x); }
 
 LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32_t corner) {
@@ -186,7 +186,7 @@ LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32
   return look;
 }
 
-/// A triangle is textured as a whole or not at all.
+/// Returns the appearance of a triangle, which is textured at all corners or at none.
 std::array<LookCorner, 3> look_of_triangle(const RawModel& raw, const RawMaterial& material, glm::uvec3 corners) {
   std::array<LookCorner, 3> looks;
   for (std::size_t k = 0; k < 3; ++k) looks[k] = look_of(raw, material, corners[static_cast<int>(k)]);

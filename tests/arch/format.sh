@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every C++ file is as clang-format writes it (.clang-format). usage: format.sh ROOT [--fix]
+# Checks that every C++ file is formatted by clang-format (.clang-format). usage: format.sh ROOT [--fix]
 set -euo pipefail
 cd "$1"
 how=(--dry-run -Werror)

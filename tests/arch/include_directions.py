@@ -1,4 +1,4 @@
-"""Checks the directions of includes against docs/architecture.md: every folder lists what it may see.
+"""Checks the directions of includes against docs/architecture.md: each folder may include only the folders that are listed for it.
 
 usage: include_directions.py ROOT
 """
@@ -77,7 +77,7 @@ ALLOWED = {
     "clients/cli/terminal": ["base", "protocol"],
     "clients/cli/compare": ["base", "protocol", "clients/cli", "renderer/image", "renderer/picture_files", "renderer/compare"],
 }
-# outside library -> folders that may include it
+# header of an external library -> folders that may include it
 ONLY_IN = {
     r"httplib\.h": ["server/http", "clients/cli/http"],
     r"nlohmann/.*": ["protocol/json", "protocol/recipes", "clients/cli/recipe", "server/export"],

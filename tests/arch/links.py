@@ -14,7 +14,7 @@ CODE = re.compile(r"^```.*?^```|^(?: {4}|\t).*?$|`[^`\n]*`", re.M | re.S)
 
 
 def anchors(text):
-    """Headings as the anchors that Markdown viewers make of them."""
+    """Returns the anchors that Markdown viewers make of the headings."""
     titles = re.findall(r"^#+ (.*)$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 

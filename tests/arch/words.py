@@ -1,5 +1,5 @@
-"""Words that must not come back: each thing has one word, and these are the old ones. docs/notes/ tells of the past and may use
-any, and so may CHANGELOG.md.
+"""Finds replaced words that must not come back, since each thing has one word. docs/notes/ and CHANGELOG.md describe the past and
+may use any.
 
 usage: words.py ROOT
 """
@@ -8,8 +8,8 @@ import re
 import subprocess
 import sys
 
-# old word -> (what to say, what the old one looks like, where it is looked for). Parts of identifiers count as words:
-# PARTS is put around each.
+# old word -> (what to say instead, pattern of the old word, pattern of the paths to search). Parts of identifiers count as
+# words: PARTS wraps each pattern.
 EVERYWHERE = r""
 CODE = r"\.(cpp|h|glsl|frag|vert)$"
 PARTS = r"(?<![A-Za-z]){}(?![a-z])"
@@ -45,7 +45,7 @@ LOOKED_AT = re.compile(r"\.(cpp|h|glsl|frag|vert|py|sh|cmake|in|json|yaml|csv|md
 
 
 def hits_in(path, text):
-    """(line, old word, what to say) for each old word in a file; the file's name counts as its line 0."""
+    """Returns (line, old word, what to say) for each old word in a file; the file's path counts as line 0."""
     found = []
     for name, (say, pattern, where) in PATTERNS.items():
         if not where.search(path):

@@ -1,4 +1,5 @@
-"""Drafts of one scene while long frames of another are drawn, and the CPU that a frame takes after its client hung up.
+"""Measures drafts of one scene while long frames of another are drawn, and the CPU time of a frame after its client
+hung up.
 
 usage: PELAGE_BIN=build/release/bin python3 tests/bench/beside_long_frame.py [detailed|reference|max_error] [SIZE] [FRAMES]
 """
@@ -21,12 +22,12 @@ LONG = {"detailed": {"quality": "detailed"}, "reference": {"quality": "reference
 
 
 def long_frame(kind, size, i):
-    """Another view and size each time, so that nothing of it is known."""
+    """Returns a request with another view and size each time, so that nothing of it is cached."""
     return {**LONG[kind], "width": size, "height": size + i, "camera": {"auto": VIEWS[i % len(VIEWS)]}}
 
 
 def frame_ms(server, scene, body):
-    """Milliseconds of a frame, as its client sees them."""
+    """Milliseconds from request to answer of a frame, as its client sees them."""
     connection = http.client.HTTPConnection("127.0.0.1", server.port)
     start = time.perf_counter()
     connection.request("POST", f"{scene.path}/frames", json.dumps(body))
@@ -42,7 +43,7 @@ def cpu_seconds(server):
 
 
 def drafts_beside(server, long_scene, scene, body):
-    """Milliseconds of each draft that was asked for, one after another, while a long frame was drawn."""
+    """Milliseconds of each of the drafts that are requested one after another while a long frame is drawn."""
     thread = threading.Thread(target=frame_ms, args=(server, long_scene, body))
     thread.start()
     drafts = []
@@ -54,7 +55,7 @@ def drafts_beside(server, long_scene, scene, body):
 
 
 def cpu_after_hang_up(server, scene, body, wait):
-    """CPU seconds of the server in the three seconds after the client of a frame hung up."""
+    """CPU seconds that the server uses in the three seconds after the client of a frame hung up."""
     data = json.dumps(body).encode()
     client = socket.create_connection(("127.0.0.1", server.port))
     client.sendall(f"POST {scene.path}/frames HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\n"

@@ -1,4 +1,5 @@
-"""A lion and a terrier in four coats each: every tier, each file read back, and how far roots lie from the mesh that they came from.
+"""Draws a lion and a terrier with four coats each in every tier, reads each exported file back, and measures how far roots lie from
+their mesh.
 
 Run by hand: coats.py FOLDER, from tests/bench, with PELAGE_BIN. It writes a picture of each animal in each tier.
 """
@@ -23,7 +24,7 @@ def numbers(text, declaration):
 
 
 def distances(points, triangles):
-    """Of each point to the nearest of the triangles."""
+    """Distance of each point to the nearest triangle."""
     best = numpy.full(len(points), numpy.inf)
     for a, b, c in triangles:
         u, v, w = b - a, c - a, points - a
@@ -49,7 +50,7 @@ def groomed(server, name):
 
 
 def roots_off_the_skin(server, scene):
-    """By coat: strands, and the largest distance of a root from the mesh in the file, sizes."""
+    """By coat: number of strands, and the largest distance of a root from the mesh in the file, in sizes."""
     text = server.get(f"{scene.path}/export/usda?skin=true&every=40", timeout=600).body.decode()
     fur, skin = text.split('def Mesh "skin"')
     counts = numbers(fur, "int[] curveVertexCounts").astype(int)

@@ -1,10 +1,10 @@
-"""Peak memory of a server, and what a polite client waits, while a herd of clients asks for frames of coats that are
-not baked yet.
+"""Measures the peak memory of a server, and how long a polite client waits, while many clients request frames of coats
+that are not baked yet.
 
 usage: PELAGE_BIN=build/release/bin python3 tests/bench/cold_herd.py [CLIENTS] [COATS] [SECONDS]
 
-CLIENTS of one scene each ask for frame after frame, each from a side of its own; every SECONDS / COATS the scene gets a
-new coat, seen closely enough for all its levels. The polite client asks for a draft of another scene ten times a second.
+CLIENTS of one scene request frame after frame, each from its own direction. Every SECONDS / COATS the scene gets a new coat,
+seen closely enough to need all its levels. The polite client requests a draft of another scene ten times a second.
 """
 import math
 import pathlib
@@ -35,7 +35,7 @@ def percentile(seconds, share):
 
 
 def ask_again_and_again(scene, request, until, waits, pause=0.0):
-    """Adds (when it was answered, what it waited) of each frame, seconds."""
+    """Requests frames until the deadline, and appends (time of the answer, waiting time) of each, in seconds."""
     while (start := time.monotonic()) < until:
         answer = scene.post("frames", request, timeout=600)
         assert answer.status == 200, answer

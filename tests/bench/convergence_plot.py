@@ -1,4 +1,4 @@
-"""Draws how the error of traced pictures falls, from what bench_strands --converge prints.
+"""Plots how the error of traced pictures falls, from the output of bench_strands --converge.
 
 usage: bench_strands --converge 1024 --passes 256 > fast.txt; bench_strands --paths --converge 1024 --passes 256 > paths.txt
        convergence_plot.py PICTURE.svg transmittance=fast.txt paths=paths.txt

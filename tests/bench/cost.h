@@ -1,4 +1,4 @@
-// Costs on a loaded machine.
+// Measures work in wall-clock and CPU time, and reads the command lines of benchmarks.
 #pragma once
 
 #include <functional>
@@ -11,20 +11,20 @@ struct Cost {
   void lower_to(const Cost& other);
 };
 
-/// CPU is the time of all threads of the process, so that other processes count little.
+/// Runs `work` once. CPU time is that of all threads of this process, so other processes affect it little.
 Cost measure(const std::function<void()>& work);
 
-/// The least cost of each, after one run that does not count; repetitions alternate between them, so that a machine
-/// that gets slower makes all slower.
+/// Returns the minimum cost of each, after one warm-up run that does not count. Repetitions alternate between the
+/// works, so a machine that slows down slows all of them.
 std::vector<Cost> measure_alternating(const std::vector<std::function<void()>>& works, int repetitions);
 
-/// What the process has in memory now, bytes.
+/// Resident memory of this process, in bytes.
 double resident_bytes();
 
-/// What comes after `name` among the arguments, null for nothing.
+/// Returns the argument after `name`, or null if there is none.
 const char* text_argument(int count, char** arguments, const char* name);
 
-/// The number after `name` among the arguments, else `fallback`.
+/// Returns the number after `name`, or `fallback` if there is none.
 int argument(int count, char** arguments, const char* name, int fallback);
 
 }  // namespace pelage::bench

@@ -1,12 +1,12 @@
-// The dial: fits the defaults on built-in models, and judges them on models that the fit does not know.
+// Fits the default model of the quality dial on built-in models, and judges it on models that the fit has not seen.
 // usage: bench_dial fit FILE [--scenes N] [--repetitions N] [--threads N] [--passes N]
-//          draws the calibration's scenes with all rows and writes their code (renderer/quality/defaults.cpp)
+//          draws the calibration's scenes with all rows and writes the model's code (renderer/quality/defaults.cpp)
 //        bench_dial judge FOLDER [--size PIXELS] [--repetitions N] [--threads N]
-//          draws models of a folder with the rows and others between them, and says how often budgets and errors are
-//          kept and how far the choices are from the best ones.
-// Costs are the least of the repetitions. Without --threads they are the CPU time of one thread, which is what passes
-// where nothing else runs; with it the time that passes, and the judged machine's price is measured first, as
-// `pelage calibrate` does.
+//          draws models of a folder with the rows and with settings between them, and reports how often budgets and
+//          errors are kept and how far the choices are from the best ones
+// A cost is the minimum over the repetitions. Without --threads it is the CPU time of one thread, which equals the
+// wall-clock time on an idle machine. With --threads it is the wall-clock time, and `judge` first measures the
+// machine's price, as `pelage calibrate` does.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,13 +29,14 @@
 namespace pelage::bench {
 namespace {
 
-/// From the roughest to the nearest; the tier `interactive` among them, so that its frames have an estimate.
+/// The rows of the dial, from the coarsest to the closest to the truth. The tier `interactive` is one of them, so that
+/// its frames have an estimate.
 std::vector<Knobs> rows() {
   return {dial_knobs(.4, 8, .25), dial_knobs(.4, 8, .5), dial_knobs(.3, 4, .7), dial_knobs(.4, 4, 1),
           dial_knobs(1.4, 4, 1),  dial_knobs(4, 3, 1),   dial_knobs(1.4, 4, 2), dial_knobs(1000, 3, 2)};
 }
 
-/// The rows, and what could have been chosen between them.
+/// The rows, then settings between them that the dial could have chosen.
 std::vector<Knobs> candidates() {
   std::vector<Knobs> all = rows();
   for (const Knobs& knobs : {dial_knobs(.2, 8, .35), dial_knobs(1, 4, .5), dial_knobs(.7, 4, .7), dial_knobs(.8, 4, 1),
@@ -50,7 +51,7 @@ T value_or_end(Result<T> result) {
   return std::move(result).value();
 }
 
-/// Over the fur of both, against traced strands.
+/// Mean FLIP against traced strands, over the fur of both pictures; at least 1e-5.
 double error_of(const Image& truth, const Image& test) {
   constexpr double min_error = 1e-5;
   const FloatImage expected = linear_image(truth), drawn = linear_image(test);
@@ -66,8 +67,8 @@ Image truth_of(Renderer& renderer, const SceneView& scene, FurFrame frame, int p
 
 struct Measuring {
   int repetitions = 1;
-  int threads = 0;  // that the time that passes is measured on; 0: CPU time of one
-  int passes = 64;  // of the truth
+  int threads = 0;  // above 0: costs are wall-clock time on so many threads; 0: CPU time of one thread
+  int passes = 64;  // passes of the traced truth
 };
 
 MeasuredView measure_view(Renderer& renderer, const SceneView& scene, const FurFrame& frame,
@@ -117,10 +118,10 @@ void fit_defaults(Renderer& renderer, const std::string& file, std::size_t scene
   write_defaults(fit(rows(), views), file);
 }
 
-/// What the dial promises, over all frames.
+/// How well the dial keeps its promises, over all frames.
 struct Tally {
   int kept = 0;
-  std::vector<double> ratios = {};  // to the best choice
+  std::vector<double> ratios = {};  // error or cost of the dial's choice over that of the best candidate
 
   void add(bool keeps, double ratio) { kept += keeps, ratios.push_back(ratio); }
   void print(const char* what, const char* ratio) {
@@ -132,7 +133,7 @@ struct Tally {
   }
 };
 
-/// A view's costs and errors, by candidate, and what is asked of the dial there.
+/// Asks the dial for many budgets and errors in measured views, and compares its choices with the best candidates.
 class Judge {
  public:
   explicit Judge(Calibration machine) : machine_(std::move(machine)) {}
@@ -155,7 +156,7 @@ std::size_t Judge::chosen(const MeasuredView& view, const CostCorrection& correc
   return static_cast<std::size_t>(std::find(candidates_.begin(), candidates_.end(), knobs) - candidates_.begin());
 }
 
-/// After frames of all rows.
+/// The correction that the dial has learnt after it drew the view with every row.
 CostCorrection Judge::learnt(const MeasuredView& view) const {
   CostLog log;
   for (std::size_t i = 0; i < rows().size(); ++i)
@@ -163,7 +164,7 @@ CostCorrection Judge::learnt(const MeasuredView& view) const {
   return log.correction(1);
 }
 
-/// Budgets that the cheapest candidate keeps: others can only be answered with it.
+/// Tries budgets, and skips those that even the cheapest candidate exceeds: the dial could only answer with that one.
 void Judge::budgets(const MeasuredView& view, const CostCorrection& correction, Tally& tally) const {
   for (double budget = 5; budget <= 2000; budget *= 1.26) {
     double best = 2;
@@ -175,7 +176,7 @@ void Judge::budgets(const MeasuredView& view, const CostCorrection& correction, 
   }
 }
 
-/// Errors that a candidate keeps.
+/// Tries error limits, and skips those that no candidate keeps.
 void Judge::errors(const MeasuredView& view) {
   constexpr double never = 1e30;
   for (double max = 0.05; max <= 0.4; max *= 1.1) {

@@ -7,7 +7,7 @@ namespace pelage::bench {
 namespace {
 
 constexpr double normal_95 = 1.645;  // standard deviations below which 95% of a normal distribution lies
-constexpr double pooled_views = 8;   // that the spread of all rows counts as in the spread of one
+constexpr double pooled_views = 8;   // weight, in views, of the mean spread of all rows within the spread of one row
 
 double at_share(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
@@ -62,10 +62,10 @@ void fit_all(DialModel& model, std::span<const MeasuredView> views) {
   fit_prices(model, views), fit_errors(model, views);
 }
 
-/// What is left, in logarithms, of a view that the model does not know.
+/// Leave-one-out residuals: logarithms of measured over predicted values, each view by a model fitted without it.
 struct Residuals {
-  std::vector<double> costs, learnt;         // of all rows of all views; about the median of their view
-  std::vector<std::vector<double>> squares;  // of errors, of each row
+  std::vector<double> costs, learnt;         // for each row of each view; `learnt` relative to the view's median
+  std::vector<std::vector<double>> squares;  // squared residuals of the errors, by row
 };
 
 Residuals residuals_of(const DialModel& fitted, std::span<const MeasuredView> views) {

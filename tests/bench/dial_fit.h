@@ -1,4 +1,4 @@
-// From measured frames to the defaults of the dial.
+// Fits the default model of the quality dial to measured frames.
 #pragma once
 
 #include <span>
@@ -8,16 +8,17 @@
 
 namespace pelage::bench {
 
-/// One view, drawn with every row.
+/// Measurements of one view, one for each row of the dial.
 struct MeasuredView {
   ViewFeatures features;
   std::vector<double> cost_ms;  // above 0
   std::vector<double> error;    // mean FLIP, above 0
 };
 
-/// Prices by least squares of the relative error, none below 0; errors by lines through their logarithms over that of
-/// the fur's length. Safeties are such that 95% of the views keep them when the fit does not know the view; what is
-/// learnt of a scene counts as the median of its rows. At least three views, each as long as `rows`.
+/// Fits prices (none below 0) by least squares of the relative cost error, and each row's error as a line of log(error)
+/// over log(fur length in pixels). Safety factors are such that 95% of views stay within them if the fit has not seen
+/// the view; `learnt_safety` is relative to the median of a view's rows, as with a correction learnt from the scene.
+/// Needs at least three views, each with a value for every row.
 DialModel fit(std::span<const Knobs> rows, std::span<const MeasuredView> views);
 
 }  // namespace pelage::bench

@@ -1,8 +1,8 @@
-"""How drawing a job's frames spreads over processes, and how soon the first frame is there.
+"""Measures how drawing a job's frames scales over processes, and how soon the first frame is there.
 
-48 frames of the creature, packed as a farm has it, by one process on one core, by two on a core each, and by one on both, in turns; of each
-the least seconds count. A core is what the process may run on, as a farm gives it. Then the seconds from the start of pelage-render to its
-first file, for a packed scene of 5,000 triangles.
+48 frames of the creature, packed as for a farm, are drawn by one process on one core, by two on a core each, and by one on both, in
+turns; the minimum of each counts. A process is pinned to its cores, as by a farm. Then follow the seconds from the start of pelage-render
+to its first file, for a packed scene of 5,000 triangles.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/farm.py [--rounds 3] [--size 640]
 """

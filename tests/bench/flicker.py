@@ -1,9 +1,10 @@
-"""Flicker: how much fur changes between frames of a slow orbit beyond what the motion itself explains.
+"""Measures flicker: how much fur changes between frames of a slow orbit beyond what the motion itself explains.
 
-Each frame is reprojected to the one before it: the AOV `position` says where on the model every pixel lies, the
-camera before says where that was seen. What is hidden there, or moves in depth by over a hundredth of the size, is left
-out. The change is the root mean square over linear light and the mean of |difference| after the sRGB curve, in grey
-levels of 255. Bilinear reprojection blurs, so that no setting has none; what counts is how much more than `every strand`.
+Each frame is reprojected to the previous one: the AOV `position` gives every pixel's position on the model, and the
+previous camera gives its pixel there. Pixels that are hidden there, or whose depth differs by over a hundredth of the
+size, are left out. The change is the root mean square of linear light, and the mean of |difference| after the sRGB curve
+in grey levels of 255. Bilinear reprojection blurs, so no setting gives 0; what counts is how much more it is than that
+of `every strand`.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/flicker.py [--frames 6] [--step .25] [--size 256]
            [--model creature] [--triangles 5000]
@@ -41,7 +42,7 @@ def seen_from(camera, target, position, size):
 
 
 def sample(picture, x, y):
-    """Bilinear; x and y in pixels with centres at .5."""
+    """Samples bilinearly; x and y are in pixels, whose centres are at .5."""
     rows, columns = picture.shape[:2]
     x, y = numpy.clip(x - .5, 0, columns - 1.001), numpy.clip(y - .5, 0, rows - 1.001)
     i, j = y.astype(int), x.astype(int)
@@ -67,7 +68,7 @@ def shown(light):
 
 
 def change(before, camera, target, after, size, scale_of_model):
-    """Root mean square in linear light, mean change in grey levels, and the share of the fur that could be reprojected."""
+    """Returns the RMS change of linear light, the mean change in grey levels, and the reprojected share of the fur."""
     opaque = after["alpha"] > .95
     x, y, depth = seen_from(camera, target, numpy.where(opaque[..., None], after["position"], target), size)
     inside = (x > 1) & (x < size - 1) & (y > 1) & (y < size - 1)

@@ -1,7 +1,7 @@
-"""CPU milliseconds of a frame by tier, of this build and of another one in turns, and what the scene's strands take.
+"""Measures the CPU milliseconds of a frame by tier, of this build and of another one in turns, and the memory of the scene's strands.
 
-Each frame is of a camera of its own, turned by a tenth of a degree, so that no picture is kept; minima. The whole frame counts, as the
-server's `cpu` says. Megabytes are what the renderer keeps of the scene: strands, whole and thinned,
+Each frame has its own camera, turned by a tenth of a degree, so that no picture is cached; minima count. The time is that of the whole
+frame, the server's `cpu`. Megabytes are what the renderer keeps of the scene: strands, whole and thinned,
 the density grid with its lights, and the model.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/frame_cost.py [--beside BIN] [--group looks furs] [--only NAME...]
@@ -23,7 +23,7 @@ GROUPS = {"animals": ANIMALS, "looks": LOOKS, "furs": FURS}
 
 
 def turned(camera, degrees):
-    """The camera about its target's upright axis."""
+    """Returns the camera rotated about the vertical axis through its target."""
     angle = numpy.radians(degrees)
     sine, cosine = numpy.sin(angle), numpy.cos(angle)
     x, y, z = numpy.subtract(camera["position"], camera["target"])
@@ -46,7 +46,7 @@ def measure(servers, subject, options):
     scenes = {title: subject.on(server) for title, server in servers.items()}
     camera = subject.seen_from(scenes[""], "whole")
     costs = {(title, tier): [] for title in servers for tier in TIERS}
-    for i in range(options.frames + 1):  # the first one makes what is kept
+    for i in range(options.frames + 1):  # the first frame fills the caches
         for (title, tier), of_tier in costs.items():
             cost = cost_of(scenes[title], turned(camera, 0.1 * i), options.size, tier)
             if i:

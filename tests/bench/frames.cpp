@@ -1,6 +1,8 @@
-// Frames against the naive version in the same run: minima of alternating repetitions, wall and CPU milliseconds.
+// Frames of shells and of rasterized strands against a naive renderer of the same fur in the same run: minima of
+// alternating repetitions, wall-clock and CPU milliseconds.
 // usage: bench_frames [--repetitions N] [--size PIXELS] [--ply FILE] [--most-difference D]
-// With --most-difference it fails when a picture and its naive one differ by more than D/255 on average.
+// With --most-difference it fails if a picture of shells and its naive counterpart differ by more than D/255 on
+// average.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +15,7 @@
 namespace pelage::bench {
 namespace {
 
-/// Gives the mean difference of the picture and the naive one, in 1/255.
+/// Prints one row. Returns the mean difference between the picture of shells and the naive one, in 1/255.
 double run(const Gl& gl, Renderer& renderer, const char* name, const testing::FurredModel& model, int size,
            int repetitions) {
   FrameRequest request = testing::small_frame(AutoView::three_quarter, size);

@@ -1,8 +1,8 @@
-"""Shells on a farm node with a GPU: how fast one device draws for several processes, and how far it is from software.
+"""Measures shells on a farm node with a GPU: how fast one device draws for several processes, and how its pictures differ from a software GL's.
 
-`speed` draws a turntable of the creature by 1, 2, 4 and 8 processes that share the device, and by one with OSMesa on all
-cores. The seconds of a frame are those after the first file, so that starting does not count; it is listed beside them.
-`draw` draws some frames of each kind of shells into a folder; `compare` says how far apart two such folders of different drivers are:
+`speed` draws a turntable of the creature with 1, 2, 4 and 8 processes that share the device, and with one on OSMesa on all
+cores. Seconds per frame are counted after the first file, so the start does not count; it is listed separately.
+`draw` draws some frames of each kind of shells into a folder. `compare` compares two such folders from different drivers:
 mean and 99.9th percentile of the pixels' differences in 1/255, and the share of pixels that differ by more than 16.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/gpu_node.py speed [--gl egl] [--device 0] [--frames 100] [--width 1920] [--height 1080]
@@ -39,7 +39,7 @@ def start(path, options, *arguments):
 
 
 def saved(process):
-    """Waits for the next file; False at the end."""
+    """Waits for the next file. Returns False if the process has ended."""
     for line in process.stdout:
         if line.startswith("Saved: "):
             return True
@@ -47,7 +47,7 @@ def saved(process):
 
 
 def timed(path, options, frames, processes, gl, threads):
-    """Seconds to the first file of the slowest process, and seconds of a frame after it."""
+    """Returns the seconds to the first file of the slowest process, and the seconds per frame after that."""
     began = time.perf_counter()
     parts = [start(path, options, "--frames", f"{k + 1}-{frames}x{processes}", "--gl", gl, "--threads", str(threads)) for k in range(processes)]
     assert all([saved(part) for part in parts]), "no first frame"

@@ -1,7 +1,7 @@
-// Strands rasterized by a GL: milliseconds of each stage by timer queries, medians; of whole frames with their
-// read-back as minima, beside the CPU in the same run; how long its shaders take to build; and how far the two pictures
-// are apart. usage: bench_gpu_raster [--gl auto|egl|osmesa] [--size WIDTHxHEIGHT] [--triangles N] [--strands N]
-// [--repetitions N]
+// Strands rasterized by the GPU: build time of the shaders, median milliseconds of each stage (timer queries), minimum
+// milliseconds of whole frames with read-back beside the CPU in the same run, and the mean difference of the two
+// pictures.
+// usage: bench_gpu_raster [--gl auto|egl|osmesa] [--size WIDTHxHEIGHT] [--triangles N] [--strands N] [--repetitions N]
 #include "renderer/raster/gpu/gpu_raster.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// The light of a frame, grown once and drawn again and again by both.
+/// Draws the light of one frame, whose fur is grown once, repeatedly on the CPU and on the GPU.
 class Duel {
  public:
   Duel(const testing::FurredModel& model, const FurFrame& frame, const Gl& gl, int repetitions)
@@ -58,7 +58,7 @@ class Duel {
     auto by_cpu = empty_picture<FloatImage>(frame_.width, frame_.height), by_gpu = by_cpu;
     double cpu = 1e9, gpu = 1e9;
     StageSamples stages, after_change;
-    draw_gpu(by_gpu);  // buffers grow to what is needed
+    draw_gpu(by_gpu);  // warm-up: buffers grow to their final size
     for (int i = 0; i < repetitions_; ++i) {
       const Stopwatch on_cpu;
       draw_cpu(by_cpu);
@@ -88,7 +88,7 @@ class Duel {
     gpu_->measure(&times), draw_gpu(picture), gpu_->measure(nullptr);
     for (const auto& [stage, milliseconds] : times) samples[stage].push_back(milliseconds);
   }
-  /// Gives the sum of the medians.
+  /// Prints the median of each stage. Returns their sum, in milliseconds.
   static double print(const StageSamples& samples) {
     double sum = 0;
     for (const auto& [stage, values] : samples) {

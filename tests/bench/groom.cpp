@@ -1,5 +1,5 @@
-// Tables of what grooming costs: dabs and undo against the size of the mesh, bytes in the undo log, floods against a
-// plain copy of the same arrays.
+// Tables of what grooming costs: dabs and undo by the size of the mesh, bytes in the undo log, floods against a plain
+// copy of the same arrays.
 // usage: bench_groom [--repetitions N] [--few VERTICES] [--many VERTICES] [--flood VERTICES]
 #include <algorithm>
 #include <cmath>
@@ -25,14 +25,14 @@ namespace {
 
 constexpr double dab_vertices = 1000;
 
-/// A torus: half as many vertices as triangles.
+/// A torus, which has half as many vertices as triangles.
 Surface torus(int vertices) {
   Result<Mesh> mesh = prepare(make_builtin({Builtin::torus, 2 * vertices}));
   if (!mesh) std::fprintf(stderr, "%s\n", mesh.status().message.c_str()), std::exit(1);
   return Surface(std::move(mesh).value());
 }
 
-/// The radius of balls on the surface that hold about as many vertices as wanted, on average.
+/// Radius of balls around vertices that hold `wanted` vertices on average.
 double radius_for(const Surface& surface, double wanted) {
   constexpr std::size_t places = 16;
   const std::vector<glm::vec3>& positions = surface.mesh().positions;
@@ -47,7 +47,8 @@ double radius_for(const Surface& surface, double wanted) {
   return radius;
 }
 
-/// One dab of a tool on a vertex by chance. Tools that need no motion get a stroke of one place.
+/// One dab of a tool on a random vertex. Comb needs motion and gets a stroke of two samples, other tools one of one
+/// sample.
 template <class Tool>
 Command dab(const Mesh& mesh, double radius, Random& random) {
   const auto v = static_cast<std::size_t>(random.uniform(0, static_cast<double>(mesh.positions.size())));
@@ -63,7 +64,7 @@ Command dab(const Mesh& mesh, double radius, Random& random) {
 }
 using Dab = Command (*)(const Mesh&, double, Random&);
 
-/// A scene whose journal lies in a folder of its own, gone with it.
+/// A scene with a journal in a temporary folder, which is deleted with it.
 class JournaledScene {
  public:
   explicit JournaledScene(int vertices) : folder_(std::filesystem::temp_directory_path() / "pelage_bench_groom") {
@@ -97,13 +98,13 @@ void require(bool good, const char* what) {
   if (!good) std::fprintf(stderr, "%s failed\n", what), std::exit(1);
 }
 
-/// Mean costs of one dab, in milliseconds; of each the least over the repetitions.
+/// Mean costs of one dab, in milliseconds; each is the minimum over the repetitions.
 struct DabCosts {
   double touched = 0;
   Cost evaluate, change, scene, undo, redo;
 };
 
-/// Each repetition combs other places, so that little of the mesh waits in the caches.
+/// Each repetition combs other positions, so that little of the mesh is in the CPU caches.
 DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
   constexpr int places = 32;
   const Surface& surface = made.surface();
@@ -176,7 +177,7 @@ struct NamedTool {
   Command command;
 };
 
-/// Every tool, at work on every field that it changes.
+/// Every tool, set up so that it changes all of its fields.
 std::vector<NamedTool> tools_on(const Mesh& mesh) {
   const glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[0]));
   const glm::dvec3 above = mesh.to_model(glm::dvec3(mesh.positions[0]) + 0.05 * glm::dvec3(mesh.normals[0]));
@@ -218,7 +219,7 @@ void print_undo_bytes(int vertices) {
   std::puts("");
 }
 
-/// Copies this many bytes, in blocks as large as a mesh's arrays.
+/// Returns a function that copies this many bytes, in blocks about as large as a mesh's arrays.
 std::function<void()> plain_copy(std::size_t bytes) {
   static constexpr std::size_t block = std::size_t{8} << 20;
   auto from = std::make_shared<std::vector<char>>(bytes, 1), to = std::make_shared<std::vector<char>>(bytes, 2);
@@ -231,14 +232,14 @@ std::function<void()> plain_copy(std::size_t bytes) {
 struct Flood {
   const char* name;
   Command command;
-  std::size_t bytes;  // of the arrays that it reads and writes, for each vertex
+  std::size_t bytes;  // size of the arrays that it reads and writes, bytes per vertex
 };
 
 void print_floods(int vertices, int repetitions) {
   const Surface surface = torus(vertices);
   const Mesh& mesh = surface.mesh();
   const FieldSet fields = first_groom(mesh, {});
-  // Direction before 8, its change 12; normal and tangent 24, position 12, six neighbours 28.
+  // Bytes per vertex: direction 8, its change 12, normal and tangent 24, position 12, six neighbours 28.
   const Flood floods[] = {{"comb", Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)}, 8 + 12 + 24},
                           {"smooth, 1 pass", Smooth{.flood = true, .passes = 1}, 8 + 12 + 24 + 12 + 28},
                           {"smooth, 3 passes", Smooth{.flood = true, .passes = 3}, 8 + 12 + 24 + 12 + 3 * 28},

@@ -1,4 +1,4 @@
-// A table of what strands cost to grow: prepared once for a state of the fields, then chunk by chunk on one core.
+// Measures what strands cost to grow: one preparation for each state of the fields, then chunk by chunk on one core.
 // usage: bench_grow [--repetitions N] [--triangles N] [--count STRANDS_OF_THE_TILE]
 #include "renderer/strands/grow.h"
 

@@ -1,4 +1,5 @@
-// What a large model costs on its way into a scene: read by the confined worker, prepared, indexed, covered by patches.
+// Measures what a large model costs on its way into a scene: the confined worker reads it, then it is prepared, covered
+// by patches, indexed and given its first groom.
 // usage: bench_import [--triangles N]
 #include "server/import/import.h"
 
@@ -23,7 +24,7 @@ void put(std::string& text, Number number) {
   text.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// The model as a binary PLY.
+/// Encodes the model as a binary PLY.
 std::string ply_of(const RawModel& model) {
   std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(model.positions.size()) +
                      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +

@@ -1,6 +1,6 @@
-"""Every look and recipe in every tier, side by side, and how much of the reference's light each tier has.
+"""Draws every look and recipe in every tier side by side, and prints the light of each tier relative to the reference.
 
-Light is mean linear luminance over alpha, as in tiers.py: it should stay when tracing takes over.
+Light is mean linear luminance over alpha, as in tiers.py. It should not change when tracing takes over.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/judge.py SHEET.jpg [--size 300] [--passes 16] [--only NAME...]
 """
@@ -20,7 +20,7 @@ LOOKS = [Animal(f"look {file.stem}", look=file.stem) for file in sorted((ROOT / 
 
 
 def judged(animal, options):
-    """A row of the sheet: one frame for each tier; the shares of the reference's light."""
+    """Returns a row of the sheet, one frame for each tier, and each tier's light relative to the reference."""
     with contextlib.closing(Server()) as server:
         scene = animal.on(server)
         strands = {"method": "strands", "trace": {"passes": options.passes}}

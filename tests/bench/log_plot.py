@@ -1,4 +1,4 @@
-"""A plot with logarithmic axes as an SVG: lines, crosses where a series has points without an order, names at the right."""
+"""Writes a plot with logarithmic axes as SVG: lines, or crosses for series of unordered points, with names at the right."""
 import math
 import pathlib
 
@@ -13,7 +13,7 @@ def ticks(low, high):
 
 
 class Axis:
-    """Takes values to places between two ends of the picture."""
+    """Maps values to coordinates between two ends of the picture, logarithmically."""
 
     def __init__(self, values, start, end):
         self.low, self.high, self.start, self.end = min(values) * .9, max(values) * 1.1, start, end
@@ -45,7 +45,7 @@ def drawn(points, colour, joined, x, y):
 
 
 def write(file, series, x_title, y_title, x_ticks=None):
-    """`series`: (name, points, joined) of each; points are (x, y), all above 0."""
+    """Writes the plot. `series` has a tuple (name, points, joined) for each; points are (x, y), all above 0."""
     every = [point for _, points, _ in series for point in points]
     x = Axis([a for a, _ in every], LEFT, WIDTH - RIGHT)
     y = Axis([b for _, b in every], HEIGHT - BOTTOM, TOP)

@@ -1,5 +1,5 @@
-// A long session at the studio, by recorded pointer input, done twice: both are to end in the same groom, with memory as it was. Real
-// Chromium, real server. Run by hand. usage: node long_session.mjs [--minutes M] [--seed S]    from tests/bench, with PELAGE_BIN
+// Plays a long session in the studio twice, from recorded pointer input: both must end with the same groom and without memory growth. Uses
+// a real Chromium and a real server. Run by hand. usage: node long_session.mjs [--minutes M] [--seed S]    from tests/bench, with PELAGE_BIN
 import {readFileSync} from "node:fs";
 import {Server} from "../studio/support/server.mjs";
 import {Studio, browser} from "../studio/support/studio.mjs";
@@ -8,9 +8,9 @@ const option = (name, initial) => {
   const at = process.argv.indexOf(`--${name}`);
   return at < 0 ? initial : Number(process.argv[at + 1]);
 };
-const minutes = option("minutes", 30), report_every = 25;  // actions
+const minutes = option("minutes", 30), report_every = 25;  // report_every: number of actions
 
-/** Numbers in [0, 1) from a seed (mulberry32). */
+/** Returns a generator of numbers in [0, 1) from a seed (mulberry32). */
 function numbers(seed) {
   let state = seed >>> 0;
   return () => {
@@ -23,7 +23,7 @@ function numbers(seed) {
 
 const tools = ["comb", "comb", "comb", "smooth", "length", "lift", "paint", "part", "clump", "curl"];
 
-/** What the hand does: tools, strokes over the middle of the picture, views, now and then an undo. */
+/** Yields the user's actions: tools, strokes over the middle of the picture, views, sometimes an undo. */
 function* recorded(seed) {
   const random = numbers(seed);
   for (;;) {
@@ -38,7 +38,7 @@ function* recorded(seed) {
   }
 }
 
-/** Waits until the studio has nothing more to do: the hand of the second time is to find what the first found. */
+/** Waits until the studio is idle, so that the second session meets the same state as the first. */
 async function settle(studio, server, id) {
   for (let calm = 0; calm < 2;) {
     await studio.page.waitForTimeout(60);

@@ -1,4 +1,4 @@
-// What the programs that measure frames share beside costs: a renderer.
+// Opens a renderer and draws frames, for benchmarks.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@ namespace pelage::bench {
 
 struct BenchRenderer {
   std::unique_ptr<Context> context;
-  std::unique_ptr<Renderer> renderer;  // dies before its context
+  std::unique_ptr<Renderer> renderer;  // declared last, so that it is destroyed before its context
 };
-/// Prints what there is; on failure prints why, and both are null.
+/// Opens a renderer and prints what draws. On failure prints the reason, and both members are null.
 BenchRenderer open_renderer(GlChoice gl = GlChoice::egl, const RendererOptions& options = {});
 
-/// A picture of a frame and what it cost. Ends the program when it cannot be drawn.
+/// Draws a frame without cached views; `times` receives what it took. Ends the program on failure.
 Image draw(Renderer& renderer, const FurFrame& frame, DrawTimes* times = nullptr);
 
 }  // namespace pelage::bench

@@ -1,5 +1,5 @@
-"""What a groom keeps on new versions of its model: a cow is groomed, gets each version, and fur is compared where both
-versions have the same skin. Run by hand; prints a table, and with FOLDER draws each version beside the groom before.
+"""Measures how well a groom is kept on new versions of its model: a cow is groomed and gets each version, and fur is compared where
+both versions have the same skin. Run by hand; prints a table, and with FOLDER draws each version beside the original groom.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/model_versions.py [FOLDER]
 """
@@ -58,7 +58,7 @@ class Obj:
         return Obj(self.positions[order], self.uvs, faces)
 
     def finer(self):
-        """Each triangle in four."""
+        """Returns the model with each triangle split in four."""
         positions, middles, faces = list(self.positions), {}, []
         def middle(a, b):
             key = (min(a, b), max(a, b))
@@ -73,7 +73,7 @@ class Obj:
         return Obj(positions, [], faces)
 
     def coarser(self, cells=22):
-        """Vertices of a cell of a grid become one."""
+        """Returns the model with all vertices in a grid cell merged into one."""
         low, size = self.positions.min(0), self.positions.max(0) - self.positions.min(0)
         cell = numpy.floor((self.positions - low) / size.max() * cells).astype(int)
         _, number = numpy.unique(cell, axis=0, return_inverse=True)
@@ -86,7 +86,7 @@ class Obj:
         return Obj(self.positions, self.uvs, [(m, c) for m, c in self.faces if not any(gone(self.positions[p - 1]) for p, _ in c)])
 
     def with_horn(self, centre, radius, height):
-        """A cone with a material of its own, closed below."""
+        """Returns the model with an added cone that has its own material and a closed base."""
         n, first = 12, len(self.positions)
         ring = [centre + radius * numpy.array([math.cos(a), 0, math.sin(a)]) for a in numpy.arange(n) * 2 * math.pi / n]
         positions = [*self.positions, *ring, centre + [0, height, 0], centre]
@@ -97,7 +97,7 @@ class Obj:
 
 
 def turned(p, pivot, degrees):
-    """About the x axis through the pivot."""
+    """Rotates about the x axis through the pivot."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     x, y, z = p - pivot
     return pivot + [x, c * y - s * z, s * y + c * z]
@@ -109,7 +109,7 @@ def smooth(low, high, x):
 
 
 def versions(cow):
-    """Name, file, query, where a position of the first file is in it (None: it is gone), scale of lengths."""
+    """Yields for each version: name, file, query, map of positions from the first file (None: it is gone), scale of lengths."""
     same = lambda p: p  # noqa: E731
     neck = numpy.array([0, 0.1, 0.25])
     def nod(p):

@@ -1,5 +1,5 @@
-// The naive version that frames are measured against: uniform shells from the inside out over all triangles, two
-// trilinear array textures, light on every fragment, one sample, half floats.
+// The naive renderer that frames are measured against: uniform shells from the inside out over all triangles, two
+// trilinear array textures, light on every fragment, one sample per pixel, half floats.
 #pragma once
 
 #include "renderer/frame/renderer.h"

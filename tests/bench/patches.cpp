@@ -40,7 +40,7 @@ double surface_area(const Mesh& mesh) {
   return sum;
 }
 
-/// Values with weights: the mean, and what 95% of the weight stays below.
+/// Weighted mean, and the 95th percentile by weight.
 struct Spread {
   double mean = 0, high = 0;
 };
@@ -57,7 +57,7 @@ Spread spread_of(std::vector<std::pair<double, double>> values) {
   return spread;
 }
 
-/// Places on the surface with the normal there.
+/// Positions on the surface, each with its normal.
 struct Points {
   std::vector<glm::vec3> places, normals;
 
@@ -76,7 +76,7 @@ glm::dvec3 random_barycentric(Random& random) {
   return {1 - root, root * (1 - v), root * v};
 }
 
-/// Points spread evenly over the surface, `density` for each unit of area, by chance.
+/// Random points spread evenly over the surface, `density` per unit of area.
 Points even_points(const Mesh& mesh, double density, std::uint64_t seed) {
   Points points;
   Random random(seed);
@@ -87,7 +87,7 @@ Points even_points(const Mesh& mesh, double density, std::uint64_t seed) {
   return points;
 }
 
-/// Random roots of a periodic tile, in a grid for quick finding.
+/// Random roots of a periodic tile, in a grid for fast lookup.
 class Tile {
  public:
   static constexpr double side = 0.12;
@@ -102,7 +102,7 @@ class Tile {
     }
   }
 
-  /// Visits each root between low and high, in tiles, at its place there and with its number.
+  /// Visits each root between `low` and `high` (in tiles) with its position there and its index.
   template <class Visit>
   void visit(glm::dvec2 low, glm::dvec2 high, const Visit& visit) const {
     const glm::ivec2 first(glm::floor(low * double(cells))), last(glm::floor(high * double(cells)));
@@ -121,7 +121,7 @@ class Tile {
   std::vector<std::vector<std::uint32_t>> grid_;
 };
 
-/// The strands of the map: roots of the tile in each piece, thinned by the piece's weight.
+/// The strands of the map: the tile's roots in each piece, thinned by the piece's weight.
 Points strands_of(const Mesh& mesh, const PatchMap& map) {
   const Tile tile;
   Points points;
@@ -150,8 +150,9 @@ Points strands_of(const Mesh& mesh, const PatchMap& map) {
   return points;
 }
 
-/// Strands for each unit of area over discs that hold 200 on average: standard deviation over mean. A disc is what lies
-/// in a ball and faces the same side; its area is measured by even points, and discs cut off by a border are left out.
+/// Standard deviation over mean of the strands per unit of area, over discs that hold 200 strands on average. A disc is
+/// the part of the surface that lies in a ball and faces the same side as its centre. Its area is measured with evenly
+/// spread points; discs cut off by a border are left out.
 double density_variation(const Mesh& mesh, const PatchMap& map) {
   constexpr double density = Tile::count / (Tile::side * Tile::side), wanted = 200, oversampling = 8;
   constexpr int discs = 2000;

@@ -1,10 +1,10 @@
-// One furry torus for several renderers (tests/bench/peers).
+// Writes one furry torus for several renderers, and compares their pictures (tests/bench/peers).
 // usage: bench_peer_scene write FOLDER [--size PIXELS] [--passes N] [--truth N]
-//          the scene as files, ours as ours_1.exr, ours_2.exr, ours_4.exr, ... and ours_truth.exr, which has other
-//          random numbers; ours.txt has a line for each: samples, wall and CPU seconds since the request
+//          writes the scene as files, our pictures as ours_1.exr, ours_2.exr, ours_4.exr, ... and ours_truth.exr, which
+//          has another seed; ours.txt has a line for each: samples, wall-clock and CPU seconds since the request
 //        bench_peer_scene compare FOLDER PEER [--size PIXELS]
-//          ours beside PEER_1.exr, ... with PEER.txt of the same kind: error against each one's own truth, seconds, and
-//          how alike both truths are; both truths are kept as JPEG
+//          compares ours with PEER_1.exr, ... and PEER.txt of the same format: the error against each renderer's own
+//          truth, seconds, and how alike the two truths are; writes both truths as JPEG
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -44,7 +44,7 @@ FloatImage read_exr(const std::string& path) {
   return image ? std::move(image).value() : (stop(path + ": " + image.status().message), FloatImage{});
 }
 
-/// Draws with powers of two passes, or all at once, and adds lines to ours.txt.
+/// Traces ours_1.exr, ours_2.exr, ... and adds a line to `times` for each; with `truth` traces ours_truth.exr alone.
 void trace_ours(Renderer& renderer, const testing::FurredModel& model, const Options& options, bool truth,
                 std::ostream& times) {
   const FrameRequest request = peer_request(options.size, truth ? options.truth : options.passes, truth ? 2 : 1);
@@ -104,7 +104,8 @@ std::vector<Run> read_runs(const std::string& start, const FloatImage& truth) {
   return runs;
 }
 
-/// log error by log samples, a line; and seconds by samples, a line through the fewest and the most.
+/// Lines through the runs: log error over log samples, by least squares; and CPU seconds over samples, through the runs
+/// with the fewest and the most samples.
 struct Fit {
   double power = 0, at_one = 0, start = 0, each = 0;
 

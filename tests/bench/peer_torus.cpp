@@ -21,7 +21,7 @@ void put(std::ostream& file, std::span<const T> values) {
 
 struct Listed {
   std::size_t strands = 0;
-  int points = 0;  // of each strand
+  int points = 0;  // per strand
 };
 
 Listed write_strands(const FurModel& model, const FurFields& fields, const FurFrame& frame, std::ostream& file) {

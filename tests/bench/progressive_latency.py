@@ -1,9 +1,9 @@
-"""Grooming beside a progressive picture, and a progressive picture as a client sees it.
+"""Measures grooming beside a progressive picture, and a progressive picture as a client sees it.
 
-Stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive): alone, while another view of the
-scene is followed by rasterized pictures, and while it is followed by a progressive one; blocks of strokes of each kind in
-turn, in one run. Then time against error: for each picture of a progressive one the seconds since the request, and FLIP
-where there is fur against its last picture.
+Time from stroke to PNG through HTTP (512 x 512, creature of 5,000 triangles, interactive): alone, while a client follows
+another view of the scene with rasterized pictures, and while it follows that view with a progressive picture; in blocks
+of strokes of each kind in turn, in one run. Then time against error: for each version of a progressive picture the
+seconds since the request, and its FLIP over the fur against the last version.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/progressive_latency.py [BLOCKS] [STROKES] [LAST_PASS]
 """
@@ -18,7 +18,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "end_to_end"))
 from support.server import BIN, Server  # noqa: E402
 
-PAUSE = 0.6  # seconds between strokes: a progressive picture begins when the hand has rested for a tenth
+PAUSE = 0.6  # seconds between strokes: a progressive picture begins a tenth of a second after the last stroke
 
 
 class Client:
@@ -35,7 +35,7 @@ class Client:
             connection.close()
 
     def picture(self, request, seen=None, wait=1):
-        """Bytes and report of the next picture; none where nothing better came."""
+        """Returns bytes and report of the next picture; nothing if no better one came."""
         passes = f"&after_pass={seen[1]}" if seen and request["progressive"] else ""
         query = f"?after={seen[0]}{passes}&wait={wait}" if seen else ""
         answer, content = self.post(f"frames{query}", request)
@@ -48,7 +48,7 @@ class Client:
 
 
 class Follower(threading.Thread):
-    """Another artist's view, which looks at all that is new."""
+    """Another artist's client, which fetches every new picture of its view."""
 
     def __init__(self, server, scene, progressive):
         super().__init__(daemon=True)
@@ -81,7 +81,7 @@ def share(values, part):
 
 
 def strokes(client, first, count):
-    """Milliseconds from each stroke to its picture."""
+    """Makes strokes. Returns the milliseconds from each stroke to its picture."""
     times = []
     for i in range(first, first + count):
         time.sleep(PAUSE)
@@ -96,7 +96,7 @@ def strokes(client, first, count):
 def latency(server, blocks, count):
     scene = server.new_scene("creature", 5000)
     client = Client(server, scene)
-    strokes(client, 0, 3)  # the first frames make textures and programs
+    strokes(client, 0, 3)  # the first frames create textures and programs
     times, pictures = {"alone": [], "rasterized": [], "progressive": []}, 0
     for block in range(blocks):
         for kind, taken in times.items():

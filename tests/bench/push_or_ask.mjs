@@ -1,5 +1,5 @@
-// Frames asked for, as the studio does (two in flight, `after` the known revision), against frames pushed over one connection, on a
-// line with latency. The pushing end is a program beside the server that asks it without latency and sends on what comes.
+// Compares polling for frames as the studio does (two requests in flight, `after` the known revision) with frames pushed over one
+// connection, on a line with latency. The pusher is a program beside the server that polls it without latency and forwards the frames.
 // usage: node push_or_ask.mjs [--delay MS] [--seconds S]    with PELAGE_BIN; MS each way
 import net from "node:net";
 import {setTimeout as sleep} from "node:timers/promises";
@@ -15,7 +15,7 @@ const request = {width: 900, height: 700, quality: "draft", format: "jpeg", loss
 
 const post = (address, path, body) => fetch(address + path, {method: "POST", body: JSON.stringify(body), headers: {"Content-Type": "application/json"}});
 
-/** Combs in parts, each sent when the one before is answered; gives when each revision's newest sample was sent. */
+/** Combs in parts, each sent once the previous one is answered. Returns when the newest sample of each revision was sent. */
 async function comb(address, id, on_send) {
   const sent = [], start = performance.now();
   for (let part = 0; performance.now() - start < seconds * 1000; ++part) {
@@ -51,7 +51,7 @@ async function asking(address, id) {
   return {sent, seen};
 }
 
-/** A push server beside pelaged: frames as [length, revision, bytes] over one connection. */
+/** Starts a push server beside pelaged, which sends frames as [length, revision, bytes] over one connection. */
 function pusher(address, id) {
   return new Promise((ready) => {
     const server = net.createServer(async (client) => {

@@ -1,8 +1,10 @@
-// Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds as minima of alternating
-// repetitions, FLIP over the fur, light and coverage over the truth's. usage: bench_raster [--repetitions N] [--size
-// PIXELS] [--passes N] [--view NAME] [--triangles N] [--pictures FOLDER] [--try A_PIXEL,LIT_OF,TWICE] Views: creature,
-// ground, mohawk, curly, wet, close, far, torus, sphere, sleek; one that ends with sky has no lights, with sun the
-// first one alone. The truth is kept in the folder of pictures and read from there.
+// Rasterized strands against the traced truth, by tier and by single knobs: CPU milliseconds (minima of alternating
+// repetitions), FLIP over the fur, light and coverage relative to the truth.
+// usage: bench_raster [--repetitions N] [--size PIXELS] [--passes N] [--view NAME] [--triangles N]
+//                     [--pictures FOLDER] [--try A_PIXEL,LIT_OF,TWICE]
+// Views: creature, ground, mohawk, curly, wet, close, far, torus, sphere, sleek. A name that ends with sky has no
+// lights, one that ends with sun only the first light and no ambient light. The truth is cached in the folder of
+// pictures.
 #include "renderer/raster/raster.h"
 
 #include <algorithm>
@@ -44,7 +46,7 @@ void look_at(FurCamera& camera, glm::vec3 position, glm::vec3 target) {
   camera.up = glm::cross(camera.right, camera.forward);
 }
 
-/// Long fur along the middle of the head and neck.
+/// Adds long fur along the middle of the head and neck.
 void add_mohawk(testing::FurredModel& model) {
   const Mesh& mesh = model.model.surface.mesh();
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
@@ -57,7 +59,7 @@ void add_mohawk(testing::FurredModel& model) {
 }
 
 testing::FurredModel model_of(const Setup& setup) {
-  if (setup.view == "sleek") {  // short fur that lies
+  if (setup.view == "sleek") {  // short fur that lies flat
     testing::FurredModel model = testing::furred({Builtin::torus, 3000}, {.length = 0.02, .inclination = 0.9});
     model.settings = first_settings(model.model);
     model.settings.coats[0].coat.root_share = 0.7, model.settings.coats[0].coat.clump = 0.25;
@@ -69,7 +71,7 @@ testing::FurredModel model_of(const Setup& setup) {
                                                 : sphere ? Builtin::sphere
                                                          : Builtin::creature,
                                                 setup.triangles});
-  model.model.name = torus ? "torus" : sphere ? "sphere" : "creature";  // eyes and bare skin go by it
+  model.model.name = torus ? "torus" : sphere ? "sphere" : "creature";  // selects eyes and bare skin
   model.settings = first_settings(model.model);
   if (setup.view.ends_with("sky")) model.settings.lights.clear();
   if (setup.view.ends_with("sun")) model.settings.lights.resize(1), model.settings.look.ambient = 0;
@@ -166,7 +168,7 @@ void add_tiers(const Bench& bench, std::vector<Way>& ways) {
   }
 }
 
-/// What is drawn, and whether at twice the size and averaged.
+/// A quality to draw with, and `twice` for drawing at twice the size and averaging.
 struct Kind {
   RasterQuality quality;
   bool twice;

@@ -1,6 +1,7 @@
-// Traced strands of one coat: how long growing, the first picture and all passes take, and how the noise falls.
+// Measures traced strands of one coat: how long growing, the first picture and all passes take, and how the noise
+// falls.
 // usage: bench_strands [--ply FILE] [--count STRANDS] [--size PIXELS] [--passes N] [--threads N] [--paths] [--out PNG]
-//                      [--stroke]     then a stroke over a fifth of the body, until its first picture
+//                      [--stroke]     then changes a fifth of the body, and measures until the next first picture
 //                      [--converge N] instead: RMSE against N passes of another seed, and the fitted slope
 #include <sys/resource.h>
 
@@ -21,7 +22,7 @@ namespace {
 struct Options {
   std::string ply, out;
   int count = 9000, size = 640, passes = 48, threads = 2;
-  int truth = 0;  // passes of it
+  int truth = 0;  // passes of the truth of --converge; 0: without it
   bool paths = false, stroke = false;
 };
 
@@ -54,7 +55,7 @@ Options options_of(int argc, char** argv) {
   return options;
 }
 
-/// The plush of ../shared/look.
+/// The plush of ../shared/look, on the creature or on a PLY file.
 testing::FurredModel plush(const Options& options) {
   const FirstGroom fur{.length = 0.042, .inclination = 0.42};
   testing::FurredModel model =
@@ -68,7 +69,7 @@ testing::FurredModel plush(const Options& options) {
   return model;
 }
 
-/// A fifth of the vertices, those nearest to the nose, get shorter fur.
+/// Shortens the fur of a fifth of the vertices, those nearest to the nose.
 void shorten_a_fifth(testing::FurredModel& model) {
   const std::vector<glm::vec3>& places = model.model.surface.mesh().positions;
   std::vector<float> heights;
@@ -131,7 +132,8 @@ double root_mean_square(const FloatImage& a, const FloatImage& b) {
   return std::sqrt(sum / static_cast<double>(a.rgba.size()));
 }
 
-/// RMSE of 1, 2, 4, ... passes against `truth` passes of another seed, and the slope in the logarithms.
+/// Prints the RMSE of 1, 2, 4, ... passes against `truth` passes of another seed, and the slope of log error over log
+/// passes.
 void converge(Renderer& renderer, const Options& options) {
   const testing::FurredModel model = plush(options);
   FrameRequest request = request_of(options);

@@ -1,9 +1,9 @@
-"""Stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th percentile over
-the strokes that touch fur.
+"""Measures the time from stroke to PNG through HTTP from another process: a new stroke and a frame each time; median and 95th
+percentile over the strokes that touch fur.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/stroke_latency.py [STROKES] [MODEL] [TRIANGLES] [QUALITY] [DABS] [SCENES]
 
-QUALITY is a tier, or raster. With several scenes, strokes take turns: as many groom at once.
+QUALITY is a tier, or raster. With several scenes, strokes alternate between them, as if so many artists groomed at once.
 """
 import http.client
 import json
@@ -49,7 +49,7 @@ def main():
             answer = connection.getresponse()
             answer.read()
             if i < 3 * groomers or not touched:
-                continue  # the first frames make textures and programs
+                continue  # the first frames create textures and programs
             totals.append(1e3 * (time.perf_counter() - start))
             commands.append(1e3 * (grown - start))
             shares.append(json.loads(answer.headers["Pelage-Counters"])["redrawn"])

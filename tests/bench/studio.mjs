@@ -1,4 +1,4 @@
-// How the studio answers the hand: real Chromium, real server, both on this machine. Run by hand; prints a table.
+// Measures how fast the studio responds, with a real Chromium and a real server, both on this machine. Run by hand; prints a table.
 // usage: node studio.mjs [--delay MS] [--strokes N]    from tests/bench, with PELAGE_BIN; MS each way on the line between them
 import {Server} from "../studio/support/server.mjs";
 import {SlowLine} from "../studio/support/slow_line.mjs";
@@ -15,7 +15,7 @@ const quantile = (numbers, share) => sorted(numbers)[Math.min(numbers.length - 1
 const row = (name, numbers, unit = "ms") =>
   console.log(`${name.padEnd(46)} median ${quantile(numbers, 0.5).toFixed(1).padStart(7)}  95% ${quantile(numbers, 0.95).toFixed(1).padStart(7)}  worst ${Math.max(...numbers).toFixed(1).padStart(7)} ${unit}  (${numbers.length})`);
 
-/** The time that the server says it took for a picture. */
+/** The time that the server reports for a picture, in milliseconds. */
 const serverTime = ({timings}) => ["queue", "upload", "draw", "read", "encode"].reduce((sum, name) => sum + (timings[name] ?? 0), 0);
 
 async function comb(studio) {
@@ -57,7 +57,7 @@ async function turn(studio) {
   row("  asked to shown", frames.map(({asked, shown}) => shown - asked));
 }
 
-/** Bytes of the page and how soon it can be used: tools can be chosen, and the ring finds the model. */
+/** Bytes of the page, and how soon it is usable: tools can be chosen, and the brush's ring finds the model. */
 async function page(studio) {
   const facts = await studio.page.evaluate(() => {
     const own = [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")].filter(({name}) => !name.includes("/v1/"));

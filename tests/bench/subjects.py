@@ -1,5 +1,5 @@
-"""What the tiers are measured and looked at on: six animals, nine looks, and furs and views of their own. Each is a scene
-that a server makes through HTTP, without ground, whose shadow would count as coverage."""
+"""The subjects on which tiers are measured and judged: six animals, nine looks, and some special furs and views. Each is
+a scene that a server makes through HTTP, without a ground, whose shadow would count as coverage."""
 import json
 import pathlib
 import subprocess
@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "end_to_end"))
 from support.server import shared_folder  # noqa: E402
 
-DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # sizes from the middle of the box
+DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # distance from the middle of the bounding box, in sizes
 DIRECTION = numpy.array([0.5, 0.22, 0.84])
 CREST = [[0, 0.9, 0.57], [0, 0.99, 0.48], [0, 1.02, 0.39], [0, 1.0, 0.3], [0, 0.93, 0.21], [0, 0.71, 0.12]]
 UPRIGHT = {"stroke": {"samples": [{"position": place} for place in CREST]},
@@ -19,7 +19,7 @@ UPRIGHT = {"stroke": {"samples": [{"position": place} for place in CREST]},
 
 
 class Subject:
-    """A file under meshes or the built-in creature, a recipe, a look, commands after them, and how it is seen."""
+    """A file under meshes or the built-in creature, with a recipe, a look, further commands, and a camera."""
 
     def __init__(self, name, file=None, recipe=None, look=None, front="z", fur="", commands=(), camera=None):
         self.name, self.file, self.recipe, self.look = name, file, recipe, look

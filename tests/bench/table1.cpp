@@ -1,5 +1,6 @@
-// Table 1 of GPU fur again: five models of the same sizes, 16 shells, one light, maps of 512 x 512, without and with
-// shadows. The paper's figures were taken on a GeForce FX 5700 Ultra; it does not say at what size of picture.
+// Measures what table 1 of GPU fur does: five models of the same sizes, 16 shells, one light, maps of 512 x 512,
+// without and with shadows. The paper's figures were taken on a GeForce FX 5700 Ultra; it does not state the size of
+// the picture.
 // usage: bench_table1 [--repetitions N] [--size PIXELS]
 #include <algorithm>
 #include <cstdio>
@@ -34,13 +35,13 @@ testing::FurredModel model_of(const Row& row) {
   return model;
 }
 
-/// The least time of making a light's maps.
+/// Milliseconds that drawing a light's maps adds to a frame: the difference of the minima with new and with kept maps.
 double making(Renderer& renderer, FurFrame frame, bool layers, CastShadow cast, int repetitions) {
   double min = 1e300;
   frame.lights[0].self_shadow_maps = layers, frame.lights[0].cast_shadow = cast;
   double min_kept = min;
   for (int i = 0; i <= repetitions; ++i) {
-    frame.lights[0].radiance *= 1.0001f;  // any change makes them anew
+    frame.lights[0].radiance *= 1.0001f;  // any change of a light invalidates its maps
     DrawTimes anew, kept;
     draw(renderer, frame, &anew), draw(renderer, frame, &kept);
     if (i > 0) min = std::min(min, anew.draw), min_kept = std::min(min_kept, kept.draw);
@@ -68,7 +69,7 @@ void run(Renderer& renderer, const Row& row, int size, int repetitions) {
                                                          draw(renderer, kept);
                                                        }},
                                                       repetitions);
-  // The third drew two frames with new maps each: half of it is one frame.
+  // The third work draws two frames, each with new maps: half of its time is one frame.
   const double frame_anew = costs[2].wall / 2;
   std::printf(
       "| %s, %zu | %.0f (%.0f) | %.0f (%.0f) | %.1f, %.1f/s (%.1f) | %.1f, %.1f/s (%.1f) | %.2f (%.2f) | %.1f, %.1f/s "

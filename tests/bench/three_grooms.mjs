@@ -1,5 +1,5 @@
-// Three grooms from scratch by the studio alone, with a stopwatch: a terrier, a lion and a wet otter. Real Chromium, real server.
-// Run by hand; prints when each step was done and writes a traced picture of each animal.
+// Times three grooms made from scratch in the studio alone: a terrier, a lion and a wet otter. Uses a real Chromium and a real server.
+// Run by hand; prints when each step was done, and writes a traced picture of each animal.
 // usage: node three_grooms.mjs FOLDER [NAME...]    from tests/bench, with PELAGE_BIN
 import {writeFileSync} from "node:fs";
 import {join} from "node:path";
@@ -8,7 +8,7 @@ import {Studio, browser} from "../studio/support/studio.mjs";
 
 const [folder, ...only] = process.argv.slice(2);
 
-/** A user's hand in the studio, on an animal of their own. */
+/** A user of the studio, working on one animal. */
 class Groomer {
   constructor(server, studio, id) {
     Object.assign(this, {server, studio, page: studio.page, id, started: Date.now()});

@@ -1,6 +1,6 @@
-"""How far the tiers are from the same strands, traced (R2), from three distances: on six animals, nine looks, and furs
-that are hard to draw. Through HTTP, because grooms are recipes. Light is mean linear luminance over alpha, coverage the
-sum of alpha, both over those of R2; errors and pictures are of the last distance.
+"""Compares the tiers with the same strands traced (R2), from three distances: on six animals, nine looks, and furs that are
+hard to draw. Works through HTTP, because grooms are recipes. Light is mean linear luminance over alpha, coverage is the sum
+of alpha, both relative to R2; errors and pictures are those of the last distance.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/tiers.py [--group animals looks furs] [--only NAME...]
            [--size 224] [--passes 32] [--distances near far whole]
@@ -38,7 +38,7 @@ class Frame:
         return (self.light @ [.2126, .7152, .0722]).sum() / max(self.alpha.sum(), 1e-9)
 
     def shown(self):
-        """8 bits over grey, through the filmic curve."""
+        """Returns the 8-bit picture over grey, with the filmic curve."""
         alpha = self.alpha.clip(1e-6, 1)[..., None]
         x = (self.light / alpha).clip(0, 1e4) * .72
         film = (x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)).clip(0, 1)
@@ -56,7 +56,7 @@ def draw(scene, camera, size, quality):
 
 
 def compare(truth, test):
-    """The figures of `pelage compare`, and its error map."""
+    """Returns the figures and the error map of `pelage compare`."""
     with tempfile.TemporaryDirectory() as folder:
         a, b, error_map = (pathlib.Path(folder) / name for name in ("a.exr", "b.exr", "map.png"))
         a.write_bytes(truth.content)
@@ -79,7 +79,7 @@ def ratios_of(test, truth):
 
 
 def write_picture(path, cells, size):
-    """Pictures in a row, their error maps below, a line of words between."""
+    """Writes pictures in a row with their error maps below and a line of text between."""
     words = 16
     sheet = Image.new("RGB", (len(cells) * (size + 4) - 4, 2 * size + words), "#faf8f4")
     pen = ImageDraw.Draw(sheet)
@@ -93,7 +93,7 @@ def write_picture(path, cells, size):
 
 
 def cut_to_fur(cells):
-    """Of pictures in a row the part that shows something in the first, with a margin."""
+    """Crops the pictures of a row to the part where the first one shows something, with a margin."""
     alpha = cells[0][1].alpha
     seen = numpy.argwhere(alpha > 0.02)
     top, left = numpy.maximum(seen.min(axis=0) - 8, 0) if len(seen) else (0, 0)
@@ -102,7 +102,7 @@ def cut_to_fur(cells):
 
 
 def write_sheet(path, rows):
-    """One row below the other, their words over each picture."""
+    """Writes rows of pictures one below the other, with text above each picture."""
     words, gap = 16, 6
     heights = [row[0][1].height + words + gap for row in rows]
     sheet = Image.new("RGB", (max(sum(picture.width + gap for _, picture in row) for row in rows), sum(heights)), "#faf8f4")
@@ -121,7 +121,7 @@ def traced(passes):
 
 
 class Table:
-    """Rows of tiers for one subject, seen from each distance, and the cells of its picture, which shows the last one."""
+    """Rows of tiers for one subject, seen from each distance, and the cells of its picture, which shows the last distance."""
 
     def __init__(self, subject, scene, options):
         self.subject, self.size = subject, options.size
@@ -142,7 +142,7 @@ class Table:
 
 
 def measure(servers, subject, options):
-    """Prints a row for each tier of each server, and keeps the picture. Gives its row of a sheet."""
+    """Prints a row for each tier of each server, and writes the picture. Returns the subject's row of the sheet."""
     scenes = {title: subject.on(server) for title, server in servers.items()}
     table = Table(subject, scenes[""], options)
     for title, scene in scenes.items():

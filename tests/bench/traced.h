@@ -1,4 +1,4 @@
-// Traced pictures for programs that measure.
+// Traces pictures for benchmarks.
 #pragma once
 
 #include <functional>
@@ -9,17 +9,18 @@
 
 namespace pelage::bench {
 
-/// Begins a picture of the model; ends the program when it cannot. The frame is answered. The camera stands at
-/// `distance` times where the request puts it.
+/// Begins to trace a picture of the model and returns its frame. The camera's position is `distance` times that of the
+/// request. Ends the program on failure.
 FurFrame begin_trace(Renderer& renderer, Tracer& tracer, const testing::FurredModel& model, const FrameRequest& request,
                      float distance = 1);
 
-/// Adds passes until the request's end, and says after each what there is. Ends the program on failure.
+/// Adds passes until the tracer has ended, and calls `after_pass` with the report after each. Ends the program on
+/// failure.
 void trace_to_end(Tracer& tracer, const std::function<void(const TraceReport&)>& after_pass = {});
 
-/// Light of a whole traced picture of a frame of the scene, which the renderer need not have.
+/// Traces the light of a whole frame. Syncs the scene to the renderer first.
 FloatImage traced_light(Renderer& renderer, const SceneView& view, const FurFrame& frame);
-/// Of a request.
+/// The same for a request.
 FloatImage traced_beauty(Renderer& renderer, const testing::FurredModel& model, const FrameRequest& request,
                          float distance = 1);
 

@@ -1,9 +1,10 @@
-"""Fur in the wind over many frames: whether anything pops or swims, and what a moment costs.
+"""Checks fur in the wind over many frames for popping and swimming, and measures what a moment costs.
 
-A meadow (long thin grass on a sheet) and the creature, drawn in 24 frames a second at steps of 1, 1/2, 1/4 and 1/8 of a frame. Between
-two moments it takes the mean and the 99.9th percentile of the pixels' differences, in 1/255. What moves smoothly differs less
-and less with the step, down to half for half the step; what pops differs by as much however short the step is. A jump of one frame
-stands out of its neighbours: `peak` is the largest difference over the median of the seven about it. The groom is hashed before and after.
+Draws a meadow (long thin grass on a sheet) and the creature at 24 frames a second, at steps of 1, 1/2, 1/4 and 1/8 of a frame. Between
+two moments it takes the mean and the 99.9th percentile of the pixels' differences, in 1/255. With smooth motion the difference
+shrinks with the step, down to half for half the step; with popping it stays the same however short the step is. A jump of one frame
+stands out from its neighbours: `peak` is the largest difference over the median of the seven around it. The groom is hashed before and
+after.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/wind.py [--frames 250] [--size 384] [--quality interactive] [--pictures FOLDER]
            [--only meadow|creature]   --pictures keeps every frame as PNG and every 40th with its differences
@@ -66,7 +67,7 @@ class Film:
 
 
 def differences(film, moments, step):
-    """Mean and 99.9th percentile between each moment and a step later."""
+    """Mean and 99.9th percentile of the difference between each moment and one step later."""
     rows = []
     for moment in moments:
         change = numpy.abs(film.at(moment + step) - film.at(moment)).max(axis=-1)
@@ -75,7 +76,7 @@ def differences(film, moments, step):
 
 
 def peak(series):
-    """The largest of a series over the median of the seven about it."""
+    """The largest ratio of a value to the median of the seven values around it."""
     return max(series[i] / numpy.median(series[max(0, i - 3):i + 4]) for i in range(len(series)))
 
 

@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// What a strand and its light look like from one place.
+/// Directions at a shaded point of a strand; all of unit length.
 struct ScatterGeometry {
   glm::dvec3 tangent;
   glm::dvec3 normal;  // of the surface under the fur
@@ -16,8 +16,9 @@ struct ScatterGeometry {
   glm::dvec3 to_camera;
 };
 
-/// (1 - d^2)^(n/2), the sine of the angle to a direction with cosine `d` to the power `n` >= 0. As an exponential of a
-/// log1p: pow(sqrt(1 - d^2), n) is off by 4e-2 in float at n = 1e6. |d| >= 1 counts as 1; 0^0 is 1.
+/// Returns (1 - d^2)^(n/2): the sine of the angle whose cosine is `d`, to the power `n` >= 0. Computed as the
+/// exponential of a log1p, since pow(sqrt(1 - d^2), n) is off by 4e-2 in float at n = 1e6. |d| >= 1 counts as 1; 0^0 is
+/// 1.
 double sine_power(double d, double n);
 float sine_power(float d, float n);
 
@@ -34,13 +35,13 @@ glm::dvec3 scatter_kajiya_kay(const Look& look, const ScatterGeometry& geometry,
 double scheuermann_lobe(double along, double n);
 
 /// Scheuermann 2004: kd C saturate(lerp(.25, 1, N.L)), a white lobe about T shifted by `primary_shift` and one of
-/// colour C shifted by `secondary_shift`. `strand` in [0, 1] is the strand's own number: it moves both by up to
-/// `shift_spread`.
+/// colour C shifted by `secondary_shift`. `strand` in [0, 1] is the strand's random number; it shifts both lobes by up
+/// to `shift_spread`.
 glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry, const glm::dvec3& colour,
                                double strand);
 
 /// B of GPU fur eq 1 for a light whose direction has the cosine `facing` to the normal: 1 in front, falling to 0 over
-/// `reach` in (0, 1] behind. Always 1 for models that know about light from behind.
+/// `reach` in (0, 1] behind. Always 1 for models that handle light from behind themselves.
 double light_behind(ShadingModel model, double facing, double reach);
 
 }  // namespace pelage

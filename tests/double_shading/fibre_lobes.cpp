@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 double squared(double x) { return x * x; }
 
-/// Written for both precisions: the difference of cosines keeps its digits where product and exponential would not.
+/// The difference of cosines keeps its digits in float too, where a product times an exponential would lose them.
 template <typename Real>
 Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v) {
   const Real apart = cos_in - cos_out, sum = sin_in + sin_out, whole = -v * std::expm1(-2 / v);
@@ -22,7 +22,7 @@ Real longitudinal_of(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real 
 
 struct Between {
   int first = 0;
-  double share = 0;  // of the node after it
+  double share = 0;  // weight of the next node, [0, 1]
 };
 
 Between between(double position, int count) {

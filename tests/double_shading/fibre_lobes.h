@@ -1,5 +1,5 @@
-// energy_conserving in double, part by part, for the float forms to be compared with. Names and values are those of
-// renderer/shading/fibre.h.
+// The parts of the energy_conserving model in double, as a reference for the float versions. Names and values are those
+// of renderer/shading/fibre.h.
 #pragma once
 
 #include "renderer/shading/fibre.h"
@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// A direction by its inclination. cosine >= 0.
+/// The inclination of a direction, as its sine and cosine; cosine >= 0.
 struct Inclination {
   double sine = 0;
   double cosine = 1;
@@ -23,10 +23,10 @@ float longitudinal(float cos_in, float cos_out, float sin_in, float sin_out, flo
 /// The logistic distribution of scale s > 0, cut to [-pi, pi] and normalised there; x in [-pi, pi].
 double trimmed_logistic(double x, double s);
 
-/// Mp for each lobe, with the eye's inclination tilted by the cuticle.
+/// Mp for each lobe, with the view's inclination tilted by the cuticle.
 LobeValues longitudinal_lobes(const FibreLobes& lobes, const Inclination& light, const Inclination& view);
 
-/// Np for each lobe at an offset h: near field. `azimuth` is phi of the light less phi of the eye, radians.
+/// Np for each lobe at an offset h: near field. `azimuth` is phi of the light minus phi of the view, radians.
 LobeValues azimuthal_lobes(const FibreLobes& lobes, double cos_theta_view, double h, double azimuth);
 
 /// Sum of Mp Ap Np at an offset h in [-1, 1] across the fibre: 1 / steradian, with the cosine of theta_i in it.
@@ -36,7 +36,7 @@ double scatter_at_offset(const FibreLobes& lobes, const Inclination& light, cons
 /// 1/2 the integral over h of Ap Np for each lobe.
 LobeValues average_at(const AzimuthalAverage& average, double cos_theta, double azimuth, double sigma_a);
 
-/// Trilinear, as a texture unit does it. Not for an empty table.
+/// Trilinear interpolation, as a texture unit does it. The table must not be empty.
 LobeValues table_at(const ScatteringTable& table, double cos_theta, double azimuth, double absorption_coordinate);
 
 }  // namespace pelage

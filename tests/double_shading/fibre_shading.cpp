@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// About the axis of fibre.h, which points from tip to root.
+/// Inclination about the axis of fibre.h, which points from tip to root.
 Inclination inclination_of(const glm::dvec3& tangent, const glm::dvec3& direction) {
   const double sine = std::clamp(-glm::dot(tangent, direction), -1.0, 1.0);
   return {sine, std::sqrt(1 - sine * sine)};
@@ -22,7 +22,8 @@ glm::dvec3 across(const glm::dvec3& tangent, const glm::dvec3& direction) {
   return direction - tangent * glm::dot(tangent, direction);
 }
 
-/// From the eye to the light, radians. Along the strand there is none: the middle of the range then.
+/// Azimuth from the view to the light, radians. If one of them is along the strand it has none: then pi / 2, the middle
+/// of the range.
 double azimuth_of(const ScatterGeometry& geometry) {
   const glm::dvec3 view = across(geometry.tangent, geometry.to_camera),
                    light = across(geometry.tangent, geometry.to_light);
@@ -53,7 +54,7 @@ glm::dvec3 FibreShading::empirical(const ScatterGeometry& geometry, const glm::d
   return scatter_kajiya(look_, geometry, colour);
 }
 
-/// `azimuthal(cos_theta, azimuth, sigma_a)` answers Ap Np.
+/// `azimuthal(cos_theta, azimuth, sigma_a)` returns Ap Np.
 template <typename Azimuthal>
 glm::dvec3 FibreShading::fibre_sum(const ScatterGeometry& geometry, const glm::dvec3& sigma_a,
                                    const Azimuthal& azimuthal) const {

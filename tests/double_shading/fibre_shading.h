@@ -1,4 +1,4 @@
-// Every shading model in double behind one interface, for shaders and lanes to be compared with.
+// Every shading model in double behind one interface, as a reference for shaders and SIMD lanes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,30 +13,30 @@
 
 namespace pelage {
 
-/// A look's shading model, prepared once and asked many times. Safe to share between threads.
+/// A look's shading model, prepared once and evaluated many times. Thread-safe.
 class FibreShading {
  public:
   explicit FibreShading(const Look& look);
 
-  /// Light scattered to the camera for light of radiance 1 (which a white matt surface would return as 1), three
-  /// channels. Shadow, B and ambient are the caller's. Directions of `geometry` are unit; `colour` in [0, 1]; `strand`
-  /// in [0, 1] is the strand's number. Finite and not negative for every look within its ranges. For fibre models this
-  /// is pi times the sum of Mp Ap Np, averaged over h: the light enters as irradiance across the strand, without a
-  /// further N.L.
+  /// Returns the light scattered to the camera for light of radiance 1 (which a white matt surface would return as 1),
+  /// three channels. The caller adds shadow, B and ambient. Directions of `geometry` are unit; `colour` in [0, 1];
+  /// `strand` in [0, 1] is the strand's number. Finite and not negative for every look within its ranges. For fibre
+  /// models this is pi times the sum of Mp Ap Np, averaged over h: the light enters as irradiance across the strand,
+  /// without a further N.L.
   glm::dvec3 scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand) const;
 
   /// The same through a table made for this look, as the shader has it. The table may be empty for models without one.
   glm::dvec3 scatter(const ScatterGeometry& geometry, const glm::dvec3& colour, double strand,
                      const ScatteringTable& table) const;
 
-  /// A fibre model through its table, for a strand whose sigma_a is known.
+  /// Scattering of a fibre model through its table, for a strand whose sigma_a is known.
   glm::dvec3 scatter_absorbed(const ScatterGeometry& geometry, const glm::dvec3& sigma_a,
                               const ScatteringTable& table) const;
 
   /// energy_conserving at one offset h in [-1, 1] across the fibre, for traced strands; see `offset_across`.
   glm::dvec3 scatter_at_offset(const ScatterGeometry& geometry, const glm::dvec3& colour, double h) const;
 
-  /// sigma_a of a strand of this colour.
+  /// Returns sigma_a of a strand of this colour.
   glm::dvec3 absorption(const glm::dvec3& colour) const;
 
  private:
@@ -51,8 +51,8 @@ class FibreShading {
   std::shared_ptr<const AzimuthalAverage> average_;  // null for models that are not fibres
 };
 
-/// h of a ray that goes from a hit on a round strand to the camera: the sine of the azimuth from the normal there to
-/// the eye, about the axis of fibre.h. All unit; 0 where the eye is along the strand.
+/// h of a ray that goes from a hit on a round strand to the camera: the sine of the azimuth from the normal at the hit
+/// to the camera, about the axis of fibre.h. All vectors are unit; 0 if the camera is along the strand.
 double offset_across(const glm::dvec3& tangent, const glm::dvec3& hit_normal, const glm::dvec3& to_camera);
 
 }  // namespace pelage

@@ -10,7 +10,7 @@ namespace {
 
 double inclination_angle(const Inclination& at) { return std::atan2(at.sine, at.cosine); }
 
-/// Of area 1.
+/// A Gaussian of area 1.
 double gaussian(double x, double deviation) {
   const double over = x / deviation;
   return std::exp(-over * over / 2) / (deviation * std::sqrt(2 * std::numbers::pi));

@@ -1,4 +1,4 @@
-// How Marschner 2003 spreads light along a strand, in double.
+// The longitudinal lobes of Marschner 2003 in double.
 #pragma once
 
 #include "renderer/shading/marschner.h"
@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// The smallest cos^2 theta_d that is divided by: beyond 88.2 degrees the model grows without bound.
+/// Lower bound of cos^2 theta_d in the denominator: beyond 88.2 degrees the model grows without bound.
 constexpr double min_cos2_difference = 1e-3;
 
 /// g(beta, theta_h - alpha) / (2 cos^2 theta_d) for each lobe; g has area 1 over theta_h, so half of it has area 1 over

@@ -12,13 +12,13 @@ std::string any_of(Texts texts) { return *rc::gen::elementOf(std::move(texts)); 
 
 bool chance(int percent) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 100)) < percent; }
 
-/// A member of an object, and what it may hold.
+/// A member of a JSON object, and the values to choose from.
 struct Member {
   const char* name;
   Texts values;
 };
 
-/// An object of some of the members.
+/// A JSON object with a random subset of the members, each with a chance of `percent`.
 std::string any_object(const std::vector<Member>& members, int percent = 40) {
   std::string text;
   for (const Member& member : members) {

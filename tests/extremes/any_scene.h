@@ -1,15 +1,15 @@
-// Texts of any scene and any frame, with every number over its whole range and often at an end.
+// Random JSON of scenes and frames, with every number over its whole range and often at an end.
 #pragma once
 
 #include "tests/extremes/row.h"
 
 namespace pelage::testing {
 
-/// Inside a property of RapidCheck. The row is drawn, or refused for members that do not go together.
+/// A random row, to be called in a RapidCheck property. It is drawn, or refused if members do not go together.
 Row any_row();
-/// Another frame of the same scene, of few shells.
+/// A random frame of few shells, for the same scene.
 std::string any_frame();
-/// How strands are traced: the member `quality` of a frame.
+/// A random member `quality` of a frame that traces strands.
 std::string any_tracing();
 
 }  // namespace pelage::testing

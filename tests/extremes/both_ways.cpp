@@ -19,7 +19,7 @@ constexpr std::array all_aovs{Aov::beauty,    Aov::alpha,     Aov::depth,  Aov::
 constexpr std::array<const char*, all_aovs.size()> aov_names{
     "beauty", "alpha",  "depth",        "position",  "normal",    "tangent", "albedo",
     "direct", "shadow", "sample_count", "objects_1", "objects_2", "strand",  "root"};
-constexpr std::span<const Aov> traced_aovs = std::span(all_aovs).first(all_aovs.size() - 2);  // which name no strands
+constexpr std::span<const Aov> traced_aovs = std::span(all_aovs).first(all_aovs.size() - 2);  // all but strand and root
 constexpr float above_one = 1.001f;                                                           // sums of half floats
 
 bool is_light(Aov aov) { return aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo; }
@@ -70,7 +70,7 @@ std::string complaint_about(const std::vector<FloatImage>& aovs) {
 
 namespace {
 
-/// Null where nothing blows.
+/// Directions moved by the wind, or null without wind.
 MovedDirection moved_of(const SceneView& view, const FrameRequest& request) {
   const std::optional<double> moment = moment_of(view, request);
   return moment ? moved_at(view, *moment) : nullptr;
@@ -94,7 +94,7 @@ Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return
 Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
   const FurFrame frame = sync(scene, request);
   if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
-  const std::size_t aovs = request.knobs.method == Method::shells ? 2 : all_aovs.size();  // which has no others
+  const std::size_t aovs = request.knobs.method == Method::shells ? 2 : all_aovs.size();  // only beauty and alpha
   return renderer_.draw_aovs(frame, std::span(all_aovs).first(aovs));
 }
 

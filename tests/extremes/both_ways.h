@@ -1,4 +1,4 @@
-// A scene drawn by shells and as strands that are rasterized and traced, with every number of every layer looked at.
+// Draws a scene with shells, rasterized strands and traced strands, and checks every number of every AOV.
 #pragma once
 
 #include <limits>
@@ -14,19 +14,21 @@
 
 namespace pelage::testing {
 
-/// Pictures of one request: rasterized strands, shells in both orders, and traced strands in both transports.
+/// Pictures of one request: rasterized strands, shells in both fragment orders, and traced strands with both
+/// transports.
 class BothWays {
  public:
-  /// No more strands than `max_count` on a tile of a coat.
+  /// Caps the number of strands on a tile of a coat at `max_count`.
   explicit BothWays(Renderer& renderer, int max_count = std::numeric_limits<int>::max())
       : renderer_(renderer), max_count_(max_count) {}
 
-  /// Refused as drawing and tracing are. `complaint` says which number of which layer is wrong, "" where all are fine.
+  /// Returns the first refusal by drawing or tracing. Adds a line to `complaint` for each picture with a wrong number.
   Status look_at(Scene& scene, const FrameRequest& request, std::string& complaint);
 
-  /// Layers of shells or of rasterized strands with the request's own knobs, or of traced ones.
+  /// Returns the AOVs of shells or rasterized strands, with the request's own knobs; `trace` returns those of traced
+  /// strands.
   Result<std::vector<FloatImage>> draw(Scene& scene, const FrameRequest& request);
-  /// As a client sees it, in 8 bits.
+  /// Returns the 8-bit picture that a client sees.
   Result<Image> show(Scene& scene, const FrameRequest& request);
   Result<std::vector<FloatImage>> trace(Scene& scene, const FrameRequest& request);
 
@@ -42,8 +44,8 @@ class BothWays {
   std::size_t pictures_ = 0;
 };
 
-/// A request as one of rasterized strands, with its scale up to 1. A difference is of two revisions, which nothing here
-/// has.
+/// Turns a request into one of rasterized strands, with a scale of at most 1. Drops the overlay `difference`, which
+/// needs two revisions; nothing here has them.
 FrameRequest rasterized(FrameRequest request);
 
 /// Returns what is wrong with the AOVs of a picture, or "" if nothing is: all have to be finite, light not negative,

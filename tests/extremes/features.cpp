@@ -64,7 +64,7 @@ std::vector<Feature> of_the_frame() {
            R"("quality": {"method": "shells", "scale": 1})"}};
 }
 
-/// These change what tools do, and no frame.
+/// Features that change what tools do, and not how a frame is drawn.
 std::vector<Feature> of_the_groom() {
   const std::string aov = one("edit_layer", R"("action": "add", "name": "l")");
   return {{"edit layers", batch(aov, one("length", R"("flood": true, "edit_layer": "l", "mode": "set", "value": 0.1)")),

@@ -1,4 +1,4 @@
-// The features that a scene may have or not: how it is put into a scene, and what names it without using it.
+// Features that a scene may have: what puts each into a scene, and what names it without using it.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace pelage::testing {
 
-/// Texts as a client sends them: commands in one batch ("" for none), and members of a frame's quality.
+/// JSON as a client sends it: commands in one batch ("" for none), and members of a frame's quality.
 struct Feature {
   std::string name;
-  std::string commands, frame = "";            // with the feature
-  std::string rest_commands, rest_frame = "";  // the same named, at rest
+  std::string commands, frame = "";            // use the feature
+  std::string rest_commands, rest_frame = "";  // name the feature but leave it unused
 };
 
 std::vector<Feature> features();

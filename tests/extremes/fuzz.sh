@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Any scenes with any knobs, drawn and traced, many of them. usage: tests/extremes/fuzz.sh CASES [SEED] [PRESET [FILTER]]
-# FuzzWithoutGl.* as FILTER leaves out what a software GL would take minutes for.
+# Draws and traces many random scenes with random knobs. usage: tests/extremes/fuzz.sh CASES [SEED] [PRESET [FILTER]]
+# With FuzzWithoutGl.* as FILTER nothing is drawn by a software GL, which would take minutes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 cases=${1:?how many cases}

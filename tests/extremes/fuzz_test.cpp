@@ -1,6 +1,6 @@
-// Any scene with any knobs, in shells, rasterized and by traced strands: finite, or refused with a pointer;
-// and the same picture twice, whatever was drawn in between. More cases: RC_PARAMS="max_success=10000"
-// (tests/extremes/fuzz.sh).
+// Draws random scenes with random knobs as shells, rasterized and traced strands. Each picture is finite, or refused
+// with a pointer, and it is the same when it is drawn again after another one. More cases:
+// RC_PARAMS="max_success=10000" (tests/extremes/fuzz.sh).
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -27,10 +27,10 @@ bool same_bits(const Layers& a, const Layers& b) {
   return a.size() == b.size();
 }
 
-/// A limit that members pass together, each within its own.
+/// Checks a refusal of members that keep their own limits but together exceed another one.
 bool names_what_is_wrong(const Status& refusal) { return !refusal.pointer.empty() && !refusal.limit.empty(); }
 
-/// A request, or nothing where members of it do not go together.
+/// The request, or nothing if it is refused because members do not go together.
 std::optional<FrameRequest> request_or_refusal(const std::string& frame) {
   Row row;
   row.frame = frame;
@@ -46,8 +46,8 @@ std::string traced_frame(const std::string& tracing) {
 
 class Fuzz : public WithRenderer {};
 
-/// Strands of a tile. Mesa's software GLs end the loops of a shader after 65,535 turns in all, and a shader takes one
-/// for each segment in 16 x 16 pixels.
+/// Strands per tile. Mesa's software GLs end the loops of a shader after 65,535 iterations in all, and a shader needs
+/// one for each segment in 16 x 16 pixels.
 constexpr int max_count_by_software_gl = 500;
 
 class Worker {
@@ -68,13 +68,13 @@ class Worker {
     if (!scene) {
       if (!names_what_is_wrong(scene.status())) RC_FAIL(scene.status().message + "\n");
       for (const SceneSummary& left : store_.list()) RC_ASSERT(store_.remove(left.id).ok());
-      RC_ASSERT(++refused_ <= 3 + cases_ / 10);  // else little of what is made here is looked at
+      RC_ASSERT(++refused_ <= 3 + cases_ / 10);  // otherwise few of the random scenes are tested
       return;
     }
     look_at(**scene, row.frame, tracing, other);
     renderer_.forget((*scene)->model()->id);
     RC_ASSERT(store_.remove((*scene)->id()).ok());
-    if (++cases_ % 10 == 0) std::fprintf(stderr, "%d scenes\n", cases_);  // long runs are watched
+    if (++cases_ % 10 == 0) std::fprintf(stderr, "%d scenes\n", cases_);  // progress of long runs
   }
 
  private:
@@ -89,13 +89,13 @@ class Worker {
     if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
   }
 
-  /// Shells where there is a GL.
+  /// Draws shells only if `with_shells`, and rasterizes otherwise.
   Result<Layers> draw(Scene& scene, FrameRequest request) {
     if (request.knobs.method != Method::shells || !with_shells_) request = rasterized(request);
     return ways_.draw(scene, request);
   }
 
-  /// None where there are more strands than tracing may take, which only growing them can tell.
+  /// Returns nothing if there are more strands than tracing may take, which is known only after growing them.
   static std::optional<Layers> fine_or_too_many(Result<Layers> aovs) {
     if (!aovs && aovs.status().code == Code::too_large && aovs.status().pointer == "/quality/trace/strands") return {};
     return fine("strands", std::move(aovs));
@@ -118,7 +118,7 @@ class Worker {
 void fuzz(Renderer& renderer, const std::string& folder, const char* unless_asked, bool with_shells) {
   FreshStore store(folder);
   const char* asked = std::getenv("RC_PARAMS");
-  if (!asked || !std::strstr(asked, "max_success")) setenv("RC_PARAMS", unless_asked, 1);  // the same few scenes
+  if (!asked || !std::strstr(asked, "max_success")) setenv("RC_PARAMS", unless_asked, 1);  // always the same scenes
   Worker worker(renderer, *store, with_shells);
   EXPECT_TRUE(rc::check("any scene", [&] { worker.any_case(); }));
 }
@@ -129,7 +129,7 @@ TEST_P(Fuzz, AnySceneIsFiniteAndTheSameTwice) {
 
 class FuzzOfGlStrands : public OnBackend {};
 
-/// What a GPU draws, by a software GL.
+/// The strand rasterizer of a GPU, on a software GL.
 TEST_P(FuzzOfGlStrands, AnySceneIsFiniteAndTheSameTwice) {
   const Result<Renderer*> renderer = stage.strands_renderer(GetParam());
   ASSERT_TRUE(renderer.ok()) << renderer.status().message;
@@ -137,7 +137,7 @@ TEST_P(FuzzOfGlStrands, AnySceneIsFiniteAndTheSameTwice) {
        false);
 }
 
-/// What a server without a GPU draws, without a GL that would take most of the time.
+/// What a server without a GPU draws. It needs no software GL, which would take most of the time.
 TEST(FuzzWithoutGl, AnySceneIsFiniteAndTheSameTwice) {
   const Result<std::unique_ptr<Renderer>> renderer = make_renderer(nullptr, 2);
   ASSERT_TRUE(renderer.ok()) << renderer.status().message;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A picture of 8192 x 8192 and a model of a million triangles on both backends: minutes and gigabytes.
+# Draws a picture of 8192 x 8192 and a model of a million triangles on both backends, which takes minutes and gigabytes.
 # usage: tests/extremes/large.sh [PRESET]
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,5 +1,5 @@
-// The matrix of science.md 7: each row is rasterized, drawn as shells in both orders, traced in both transports and
-// finite, or refused with a pointer and a limit. The page rows.md lists the same rows.
+// The matrix of science.md 7. Each row is rasterized, drawn as shells in both orders and traced in both transports, and
+// is finite; or it is refused with a pointer and a limit. The page rows.md lists the same rows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -43,7 +43,7 @@ Status outcome_of(const Row& row, SceneStore& store, BothWays& ways, std::string
 void expect_refused(const Row& row, const Status& status) {
   ASSERT_FALSE(status.ok()) << "drawn";
   EXPECT_FALSE(status.message.empty());
-  if (row.refused == "model") return;  // a file has no pointers
+  if (row.refused == "model") return;  // a refused file has no pointer
   EXPECT_EQ(status.pointer, row.refused) << status.message;
   EXPECT_FALSE(status.limit.empty()) << status.message;
 }

@@ -1,5 +1,5 @@
-// Shells pay for what a scene has: a feature that is named and not used asks nothing of the GL, and one that was used
-// and taken away leaves nothing behind.
+// Unused features cost nothing in shells: a feature that is named and not used asks nothing of the GL, and one that was
+// used and taken away leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace pelage {
 
-// How GoogleTest prints counters that differ.
+// Lets GoogleTest print counters that differ.
 void PrintTo(const FrameCounters& counters, std::ostream* out) {
   *out << counters.passes << " passes, " << counters.draws << " draws, " << counters.textures << " textures, "
        << counters.bytes << " bytes, " << counters.fragments << " fragments, " << counters.objects << " objects, "
@@ -31,7 +31,7 @@ class Needs : public WithRenderer {
     if (!renderer) return;
     scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
     const Status plain =
-        carry_out(R"({"op": "set_look", "look": {"shading": "kajiya"}})", *scene_, *store_);  // no table
+        carry_out(R"({"op": "set_look", "look": {"shading": "kajiya"}})", *scene_, *store_);  // needs no table
     EXPECT_TRUE(plain.ok()) << plain.message;
   }
 
@@ -55,14 +55,14 @@ class Needs : public WithRenderer {
     EXPECT_TRUE(drawn.ok()) << drawn.status().message;
     return times.counters;
   }
-  /// After all that is made once has been made.
+  /// Counters of a frame after everything that is made only once has been made.
   FrameCounters settled(const std::string& members) {
     drawn(request(members));
     drawn(request(members));
     return drawn(request(members));
   }
 
-  /// Whether the commands changed anything that can be undone.
+  /// Runs the commands. Returns true if they changed anything that can be undone.
   bool execute(const std::string& commands) {
     if (commands.empty()) return false;
     const Revision before = scene_->revision();
@@ -74,7 +74,7 @@ class Needs : public WithRenderer {
 
   FreshStore store_{"pelage_needs" + std::to_string(static_cast<int>(GetParam()))};
   std::shared_ptr<Scene> scene_;
-  std::optional<std::uint64_t> drawn_;  // the change that the renderer has
+  std::optional<std::uint64_t> drawn_;  // number of the last change that the renderer has
 };
 
 TEST_P(Needs, NothingWhereAFeatureIsNamedAndNotUsed) {
@@ -94,19 +94,19 @@ TEST_P(Needs, NothingAfterAFeatureIsTakenAway) {
     SCOPED_TRACE(feature.name);
     const bool changed = execute(feature.commands);
     const FrameCounters first = drawn(request(feature.frame)), used = settled(feature.frame);
-    const bool only_values = feature.name == "edit layers";  // longer fur is no other work
+    const bool only_values = feature.name == "edit layers";  // longer fur is no extra work
     EXPECT_TRUE(only_values || used != plain || first != plain) << "not seen by the counters";
     if (changed) undo();
     EXPECT_EQ(settled(""), plain);
   }
 }
 
-// What is drawn again and again makes nothing anew but the blocks of its frame.
+// A frame that is drawn again creates no GL objects.
 TEST_P(Needs, NoNewObjectsFromFrameToFrame) {
   EXPECT_EQ(settled("").objects, 0u);
   for (const Feature& feature : features()) {
     SCOPED_TRACE(feature.name);
-    if (feature.name == "sorted order") continue;  // large, and given back at once
+    if (feature.name == "sorted order") continue;  // its lists are large, and freed after each frame
     const bool changed = execute(feature.commands);
     EXPECT_EQ(settled(feature.frame).objects, 0u);
     if (changed) undo();

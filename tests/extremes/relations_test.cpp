@@ -1,5 +1,5 @@
-// Relations of science.md 7 that need no reference, in pictures of strands, rasterized and traced. Those of tools and
-// of the journal are tests/property/groom and tests/property/scene.
+// Relations of science.md 7 that need no reference, in pictures of rasterized and traced strands. Those of tools and of
+// the journal are in tests/property/groom and tests/property/scene.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -35,7 +35,7 @@ std::string json_of(glm::dvec3 v) {
   return text;
 }
 
-/// A torus of 600 triangles, its vertices moved and listed in another order.
+/// An OBJ of a torus of 600 triangles, its vertices moved, and shuffled if `shuffle` (the seed) is not 0.
 std::string torus(const Move& move, std::uint64_t shuffle = 0) {
   const RawModel raw = make_builtin({Builtin::torus, 600});
   std::vector<std::size_t> order(raw.positions.size()), number(raw.positions.size());
@@ -57,7 +57,7 @@ std::string torus(const Move& move, std::uint64_t shuffle = 0) {
   return obj;
 }
 
-/// The same view of the same upright fur, wherever the model is.
+/// A row with the same view of the same upright fur, wherever `move` puts the model.
 Row moved(const Move& move, std::uint64_t shuffle = 0) {
   const glm::dvec3 origin = move({0, 0, 0});
   const auto way = [&](glm::dvec3 v) { return json_of(glm::normalize(move(v) - origin)); };
@@ -72,7 +72,7 @@ Row moved(const Move& move, std::uint64_t shuffle = 0) {
 
 glm::dvec3 stay(glm::dvec3 v) { return v; }
 
-/// Mean red, green, blue and alpha of beauty.
+/// Mean red, green, blue and alpha of the beauty AOV.
 std::array<double, 4> mean_of(const Layers& aovs) {
   std::array<double, 4> sum{};
   const std::vector<float>& values = aovs[0].rgba;
@@ -141,7 +141,7 @@ double mean_alpha(const FloatImage& image) {
   return 4 * sum / static_cast<double>(image.rgba.size());
 }
 
-// Layers of light are linear: what two lights give together is the sum of what each gives.
+// The AOV of direct light is linear: the light of two lights is the sum of what each gives.
 TEST_P(Relations, LightIsAdditive) {
   const std::string left = R"({"direction": [1, -0.3, -0.3], "intensity": 0.5})",
                     right = R"({"direction": [-1, -1, -0.3]})";
@@ -158,8 +158,8 @@ TEST_P(Relations, LightIsAdditive) {
     error = std::max(error, std::abs(both.rgba[i] - a.rgba[i] - b.rgba[i]));
   }
   EXPECT_GT(max, 0.01f);
-  EXPECT_LT(error, 1e-3f * max);  // each knot's light is kept in half floats
-  // A sample of strands sees one light, so the sum holds for means.
+  EXPECT_LT(error, 1e-3f * max);  // each knot's light is stored in half floats
+  // A traced sample sees one light, so the sum holds for means only.
   const auto total = [](const FloatImage& image) {
     return std::accumulate(image.rgba.begin(), image.rgba.end(), 0.0) -
            mean_alpha(image) * static_cast<double>(image.rgba.size() / 4);
@@ -171,7 +171,7 @@ TEST_P(Relations, LightIsAdditive) {
 
 double linear(std::uint8_t value) { return linear_from_srgb(value / 255.0); }
 
-// What a background shows is its own light times one less alpha: with that taken away the same fur is left.
+// A pixel shows the background times one minus alpha: without that share the same fur is left.
 TEST_P(Relations, AnotherBackgroundLeavesTheFur) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
@@ -189,10 +189,10 @@ TEST_P(Relations, AnotherBackgroundLeavesTheFur) {
     const glm::dvec2 on_green(linear(green.rgba[i]), linear(green.rgba[i + 1]) - clear);
     if (red.rgba[i] < 255 && green.rgba[i + 1] < 255) max = std::max(max, glm::length(on_red - on_green));
   }
-  EXPECT_LT(max, 0.02);  // 8 bits
+  EXPECT_LT(max, 0.02);  // 8-bit steps
 }
 
-// More shells come closer to many, for this fur seen from this side: science.md's doubling of N.
+// Doubling the shells comes closer to 512 shells, for this fur seen from this side (science.md 7).
 TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
@@ -212,7 +212,7 @@ TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   }
 }
 
-// Only the last case draws by a GL.
+// Only the last test draws by a GL, so one backend is enough.
 INSTANTIATE_TEST_SUITE_P(Both, Relations, ::testing::Values(Backend::osmesa), name_of);
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The rows of science.md 7: a value at its end, and whether it is drawn or refused.
+// The rows of science.md 7: values at the ends of their ranges, each drawn or refused.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace pelage::testing {
 
-/// A file of a model, as it is uploaded; none where `bytes` is empty.
+/// A model file as it is uploaded; none if `bytes` is empty.
 struct RowModel {
   std::string bytes;
   ModelFormat format = ModelFormat::obj;
 };
 
-/// Texts are what a client sends. `refused` is the JSON pointer of the refusal that is expected, "model" of a refused
-/// file, and empty where the row is to be drawn.
+/// One row of the matrix. Commands, frame and scene are JSON as a client sends it. `refused` is the JSON pointer of the
+/// expected refusal, "model" for a refused file, and empty if the row is drawn.
 struct Row {
   std::string area, value;
   std::vector<std::string> commands = {};

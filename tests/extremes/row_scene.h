@@ -1,4 +1,4 @@
-// What a row's texts say, read as the server reads them.
+// Reads the JSON of a row as the server does.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace pelage::testing {
 
-/// The scene of a row, or the first refusal on the way to it.
+/// Makes the scene of a row, or returns the first refusal on the way to it.
 Result<std::shared_ptr<Scene>> scene_of(const Row& row, SceneStore& store);
 /// Runs the commands of a text in a scene.
 Status carry_out(const std::string& text, Scene& scene, const SceneStore& store);

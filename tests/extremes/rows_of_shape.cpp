@@ -16,7 +16,7 @@ std::string vertex(double x, double y, double z) {
   return "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
 }
 
-/// Tetrahedra side by side that share nothing.
+/// An OBJ of tetrahedra side by side that share no vertices.
 std::string tetrahedra(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -27,7 +27,8 @@ std::string tetrahedra(int count) {
   return text;
 }
 
-/// A cube of side `scale`, moved along x; written with 17 digits by hand where it matters.
+/// An OBJ of a cube from `low` to `high` on x and 0 to 1 on y and z; `scale` is an exponent that is appended to each
+/// number, e.g. "e-6".
 std::string cube(const std::string& scale, double low, double high) {
   const auto at = [&](double x, double y, double z) {
     const auto number = [&](double v) { return v == 0 ? std::string("0") : std::to_string(v) + scale; };
@@ -44,7 +45,7 @@ void append(std::string& bytes, std::uint32_t word) {
   for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 0xffu);
 }
 
-/// Two triangles in 32-bit floats, moved along x.
+/// A binary STL of two triangles, moved along x.
 std::string binary_stl(float offset) {
   std::string bytes(80, ' ');
   append(bytes, 2);

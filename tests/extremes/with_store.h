@@ -1,4 +1,4 @@
-// A store of scenes in a folder of its own.
+// A scene store in a temporary folder.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace pelage::testing {
 
-/// A store that is empty when it is made and gone with its owner.
+/// A scene store that starts empty and is deleted with its owner.
 class FreshStore {
  public:
   explicit FreshStore(std::string name) : folder_(std::filesystem::path(::testing::TempDir()) / std::move(name)) {

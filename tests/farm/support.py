@@ -1,4 +1,4 @@
-"""The command line, jobs, and frames as pelage-render writes them."""
+"""Helpers of the farm tests: the command line, jobs, and frames as pelage-render writes them."""
 
 import json
 import os
@@ -22,7 +22,7 @@ def nightly(test):
 
 
 def needs(found, what):
-    """Skips the test without it, but fails in CI."""
+    """Skips the test if something is missing, but fails it in CI."""
     if not found:
         if os.environ.get("CI") == "true":
             raise AssertionError(f"{what} is missing: deploy/packages.sh test installs it")
@@ -49,7 +49,7 @@ class FarmTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def farm(self, *words, code=0, environment=None, timeout=120):
-        """Runs `pelage farm` and gives what it prints; checks the exit code unless it is None."""
+        """Runs `pelage farm` and returns what it prints. Checks the exit code unless `code` is None."""
         done = subprocess.run([str(BIN / "pelage"), "farm", *map(str, words)], capture_output=True, text=True, timeout=timeout,
                               stdin=subprocess.DEVNULL, env={**os.environ, **(environment or {})}, cwd=self.folder)
         if code is not None:
@@ -60,8 +60,8 @@ class FarmTest(unittest.TestCase):
         return json.loads(self.farm("status", folder, "--json", code=code, **more).stdout)
 
     def write_job(self, frames="1-12", **more):
-        """A job of small frames of a built-in model; gives its file."""
-        thin_coat = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
+        """Writes a job of small frames of a built-in model. Returns its file."""
+        thin_coat = {"op": "set_coat", "coat": {"count": 500}}  # so few strands that they grow at once
         job = {"builtin": {"builtin": "sphere", "triangles": 500}, "commands": [thin_coat], "frames": frames, "output": "out/ball.####.png",
                "frame": {"width": 64, "height": 48, "quality": "draft"}, "turntable": {"degrees": 360}, **more}
         file = self.folder / "ball.json"

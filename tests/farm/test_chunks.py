@@ -1,4 +1,4 @@
-"""Frame ranges and chunks of them."""
+"""Frame ranges and their chunks."""
 
 import random
 import unittest

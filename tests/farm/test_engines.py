@@ -1,4 +1,4 @@
-"""What the engines are given: an Open Job Description template, a manifest of Kubernetes, a script of Slurm."""
+"""Files for the farm engines: an Open Job Description template, a Kubernetes manifest, a Slurm script."""
 
 import json
 import os
@@ -14,7 +14,7 @@ from support import REPOSITORY, FarmTest, needs
 from pelage.farm.yaml import to_yaml
 
 NODE = os.environ.get("PELAGE_NODE", shutil.which("node"))
-# Members of a Job that this project writes, by the API reference of Kubernetes 1.29: the schemas let unknown ones pass.
+# Members of a Job that this project writes, from the API reference of Kubernetes 1.29. The schemas would accept unknown ones.
 JOB_MEMBERS = {
     "": {"apiVersion", "kind", "metadata", "spec"}, "metadata": {"generateName", "labels"},
     "spec": {"completionMode", "completions", "parallelism", "backoffLimitPerIndex", "podFailurePolicy", "template"},
@@ -28,7 +28,7 @@ class Yaml(unittest.TestCase):
             self.assertEqual(yaml.safe_load(to_yaml(value)), value)
 
 
-# Says of a job what pelage-render says of one of 12 frames, without 3 s for a renderer that draws none of them.
+# Prints what pelage-render prints about a job of 12 frames, without the 3 s that a renderer takes to start.
 RENDERER = """#!/bin/sh
 echo '{"seconds_per_frame": 0.5, "fps": 24, "frames": ['
 for k in 1 2 3 4 5 6 7 8 9 10 11 12; do
@@ -47,14 +47,14 @@ class Engines(FarmTest):
         return program
 
     def written(self, engine, name, *words, **more):
-        """The folder, and the file that the engine takes."""
+        """Returns the job's folder, and the text of the file for the engine."""
         self.farm("submit", self.write_job(**more), "--engine", engine, "--dry-run", "--max-parallel", 4, *words,
                   environment={"PELAGE_RENDER": str(self.renderer())})
         folder = self.folder / "ball.farm"
         return folder, (folder / name).read_text()
 
     def test_open_job_description(self):
-        """The rules of revision 2023-09 that a template of ours could break. `openjd check` knows all of them."""
+        """Checks the rules of revision 2023-09 that our templates could break. `openjd check` knows all of them."""
         folder, text = self.written("openjd", "template.yaml", "--threads", 2)
         template = yaml.safe_load(text)
         self.assertEqual(template["specificationVersion"], "jobtemplate-2023-09")
@@ -86,7 +86,7 @@ class Engines(FarmTest):
             "taskParameterDefinitions": [{"name": "Frames", "type": "STRING", "range": ["1-2", "1-2"]}, {"name": "Tile", "type": "INT", "range": [1, 2]}],
             "combination": "(Frames, Tile)"})
         self.assertIn("--tile={{Task.Param.Tile}}", step["script"]["actions"]["onRun"]["args"])
-        if shutil.which("openjd"):  # Debian 12 has no package of it
+        if shutil.which("openjd"):  # Debian 12 has no package for it
             subprocess.run(["openjd", "check", self.folder / "ball.farm" / "template.yaml"], check=True)
 
     def valid(self, job):
@@ -134,7 +134,7 @@ class Engines(FarmTest):
         self.assertIn("#SBATCH --job-name=my-ball\n", (self.folder / "my ball.farm" / "submit.sbatch").read_text())
 
     def test_flamenco(self):
-        """The job type compiles, on a stand-in for Flamenco's manager."""
+        """The job type compiles tasks, with a stand-in for Flamenco's manager."""
         needs(NODE, "node")
         script = (REPOSITORY / "deploy" / "farm" / "pelage.js").read_text() + """
             const tasks = [];

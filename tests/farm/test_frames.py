@@ -1,4 +1,4 @@
-"""The checker of frames, clips and contact sheets, on files that are made here."""
+"""The checker of frames, movies and contact sheets, on files that are made here."""
 
 import json
 import os
@@ -50,7 +50,7 @@ class Frames(FarmTest):
         self.path(5).write_bytes(png(colour=(2, 2, 2), fingerprint="f5"))
         self.path(6).write_bytes(self.picture(5))
         damaged = bytearray(self.picture(7))
-        damaged[-25] ^= 255  # inside of the data
+        damaged[-25] ^= 255  # inside the data
         self.path(7).write_bytes(damaged)
         wanted = {1: "missing", 2: "short", 3: "short", 4: "size", 5: "black", 6: "stale", 7: "short"}
         self.assertEqual(self.kinds(), wanted)
@@ -127,7 +127,7 @@ class Frames(FarmTest):
         self.assertIn("  next:", said)
         self.farm("movie", self.made.path, "-o", "ball.avi", code=1)
         self.path(3).unlink()
-        self.farm("movie", "ball.farm/out/ball.####.png", "-o", "ball.mp4")  # what is there
+        self.farm("movie", "ball.farm/out/ball.####.png", "-o", "ball.mp4")  # of the frames that exist
         self.assertEqual(self.frames_in(self.folder / "ball.mp4")["nb_read_frames"], str(FRAMES - 2))
         self.assertIn("no frames", self.farm("movie", "no/x.####.png", "-o", "ball.mp4", code=3).stderr)
 

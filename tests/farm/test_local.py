@@ -1,4 +1,4 @@
-"""`pelage farm submit --engine local` with the real pelage-render: what is sent again, and what is refused."""
+"""`pelage farm submit --engine local` with the real pelage-render: what is submitted again, and what is refused."""
 
 import os
 import pathlib
@@ -61,7 +61,7 @@ class Local(FarmTest):
         (frame,) = self.files()
         whole, tiles = frame.read_bytes(), {}
         frame.unlink()
-        for number in ("1", "2"):  # as processes that were killed before they could
+        for number in ("1", "2"):  # as by processes that were killed before they could merge the tiles
             subprocess.run([BIN / "pelage-render", folder / "job.json", "--tile", number], check=True, stdout=subprocess.DEVNULL)
             (tile,) = self.files()
             tiles[tile] = tile.read_bytes()
@@ -86,7 +86,7 @@ class Local(FarmTest):
         job = self.write_job(output="out/ball.####.png")
         folder = self.folder / "ball.farm"
         self.farm("submit", job, "--engine", "slurm", "--dry-run", "--max-parallel", 2)
-        (folder / "out" / "ball.0003.png").mkdir(parents=True)  # no file can be put there
+        (folder / "out" / "ball.0003.png").mkdir(parents=True)  # so that no file can be written there
         said = self.submit(folder, code=1)
         self.assertRegex(said, r"frames failed\n +0  failed   3-6 +\S.*ball.0003.png")
         (folder / "out" / "ball.0003.png").rmdir()
@@ -196,7 +196,7 @@ class Local(FarmTest):
 
 
 def renderers_in(folder):
-    """Processes of pelage-render that work there."""
+    """Processes of pelage-render that work in the folder."""
     found = []
     for process in pathlib.Path("/proc").glob("[0-9]*"):
         try:

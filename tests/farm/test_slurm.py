@@ -1,4 +1,4 @@
-"""A real Slurm of two nodes on this machine: a task is killed, a node is killed, and every frame is whole in the end."""
+"""A real Slurm with two nodes on this machine: a task is killed, a node is killed, and in the end every frame is complete."""
 
 import os
 import pathlib
@@ -11,13 +11,13 @@ import unittest
 from support import FarmTest, REPOSITORY, needs, nightly
 
 SLURM = REPOSITORY / "deploy" / "farm" / "slurm.sh"
-DEAD_SECONDS = 5  # without a sign of a node
-LONGEST_SECONDS = 150  # of anything that is waited for, on a busy machine
+DEAD_SECONDS = 5  # without a sign of life, after which a node is down
+LONGEST_SECONDS = 150  # timeout of every wait, for a busy machine
 FRAMES, CHUNKS = 24, 6
 
 
 def processes():
-    """(process id, command line, environment) of all of them."""
+    """Yields (process id, command line, environment) of all processes."""
     for process in pathlib.Path("/proc").glob("[0-9]*"):
         try:
             lines = (process / "environ").read_bytes().split(b"\0")
@@ -50,20 +50,20 @@ class Slurm(FarmTest):
         self.assertEqual(done.returncode, 0, done.stdout)
 
     def stop(self):
-        """Nothing of it is left, whatever the test did."""
+        """Stops the cluster and kills whatever is left of it, in any state."""
         subprocess.run([SLURM, "stop", self.cluster], stdin=subprocess.DEVNULL, timeout=60)
         for process, _, environment in processes():
             if process != os.getpid() and environment.get("SLURM_CONF", "").startswith(str(self.folder)):
                 os.kill(process, signal.SIGKILL)
 
     def tasks(self):
-        """The renderers that run: (process id, chunk, node)."""
+        """Yields (process id, chunk, node) of the running renderers."""
         for process, command, environment in processes():
             if environment.get("SLURM_CONF") == os.environ["SLURM_CONF"] and "job.json" in command and "slurmstepd" not in command:
                 yield process, int(environment["SLURM_ARRAY_TASK_ID"]), environment["SLURMD_NODENAME"]
 
     def wait(self, what, condition):
-        """Until the condition gives something; gives that."""
+        """Waits until the condition returns something true, and returns that."""
         deadline = time.monotonic() + LONGEST_SECONDS
         while time.monotonic() < deadline:
             found = condition()
@@ -76,7 +76,7 @@ class Slurm(FarmTest):
         return {file.name: file.read_text()[-1000:] for file in (self.folder / "ball.farm" / "logs").glob("*.log")}
 
     def at_work(self, node):
-        """A task of this node that has drawn a frame of its chunk and has more to draw."""
+        """Returns a task of this node that has drawn some frames of its chunk but not all."""
         for process, chunk, where in self.tasks():
             drawn = (self.folder / "ball.farm" / "logs" / f"{chunk}.log").read_text().count("Saved: ")
             if where == node and 0 < drawn < FRAMES // CHUNKS:
@@ -84,7 +84,7 @@ class Slurm(FarmTest):
         return None
 
     def kill_node(self, node):
-        """The daemon, its step daemons and their tasks at once, as when the power goes."""
+        """Kills the daemon, its step daemons and their tasks at once, like a power failure."""
         doomed = [int((self.cluster / "pids" / f"slurmd-{node}").read_text())]
         for process, _, where in self.tasks():
             if where == node:
@@ -125,7 +125,7 @@ class Slurm(FarmTest):
 
     @nightly
     def test_a_job_that_is_cancelled(self):
-        """Slurm sends SIGTERM, as at a time limit: whole frames are left and nothing else."""
+        """Slurm sends SIGTERM, as at a time limit; only complete frames are left."""
         job = self.write_job("1-200", frame={"width": 256, "height": 256, "quality": {"scale": 2}})
         folder = self.folder / "ball.farm"
         self.farm("submit", job)

@@ -1,4 +1,4 @@
-// Checks a Kubernetes Job, JSON from standard input, by the schemas of the Kubernetes API. Exit code 1 where it is wrong.
+// Validates a Kubernetes Job (JSON from standard input) by the schemas of the Kubernetes API. Exits with 1 if invalid.
 import { readFileSync } from "node:fs";
 import { Job } from "kubernetes-models/batch/v1";
 

@@ -1,4 +1,4 @@
-// What an EXR holds beside colour, 16 bits, the studio and the overlays.
+// AOVs of an EXR, 16-bit pictures, the studio background and overlays.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -48,7 +48,7 @@ TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
   }
 }
 
-// Where one knot is in the light and the next is not, what lies between takes or gives more than half floats hold.
+// Between a lit knot and a shadowed one, light may change by more or less than half floats can hold.
 TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
   for (const double intensity : {1e-8, 1.0, 1e8}) {
@@ -65,13 +65,13 @@ TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
   const FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
   const auto images = aovs_of(model, request, {Aov::depth, Aov::position, Aov::normal, Aov::tangent});
-  const double radius = 0.5 / std::sqrt(3.0);  // the box's diagonal is 1
+  const double radius = 0.5 / std::sqrt(3.0);  // the bounding box's diagonal is 1
   int seen = 0;
   double upright = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
     if (images[1].rgba[4 * i + 3] < 1) continue;
     const glm::vec3 place = pixel(images[1], i), normal = pixel(images[2], i), tangent = pixel(images[3], i);
-    if (glm::dot(glm::normalize(place), -frame.camera.forward) < 0.5f) continue;  // the edge has what lies behind in it
+    if (glm::dot(glm::normalize(place), -frame.camera.forward) < 0.5f) continue;  // the rim mixes in what lies behind
     ++seen;
     EXPECT_NEAR(glm::length(place), radius, 0.006);
     EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 0.006);
@@ -123,7 +123,7 @@ TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
   FrameRequest request = small_frame();
   request.knobs.raster.strands = 4;
   const auto images = aovs_of(model, request, {Aov::strand, Aov::root, Aov::position, Aov::alpha});
-  const double radius = 0.5 / std::sqrt(3.0);  // the box's diagonal is 1
+  const double radius = 0.5 / std::sqrt(3.0);  // the bounding box's diagonal is 1
   std::map<float, glm::vec3> roots;
   int named = 0, near = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
@@ -140,7 +140,7 @@ TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
     near += glm::distance(root, pixel(images[2], i)) < 1.2f * length;
   }
   EXPECT_GT(named, 3000);
-  EXPECT_GT(near, 0.95 * named);  // the mean over the edge has what lies behind in it
+  EXPECT_GT(near, 0.95 * named);  // positions at the rim mix in what lies behind
   EXPECT_GT(roots.size(), 500u);
 }
 
@@ -224,7 +224,7 @@ TEST_F(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
     changes += at(x, 8) != at(x - 1, 8);
     steps = std::max(steps, std::abs(at(x, 8) - at(x - 1, 8)));
   }
-  EXPECT_GT(changes, 60);  // bands would change only some tens of times along a row
+  EXPECT_GT(changes, 60);  // banding would give only some tens of changes along a row
   EXPECT_LE(steps, 2);
   EXPECT_EQ(image.rgba, draw(*renderer, model, request).rgba);
 }
@@ -245,7 +245,7 @@ TEST_F(Layers, OverlaysShowOnTheFurAlone) {
   EXPECT_EQ(pictures.size(), 5u);
 }
 
-/// What fur of one colour reflects, whatever light falls on it; as in the beauty, multiplied by alpha.
+/// The albedo is what fur of one colour reflects under any light, multiplied by alpha like the beauty.
 TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4});
   const glm::vec3 colour(0.6f, 0.3f, 0.12f);
@@ -259,7 +259,7 @@ TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
   EXPECT_EQ(aovs_of(model, small_frame(), {Aov::albedo})[0].rgba, lit[0].rgba);
 }
 
-/// Red to the right, then yellow, green, blue and violet against the clock, as it shows on the screen.
+/// On the screen, hues go counter-clockwise: red to the right, then yellow, green, blue and violet.
 TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0});
   model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.2f)}};
@@ -278,7 +278,7 @@ TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
       model.fields.set(v, groom);
     }
     const glm::dvec3 shown = mean_colour(draw(*renderer, model, request));
-    // At 0, 60, ... 300 degrees red, yellow, green, cyan, blue and violet.
+    // Red, yellow, green, cyan, blue and violet at 0, 60, ... 300 degrees.
     const glm::dvec3 pure[] = {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}};
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) EXPECT_GT(shown[a], shown[b] + (pure[turn][a] > pure[turn][b] ? 40 : -255)) << turn;
@@ -286,7 +286,7 @@ TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
   }
 }
 
-/// Lines along fur that leans to the right run from left to right: along them the picture changes less than across.
+/// Strokes run along the fur, so the picture changes less along them than across.
 TEST_F(Layers, StrokesRunAlongTheFur) {
   const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 1});
   FrameRequest request = small_frame(AutoView::top, 192);
@@ -359,11 +359,11 @@ TEST_F(Layers, WithoutAmbientAnEyesLightIsDirect) {
   FurredModel model = with_eye();
   model.settings.look.ambient = 0;
   FrameRequest request = small_frame();
-  request.background_colour = glm::vec3(0);  // which the cornea mirrors
+  request.background_colour = glm::vec3(0);  // the cornea reflects it
   const auto images = aovs_of(model, request, {Aov::beauty, Aov::direct});
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i)
     ASSERT_LT(glm::distance(pixel(images[0], i), pixel(images[1], i)),
-              2e-3f);  // the edge of a highlight is steep, and two programs round differently
+              2e-3f);  // highlight edges are steep, and the two programs round differently
 }
 
 TEST_F(Layers, HoldCurves) {
@@ -382,14 +382,14 @@ TEST_F(Layers, HoldCurves) {
   int seen = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
     const glm::vec3 albedo = pixel(images[3], i), place = pixel(images[1], i);
-    if (images[3].rgba[4 * i + 3] < 0.99f || place.z < 0.39f) continue;  // mixed with what lies behind
+    if (images[3].rgba[4 * i + 3] < 0.99f || place.z < 0.39f) continue;  // other pixels mix in what lies behind
     ++seen;
     EXPECT_NEAR(albedo.g, 0.9f, 0.02);
     EXPECT_NEAR(place.z, 0.4f, 0.005);
     EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 0.01);
     EXPECT_GT(std::abs(pixel(images[2], i).x), 0.99f);
     EXPECT_GT(images[5].rgba[4 * i + 1], 0);
-    EXPECT_NEAR(images[4].rgba[4 * i], 1, 0.02);  // nothing stands above it
+    EXPECT_NEAR(images[4].rgba[4 * i], 1, 0.02);  // nothing shadows it
   }
   EXPECT_GT(seen, 20);
 }

@@ -17,7 +17,7 @@ class BareSkinFrames : public WithRenderer {
 
 FurredModel ball(double fur = 0.08) { return furred({Builtin::sphere, 2000}, {.length = fur, .inclination = 0}); }
 
-/// All of the model, evenly blue and matt.
+/// A skin region that covers the whole model, evenly blue and matt.
 SkinRegion everywhere(const FurredModel& model) {
   SkinRegion region{.centre = model.model.surface.mesh().centre, .radii = glm::dvec3(2), .colour = {0, 0, 0.5f}};
   region.shine = 0, region.scatter = 0;
@@ -82,7 +82,7 @@ TEST_F(BareSkinFrames, AtHalfItsSoftnessHalfOfItsLightIsSeen) {
   const auto blue = [&] { return std::pow((middle_of(drawn(model)).z / 255.0 + 0.055) / 1.055, 2.4); };
   const double whole = blue();
   EXPECT_GT(whole, 0.02);
-  // The skin lies at 1.5 radii of the region, half way over its edge of one radius.
+  // The skin lies at 1.5 radii of the region: halfway across its soft edge, which is one radius wide.
   model.settings.skin[0].radii = glm::dvec3(0.5 / std::sqrt(3.0) / 1.5);
   model.settings.skin[0].softness = 2;
   EXPECT_NEAR(blue(), 0.5 * whole, 0.04 * whole);
@@ -96,14 +96,14 @@ TEST_F(BareSkinFrames, FacesADirection) {
   const auto from = [&](AutoView view) { return draw(*renderer, model, small_frame(view)); };
   EXPECT_EQ(middle_of(from(AutoView::front)).x, 0);
   EXPECT_GT(middle_of(from(AutoView::back)).x, 20);
-  model = ball(0);  // the colour too, where no fur hides it
+  model = ball(0);  // without fur: the region's colour has to face the same direction
   model.settings.skin = {front};
   EXPECT_EQ(middle_of(from(AutoView::front)).x, 0);
   EXPECT_GT(middle_of(from(AutoView::back)).x, 20);
 }
 
 TEST_F(BareSkinFrames, HasTheSameShapeInShadersAndOnVertices) {
-  // Upright white fur outside a cap of black skin: what is dark from the front is the cap of radius r on a ball.
+  // Upright fur around a cap of blue skin: seen from the front, the pixels without red are the cap.
   FurredModel model = furred({Builtin::sphere, 20000}, {.length = 0.004, .inclination = 0});
   const Mesh& mesh = model.model.surface.mesh();
   const double ball_radius = 0.5 / std::sqrt(3.0), cap = 0.12;
@@ -116,14 +116,14 @@ TEST_F(BareSkinFrames, HasTheSameShapeInShadersAndOnVertices) {
     if (image.rgba[i + 3] < 128) continue;
     all += 1, blue += image.rgba[i] == 0 ? 1 : 0;
   }
-  // A ball of radius c around a place on a ball of radius R cuts a circle of radius c sqrt(1 - c^2 / 4 R^2).
+  // A ball of radius c around a point on a ball of radius R cuts it in a circle of radius c sqrt(1 - c^2 / 4 R^2).
   const double circle = cap * std::sqrt(1 - cap * cap / (4 * ball_radius * ball_radius));
   const double eye = glm::length(make_frame(model.view(), small_frame()).camera.position), furry = ball_radius + 0.004;
   const double seen = circle / (eye - ball_radius + cap * cap / (2 * ball_radius));
   EXPECT_NEAR(std::sqrt(blue / all), seen / (furry / std::sqrt(eye * eye - furry * furry)), 0.025);
 }
 
-/// Width and height in pixels of what shows no red.
+/// Width and height, in pixels, of the opaque area without red.
 glm::ivec2 extent_of_blue(const Image& image) {
   glm::ivec2 low(image.width, image.height), high(0);
   for (int y = 0; y < image.height; ++y) {

@@ -1,4 +1,4 @@
-// A crop is drawn alone, with the bits that the whole frame has there.
+// A crop is drawn alone and has the same bits as that part of the whole frame.
 #include <algorithm>
 
 #include "renderer/image/cropped.h"
@@ -19,7 +19,7 @@ FrameRequest frame_at(double scale) {
   return request;
 }
 
-/// Where tiles of 16 pixels begin at half the size, at the edge, and a single pixel.
+/// Crops that begin where tiles of 16 pixels begin at half the size, that end at the picture's edge, and of one pixel.
 std::vector<Crop> crops() { return {{32, 32, 64, 32}, {0, height - 9, width, 9}, {75, 55, 1, 1}}; }
 
 FurredModel animal() {
@@ -34,7 +34,7 @@ Picture crop_of(const Picture& whole, const Crop& crop) {
   return cropped(whole, crop.left, crop.top, crop.width, crop.height);
 }
 
-/// Draws the frame whole and its crops, each with pauses and without.
+/// Draws the frame whole, and each crop with and without pauses; expects equal bits.
 template <class Drawer>
 void expect_crops_of_the_whole(Drawer& drawer, const FurFrame& frame) {
   constexpr std::array aovs{Aov::beauty, Aov::normal, Aov::depth};

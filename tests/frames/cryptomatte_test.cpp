@@ -1,4 +1,4 @@
-// Names as ids, and the order of what covers a pixel.
+// Hashed names of objects, and the order in which they cover a pixel.
 #include "server/frames/cryptomatte.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 std::uint32_t bits_of(std::string_view name) { return std::bit_cast<std::uint32_t>(matte_id(name)); }
 
-/// Published values of MurmurHash3_x86_32 with the seed 0.
+/// Published values of MurmurHash3_x86_32 with seed 0.
 TEST(MatteId, HasThePublishedBits) {
   EXPECT_EQ(bits_of("test"), 0xba6bd213u);
   EXPECT_EQ(bits_of("Hello, world!"), 0xc0363e43u);
@@ -23,7 +23,7 @@ TEST(MatteId, IsFiniteAndNormalForAnyName) {
   for (int i = 0; i < 20'000; ++i) ASSERT_TRUE(std::isnormal(matte_id("coat/" + std::to_string(i)))) << i;
 }
 
-/// One pixel, by the shares of objects.
+/// The Cryptomatte of one pixel, given the coverage of each object.
 Cryptomatte matte_of(const FurFrame& frame, const std::vector<float>& shares) {
   std::vector<FloatImage> pictures(4, FloatImage{1, 1, std::vector<float>(4, 0)});
   for (std::size_t k = 0; k < shares.size(); ++k) pictures[k / 3].rgba[k % 3] = shares[k];

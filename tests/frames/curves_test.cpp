@@ -9,7 +9,7 @@
 namespace pelage::testing::curves_test {
 namespace {
 
-/// A straight curve on the sphere of radius .289 (internal coordinates), which is seen from +Z.
+/// A straight curve between points in internal coordinates, where the sphere's radius is .289. The camera is on +Z.
 CurveGroup line(const FurredModel& model, glm::dvec3 from, glm::dvec3 to, double width = 0.01) {
   const Mesh& mesh = model.model.surface.mesh();
   CurveGroup group;
@@ -20,7 +20,7 @@ CurveGroup line(const FurredModel& model, glm::dvec3 from, glm::dvec3 to, double
 
 class Curves : public WithRenderer {
  protected:
-  /// How much the groups change a picture of the model.
+  /// Mean difference that the curve groups make to a picture of the model, in 1/255.
   double change(FurredModel& model, std::vector<CurveGroup> groups, const FrameRequest& request = small_frame()) {
     model.settings.curves.clear();
     const Image without = draw(*renderer, model, request);
@@ -50,15 +50,15 @@ TEST_F(Curves, AreSeenBesideTheBodyAndHiddenBehindIt) {
 TEST_F(Curves, AnEyeHidesThem) {
   FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
   model.settings.eyes = {{.position = model.model.surface.mesh().to_model({0, 0, 0.3}), .radius = 0.1}};
-  EXPECT_EQ(change(model, {line(model, {-0.03, 0, 0.36}, {0.03, 0, 0.36})}), 0);  // inside of the ball
+  EXPECT_EQ(change(model, {line(model, {-0.03, 0, 0.36}, {0.03, 0, 0.36})}), 0);  // inside the eyeball
   EXPECT_GT(change(model, {line(model, {-0.03, 0, 0.42}, {0.03, 0, 0.42})}), 0.02);
 }
 
 TEST_F(Curves, FurCoversTheirRoots) {
-  // Lying on the skin, in fur and without it.
+  // The curve lies on the skin, with and without fur.
   FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0});
   FurredModel furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
-  // Above where the first groom begins: there fur stands up, and one looks down to its roots.
+  // It lies above the source of the first groom's flow: fur stands up there, and the camera looks down to its roots.
   const auto on_skin = [&](const FurredModel& model) {
     return line(model, {-0.02, 0.16, 0.2435}, {0.02, 0.16, 0.2435});
   };

@@ -1,4 +1,4 @@
-// A frame that a frame service draws, as the story of a frame has it.
+// Draws and encodes a frame with a frame service, in the steps that a server takes.
 #pragma once
 
 #include <memory>

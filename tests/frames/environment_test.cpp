@@ -1,4 +1,4 @@
-// Light from a picture on fur: the side that a colour comes from takes it.
+// An environment picture lights fur: each side takes the colour that comes from its direction.
 #include "renderer/light/environment.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ Environment with_light(const SphericalHarmonics& harmonics) {
   return environment;
 }
 
-/// Red from the left half of the picture, blue from the right.
+/// An environment picture whose left half is red and right half is blue.
 Environment red_and_blue() {
   std::vector<float> rgba;
   for (int i = 0; i < 8 * 4; ++i) rgba.insert(rgba.end(), {i % 8 < 4 ? 1.0f : 0.0f, 0, i % 8 < 4 ? 0.0f : 1.0f, 1});

@@ -1,4 +1,4 @@
-// Eyes alone, in linear light.
+// Eyes drawn alone, in linear light.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int size = 96;
 
-/// A frame that looks along -Z at an eye of radius .1 that looks back.
+/// A frame whose camera looks along -Z at an eye of radius .1 that looks back.
 FurFrame frame_with(FurEye eye) {
   FurFrame frame;
   eye.radius = 0.1f;
@@ -27,7 +27,7 @@ FurFrame frame_with(FurEye eye) {
   return frame;
 }
 
-/// The camera on a circle around the eye, `degrees` to its left as the eye sees it.
+/// Moves the camera on a circle around the eye, `degrees` to the eye's own left, and points it at the eye.
 void look_from(FurFrame& frame, float degrees, float distance = 2) {
   const float angle = glm::radians(degrees);
   const glm::vec3 away(std::sin(angle), 0, std::cos(angle));
@@ -103,7 +103,7 @@ TEST_F(Eyes, ExtremesStayFinite) {
 
 TEST_F(Eyes, BehindTheCameraOrAroundItNothingIsDrawn) {
   FurFrame frame = frame_with({});
-  frame.camera.position = {0, 0, -1};  // looks away from it
+  frame.camera.position = {0, 0, -1};  // behind the eye, and looks away from it
   EXPECT_EQ(alpha_of(draw(frame)), 0);
   for (const float z : {0.f, 0.05f, 0.099f}) {
     frame.camera.position = {0, 0, z};
@@ -117,7 +117,8 @@ TEST_F(Eyes, BehindTheCameraOrAroundItNothingIsDrawn) {
   EXPECT_TRUE(all_finite(draw(frame)));
 }
 
-/// The ray of a pixel, traced in double: whether it ends inside the pupil; none off the cornea and near borders.
+/// Traces the ray of a pixel in double. Returns whether it ends inside the pupil; nothing off the cornea and near
+/// edges.
 std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
   const EyeShape shape = shape_of(frame.eyes[0]);
   const double span = 2 * double{frame.camera.tan_half_fov} / size;
@@ -134,7 +135,7 @@ std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
   const glm::dvec3 inside = *refract_into(along, away / shape.cornea_radius, shape.refraction);
   const glm::dvec3 hit = place + inside * ((place.z - shape.iris_plane) / -inside.z);
   const double reach = std::hypot(hit.x, hit.y), edge = *frame.eyes[0].pupil.size * shape.iris_radius;
-  if (std::abs(reach - edge) < 0.10 || reach > 0.85 * shape.iris_radius) return std::nullopt;  // dark margins
+  if (std::abs(reach - edge) < 0.10 || reach > 0.85 * shape.iris_radius) return std::nullopt;  // near an edge
   return reach < edge;
 }
 
@@ -165,7 +166,7 @@ TEST_F(Eyes, PupilLiesWhereRefractionPutsIt) {
   }
 }
 
-/// The cosine to the normal at which the ray of a pixel meets a ball without a bulge; none where it misses.
+/// Cosine to the normal where the ray of a pixel hits an eyeball without a bulge; none if it misses.
 std::optional<double> cosine_on_ball(const FurFrame& frame, int x, int y) {
   const double span = 2 * double{frame.camera.tan_half_fov} / size;
   const glm::dvec3 along = glm::normalize(glm::dvec3((x + 0.5 - size / 2) * span, -(y + 0.5 - size / 2) * span, -1));
@@ -175,7 +176,7 @@ std::optional<double> cosine_on_ball(const FurFrame& frame, int x, int y) {
   return std::sqrt(inner);
 }
 
-/// science.md 5: what the cornea mirrors is Fresnel's share of the same surroundings, whatever the index.
+/// science.md 5: the cornea reflects the Fresnel share of the same surroundings, for any index.
 TEST_F(Eyes, MirrorWhatFresnelSays) {
   FurEye eye;
   eye.bulge = 0, eye.wetness = 1;
@@ -202,7 +203,7 @@ TEST_F(Eyes, MirrorWhatFresnelSays) {
   EXPECT_GT(seen, 2000);
 }
 
-/// science.md 5: a grey picture of an iris, tinted to any colour.
+/// science.md 5: a grey picture of an iris can be tinted to any colour.
 TEST_F(Eyes, TheIrisTakesItsTint) {
   FurEye eye;
   eye.wetness = 0, eye.refraction = 1;
@@ -226,7 +227,7 @@ TEST_F(Eyes, TheIrisTakesItsTint) {
   EXPECT_GT(seen, 300);
 }
 
-/// Mean light of the pixels of the left and the right half.
+/// Mean light of the left and of the right half of the picture.
 glm::dvec2 halves(const std::vector<glm::vec4>& pixels) {
   glm::dvec2 sum(0);
   for (int y = 0; y < size; ++y) {

@@ -1,4 +1,4 @@
-// Pictures are finished with the same bits on any number of threads.
+// Finishing a picture gives the same bits on any number of threads.
 #include "renderer/finish/finish.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace pelage::testing::finish_test {
 namespace {
 
-/// Light of any strength and cover, some of it empty and some of it even.
+/// Random light and coverage, with empty pixels and even areas.
 FloatImage some_light(int width, int height) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> share(0, 1);

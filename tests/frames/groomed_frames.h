@@ -1,4 +1,4 @@
-// Models that are groomed between frames.
+// A fixture that draws a groomed model again after each stroke, and compares it with a frame that is drawn whole.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ class GroomedFrames : public ::testing::Test {
  protected:
   struct Drawn {
     Image image;
-    double redrawn = 0;  // share of the picture
+    double redrawn = 0;  // share of the picture that was drawn again, [0, 1]
   };
 
-  /// The frame of a model that `drawer` has been given as it is now.
+  /// The frame of the model, after `drawer` has been updated to the model's current state.
   template <class Drawer>
   FurFrame frame_for(Drawer& drawer, const FurredModel& model, const std::vector<DirtyRange>& dirty) {
     FurFrame frame = make_frame(model.view(), request);
@@ -32,7 +32,7 @@ class GroomedFrames : public ::testing::Test {
     return frame;
   }
 
-  /// Other fur around a vertex, painted too.
+  /// Changes fur and paint around a random vertex. Returns the vertices that changed.
   std::vector<DirtyRange> stroke(FurredModel& model) {
     const Mesh& mesh = model.model.surface.mesh();
     const auto any = [&](float high) { return std::uniform_real_distribution<float>(0, high)(random); };
@@ -48,7 +48,7 @@ class GroomedFrames : public ::testing::Test {
     return dirty;
   }
 
-  /// An animal with all that stands on it and around it.
+  /// An animal with an eye, whiskers and a ground.
   static FurredModel animal() {
     FurredModel model = furred({Builtin::creature, 2000});
     model.settings.ground.visible = true;
@@ -65,7 +65,7 @@ class GroomedFrames : public ::testing::Test {
     return model;
   }
 
-  /// The frame after changes, and the same where nothing is known of the one before.
+  /// Draws the frame after changes; draws it whole after forget_views.
   virtual Drawn draw_after(const FurredModel& model, const std::vector<DirtyRange>& dirty) = 0;
   virtual void forget_views() = 0;
 
@@ -76,9 +76,10 @@ class GroomedFrames : public ::testing::Test {
     return drawn_whole.image;
   }
 
-  /// Draws after each of some strokes, and once more whole; the least share of the picture that a stroke drew.
+  /// Draws after each of some strokes, and compares with a frame that is drawn whole. Returns the smallest share of the
+  /// picture that a stroke redrew.
   double expect_same_bits(FurredModel& model, int strokes = 3) {
-    draw_after(model, stroke(model));  // from here on it is painted
+    draw_after(model, stroke(model));  // from here on the model is painted
     double smallest = 1;
     for (int i = 0; i < strokes; ++i) {
       const Drawn part = draw_after(model, stroke(model));

@@ -8,7 +8,7 @@
 namespace pelage::testing::ground_test {
 namespace {
 
-/// Where the ground's opacity lies in a picture from the front, in 1/255, away from the model.
+/// Opacity that the ground adds to the picture, in 1/255: the sum over all pixels, and over the left and right half.
 struct Darkening {
   double sum = 0, left = 0, right = 0;
 };
@@ -74,7 +74,7 @@ TEST_F(Grounds, ShadowsFallAwayFromTheLight) {
   EXPECT_NEAR(darkening().left, 0.5 * to_the_left.left, 0.1 * to_the_left.left);
 }
 
-/// A light that shines past the ground casts no shadow on it, however near it is.
+/// A light that points away from the ground casts no shadow on it, however near it is.
 TEST_F(Grounds, LightsThatShineElsewhereCastNoShadow) {
   model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 0};
   model.settings.look.ambient = 0.1;

@@ -1,5 +1,5 @@
-// Scenes leave each other alone: one is in a long command, one is exported, and the disk takes no change of a third;
-// the frames of a fourth are drawn as if nothing were.
+// Scenes do not wait for each other: while one runs a long command, one is exported and the disk takes no change of a
+// third, frames of a fourth are drawn as usual.
 #include <mutex>
 
 #include "server/export/export_file.h"
@@ -50,7 +50,7 @@ class Locks : public StoreTest {
     expect_frame("a frame in a budget", [](FrameRequest& request) { request.budget_ms = 50; });
   }
 
-  FailingDisk disk_;  // before the store
+  FailingDisk disk_;  // constructed before SetUp opens the store
   YieldGate gate_;
   std::unique_ptr<FrameService> frames_;
   std::unique_ptr<TraceQueue> traces_;

@@ -1,4 +1,4 @@
-// A GL that is reset: nothing of a scene is lost, and its frame is drawn all the same.
+// If the GL is reset, nothing of a scene is lost, and its frame is still drawn.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 
@@ -11,7 +11,7 @@
 namespace pelage::testing::lost_gl_test {
 namespace {
 
-std::atomic<int> resets = 0;  // that the GL is still to tell of: it knows of no caller
+std::atomic<int> resets = 0;  // resets left to report; global, since glGetGraphicsResetStatus has no argument
 
 GLenum APIENTRY reset_status() {
   if (resets <= 0) return GL_NO_ERROR;
@@ -19,7 +19,7 @@ GLenum APIENTRY reset_status() {
   return GL_UNKNOWN_CONTEXT_RESET;
 }
 
-/// OSMesa, but for what it says of resets.
+/// OSMesa with a faked reset status.
 class ResetContext final : public Context {
  public:
   static Result<std::unique_ptr<Context>> open() {
@@ -68,7 +68,7 @@ class LostGl : public StoreTest {
   }
 
   std::atomic<int> opened_ = 0;
-  std::atomic<bool> again_ = true;  // whether there is a GL after the first one
+  std::atomic<bool> again_ = true;  // whether a second GL can be opened
   YieldGate gate_;
   std::unique_ptr<FrameService> frames_;
   std::shared_ptr<Scene> scene_;

@@ -1,4 +1,4 @@
-// A picture may show only what the mask leaves to tools.
+// A frame may show only the fur that the mask leaves to tools.
 #include "server/frames/fur_view.h"
 #include "tests/frames/with_renderer.h"
 #include "tests/support/furred_model.h"
@@ -8,7 +8,7 @@ namespace {
 
 class Masked : public WithRenderer {
  protected:
-  /// A ball whose fur is protected on the side of +X, which is the viewer's right.
+  /// A ball whose fur is masked on the side of +X, which is on the viewer's right.
   static FurredModel ball() {
     FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05});
     const std::vector<glm::vec3>& positions = model.model.surface.mesh().positions;
@@ -23,7 +23,7 @@ class Masked : public WithRenderer {
   }
 };
 
-/// Share of the pixels of a half of the picture that show something.
+/// Share of the pixels in one half of the picture that show something.
 double covered_half(const Image& image, bool right) {
   int count = 0;
   for (int y = 0; y < image.height; ++y)

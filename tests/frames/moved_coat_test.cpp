@@ -1,5 +1,5 @@
-// A coat's pattern, variation and tufts go along with a model that has moved: a body that is turned together with its
-// camera and lights looks as it did.
+// A coat's pattern, variation and tufts stay attached to a model that has moved: a body turned together with its camera
+// and lights looks as before.
 #include <memory>
 
 #include "server/frames/fur_view.h"
@@ -9,14 +9,14 @@
 namespace pelage::testing::moved_coat_test {
 namespace {
 
-const glm::mat3 quarter(glm::vec3(0, 0, -1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0));  // about Y
+const glm::mat3 quarter(glm::vec3(0, 0, -1), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0));  // a quarter turn about Y
 
 SceneModel copy_of(const SceneModel& model) {
   Mesh mesh = model.surface.mesh();
   return {Surface(std::move(mesh)), model.patches, model.id, model.name};
 }
 
-/// Turned about the vertical axis; what it was at rest is known, or not.
+/// The model turned about the vertical axis. Its rest pose is known or not.
 FurredModel turned(const FurredModel& rest, bool known) {
   Mesh mesh = rest.model.surface.mesh();
   mesh.centre = glm::dmat3(quarter) * mesh.centre;
@@ -50,8 +50,8 @@ void expect_the_coat_to_go_along(Renderer& renderer, const Coat& coat) {
   const Image in_space = draw(renderer, turned(rest, false), seen_from(glm::dmat3(quarter)));
   EXPECT_GT(covered(before), 0.1);
   const double moved = mean_difference(before, along), swims = mean_difference(before, in_space);
-  EXPECT_LT(moved, 2);  // 1.7 was seen: cells of volumes and light lie otherwise on the body
-  EXPECT_GT(swims, 4);  // 6.3
+  EXPECT_LT(moved, 2);  // measured 1.7: cells of volumes and light lie differently on the body
+  EXPECT_GT(swims, 4);  // measured 6.3
 }
 
 std::vector<Coat> coats() {

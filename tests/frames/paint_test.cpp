@@ -19,7 +19,7 @@ FurredModel ball(double fur = 0.08, int triangles = 2000) {
   return furred({Builtin::sphere, triangles}, {.length = fur, .inclination = 0.3});
 }
 
-/// On vertices that `where` chooses by their place.
+/// Sets a field at the vertices whose positions `where` accepts.
 template <class Where>
 void paint(FurredModel& model, Field field, glm::vec4 value, Where where) {
   const Mesh& mesh = model.model.surface.mesh();
@@ -42,7 +42,7 @@ double sum_of_alpha(const Image& image) {
 
 double lightness(const Image& image) { return glm::dot(mean_colour(image), glm::dvec3(1.0 / 3)); }
 
-/// Mean colour of a square about a place given in shares of the picture.
+/// Mean colour of a square about a point that is given in shares of the picture.
 glm::dvec3 colour_at(const Image& image, glm::dvec2 place, int reach = 6) {
   glm::dvec3 sum(0);
   const glm::ivec2 middle(place * glm::dvec2(image.width, image.height));
@@ -59,7 +59,7 @@ TEST_F(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
   FurredModel model = ball();
   model.settings.coats[0].coat.guard_hairs = 2000;
   const Image before = drawn(model);
-  for (std::size_t i = first_painted; i < field_count; ++i) {  // touched, but as at rest
+  for (std::size_t i = first_painted; i < field_count; ++i) {  // changed, then set back to the default
     const float rest = field_shapes[i].default_value;
     flood(model, field_at(i), glm::vec4(field_shapes[i].channels == 1 ? rest * 0.5f + 0.25f : 0.5f));
     flood(model, field_at(i), field_shapes[i].channels == 1 ? glm::vec4(rest, 0, 0, 0) : glm::vec4(0));
@@ -86,14 +86,14 @@ TEST_F(PaintedFrames, DensityTakesStrandsAway) {
   const double some = sum_of_alpha(drawn(model));
   flood(model, Field::density, 0.0f);
   const Image none = drawn(model);
-  EXPECT_LT(some, 0.99 * whole);  // of the rim alone: the skin below is opaque
+  EXPECT_LT(some, 0.99 * whole);  // fewer at the rim alone: the skin below is opaque
   EXPECT_LT(sum_of_alpha(none), 0.97 * some);
   EXPECT_NEAR(sum_of_alpha(none), sum_of_alpha(drawn(ball(0))), 1) << "the ball alone";
   EXPECT_LE(largest_difference(none, drawn(ball(0))), 1);
 }
 
 TEST_F(PaintedFrames, WhatDensityLeavesIsWhole) {
-  // White fur over dark roots and skin from close above: kept strands are as bright as before, in gaps is the skin.
+  // White fur over dark roots and skin, seen closely from above: kept strands are as bright as before, gaps show skin.
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0.2});
   model.settings.coats[0].coat.ramp = {{0, {0, 0, 0}}, {0.1, {1, 1, 1}}};
   model.settings.coats[0].coat.colour_spread = 0, model.settings.coats[0].coat.clump = 0;
@@ -174,7 +174,7 @@ TEST_F(PaintedFrames, WaterDarkensAsTheCoatsOwn) {
 
 TEST_F(PaintedFrames, WaterShines) {
   FurredModel model = ball();
-  model.settings.look.shading = ShadingModel::kajiya;  // the highlight alone
+  model.settings.look.shading = ShadingModel::kajiya;  // only the highlight differs
   model.settings.look.ambient = 0, model.settings.look.diffuse = 0, model.settings.look.specular_exponent = 8;
   const double dry = lightness(drawn(model));
   flood(model, Field::wetness, 1.0f);
@@ -240,7 +240,7 @@ TEST_F(PaintedFrames, AnAbruptEdgeKeepsBothSides) {
     const Image& expected = x < 0.5 ? none : every;
     EXPECT_LT(glm::distance(colour_at(some, {x, 0.5}), colour_at(expected, {x, 0.5})), 1) << x;
   }
-  // Between them nothing is lighter or darker than both: colours are mixed by their cover.
+  // Between the two halves no pixel is lighter or darker than both: colours are mixed by their coverage.
   for (int x = 40; x < 88; ++x) {
     const glm::dvec3 at = colour_at(some, {x / 128.0, 0.5}, 2), a = colour_at(none, {x / 128.0, 0.5}, 2),
                      b = colour_at(every, {x / 128.0, 0.5}, 2);
@@ -254,7 +254,7 @@ TEST_F(PaintedFrames, AnAbruptEdgeKeepsBothSides) {
 TEST_F(PaintedFrames, ShadowsSeeThem) {
   FurredModel model = ball();
   model.settings.lights = {{.direction = {0, 0, -1}}};
-  const auto light_kept = [&] {  // in the middle
+  const auto light_kept = [&] {  // at the middle of the picture
     drawn(model);
     const auto images = renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::shadow});
     EXPECT_TRUE(images.ok());
@@ -303,7 +303,7 @@ TEST_F(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   EXPECT_GT(little.b, little.g + 30) << "the least change is violet, and not grey";
   EXPECT_LT(largest_difference(with(0, 0), with(0, 0)), 1);
 
-  frame.overlay = Overlay::none;  // and costs later frames nothing
+  frame.overlay = Overlay::none;  // it costs later frames nothing
   EXPECT_EQ(renderer->draw(frame)->rgba, plain.rgba);
 }
 
@@ -312,7 +312,7 @@ TEST_F(PaintedFrames, ExtremesGiveFinitePictures) {
   model.settings.lights = {{.kind = LightKind::point, .position = {0, 0, 0}, .intensity = 1e8}};
   model.settings.coats[0].coat.curl_turns = 20, model.settings.coats[0].coat.clump_size = 0.5,
   model.settings.coats[0].coat.tile = 0.01;
-  model.settings.coats[0].coat.count = 10;  // on each of the many tiles
+  model.settings.coats[0].coat.count = 10;  // on each of many tiles
   request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
   model.settings.coats[0].coat.guard_hairs = 500;

@@ -30,7 +30,7 @@ class PastFrames : public StoreTest {
     set.coat.ramp = {{0, {0, 0, 1}}, {1, {0, 0, 1}}};
     return set;
   }
-  /// What was drawn at each revision: strokes, an undo and another coat.
+  /// Grooms the scene with strokes, an undo and another coat. Returns the encoded frame of each revision.
   std::vector<std::string> groom(const std::shared_ptr<Scene>& scene) const {
     std::vector<std::string> seen{draw(scene).bytes};
     const auto see = [&](const CommandAnswer& answer) {
@@ -76,7 +76,7 @@ TEST_F(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
   FrameRequest request;
   request.revision = 1;
   EXPECT_EQ(drawn_frame(*frames_, scene, request).status().pointer, "/revision");
-  draw(make(Builtin::plane, 2));  // after the render thread has forgotten
+  draw(make(Builtin::plane, 2));  // the render thread forgets before it draws this
   EXPECT_EQ(frames_->copy_bytes(id), 0u);
 }
 

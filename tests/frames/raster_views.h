@@ -1,4 +1,4 @@
-// Rasterized views of models that are groomed.
+// A fixture that rasterizes views of a model while it is groomed.
 #pragma once
 
 #include <utility>
@@ -28,7 +28,7 @@ class RasterViews : public GroomedFrames {
   }
   void forget_views() override { raster.clear_view_cache(); }
 
-  /// The same picture from a drawer that saw no stroke.
+  /// Expects the same picture from a drawer that grows the fur at once and has seen no stroke.
   void expect_grown_at_once(const FurredModel& model) {
     const Image last = drawn(model).image;
     known.clear(), raster.forget_all();

@@ -1,4 +1,4 @@
-// After a stroke only the part of a rasterized picture that it may touch is drawn, with the bits of a whole frame.
+// After a stroke only the dirty region of a rasterized picture is drawn again, with the bits of a whole frame.
 #include "tests/frames/raster_views.h"
 
 #include <algorithm>
@@ -43,14 +43,14 @@ TEST_F(RasterViews, WithoutGroundAndFromAnywhere) {
   request.camera.automatic = AutoView::none;
   request.camera.position = {0.05, 0.25, 0.6}, request.camera.target = {0.02, 0.16, 0.27};  // strands many pixels wide
   expect_same_bits(model);
-  request.camera.fov_degrees = 10;  // so near that single strands throw shadows
+  request.camera.fov_degrees = 10;  // so near that single strands cast shadows
   expect_same_bits(model);
   request.camera.fov_degrees = 35;
   request.camera.position = {0.02, 0.1, 0.3}, request.camera.target = {0, 0, 0};  // inside the fur
   expect_same_bits(model);
 }
 
-// Where its light does not come into view, nor near the camera, nothing is drawn again.
+// A stroke redraws little if its light neither comes into view nor lies near the camera.
 TEST_F(RasterViews, AStrokeBehindTheCameraOrBesideItDrawsLittle) {
   FurredModel model = furred({Builtin::creature, 20000});
   model.settings.ground.visible = false;
@@ -74,7 +74,7 @@ TEST_F(RasterViews, AStrokeBehindTheCameraOrBesideItDrawsLittle) {
   EXPECT_GE(little, 4);
 }
 
-// Cells of single strands are shared by places far from each other.
+// Near cells that are far apart may share an entry of the hash table, so a change may alter the picture anywhere.
 TEST_F(RasterViews, WhatIsNearIsDrawnWholeWhenAnyOfItChanges) {
   FurredModel model = furred({Builtin::creature, 20000});
   const Mesh& mesh = model.model.surface.mesh();
@@ -108,7 +108,7 @@ TEST_F(RasterViews, TheSameAgainDrawsNothing) {
     const Drawn first = drawn(model), again = drawn(model);
     EXPECT_EQ(again.redrawn, 0);
     EXPECT_EQ(first.image.rgba, again.image.rgba);
-    request.exposure += 1;  // comes after the light
+    request.exposure += 1;  // is applied after the light
     const Drawn lighter = drawn(model);
     EXPECT_EQ(lighter.redrawn, 0);
     EXPECT_NE(lighter.image.rgba, first.image.rgba);
@@ -127,7 +127,7 @@ TEST_F(RasterViews, CurvesThatMoveAreDrawnAgain) {
 
 TEST_F(RasterViews, AnotherPictureBetweenIsNotMistakenForIt) {
   FurredModel model = animal(), other = animal();
-  for (int i = 0; i < 6; ++i) drawn(model, stroke(model));  // until fur stands as far out as it ever will
+  for (int i = 0; i < 6; ++i) drawn(model, stroke(model));  // until the hull of the fur has its full extent
   const auto expect_part = [&] {
     const Drawn part = drawn(model, stroke(model));
     EXPECT_LT(part.redrawn, 1);
@@ -166,7 +166,7 @@ TEST_F(RasterViews, SkinThatIsPaintedIsDrawnAgain) {
   EXPECT_EQ(part.image.rgba, whole(model).rgba);
 }
 
-/// Pixels of an overlay that show a field, of those where `where` holds.
+/// Share of the pixels where `where` holds on which the overlay shows a field.
 template <class Where>
 double shown_share(const FloatImage& overlay, const Where& where) {
   double shown = 0, all = 0;

@@ -26,12 +26,13 @@ double filmic(double x) {
   return std::clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 
-/// Calls with each channel of colour of the pixels that fur or skin covers at least in part: its place and its opacity.
+/// Calls `visit` with the index and the opacity of each colour channel, for pixels with some opacity. Returns their
+/// number.
 template <class Visit>
 int for_each_channel(const Image16& image, Visit visit) {
   int seen = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i + 3] < 6000) continue;  // little of it is known to few digits
+    if (image.rgba[i + 3] < 6000) continue;  // colours of faint pixels have few digits
     for (std::size_t k = 0; k < 3; ++k) visit(i + k, image.rgba[i + 3] / 65535.0);
     ++seen;
   }
@@ -60,7 +61,7 @@ TEST_F(Resolve, TheFilmicCurveIsItsFormula) {
   request.tone_map = ToneMap::filmic;
   const Image16 film = picture(request);
   for_each_channel(plain, [&](std::size_t i, double) {
-    if (plain.rgba[i] == 65535) return;  // brighter than white
+    if (plain.rgba[i] == 65535) return;  // clipped, as brighter than white
     ASSERT_NEAR(linear(film.rgba[i]), filmic(linear(plain.rgba[i])), 3e-4);
   });
   EXPECT_NEAR(filmic(0.18), 0.18, 0.005);
@@ -83,7 +84,7 @@ TEST_F(Resolve, TheBackgroundShowsInLinearLight) {
   EXPECT_EQ(over.rgba[3], 65535);
 }
 
-/// Premultiplied linear light of a pixel; the nearest one for those outside.
+/// Premultiplied linear light of a pixel; coordinates outside are clamped.
 double light_at(const Image16& image, int x, int y, std::size_t channel) {
   x = std::clamp(x, 0, image.width - 1), y = std::clamp(y, 0, image.height - 1);
   const std::size_t i =
@@ -97,7 +98,7 @@ double catmull_rom(double x) {
   return x < 1 ? 1 + x * x * (1.5 * x - 2.5) : x < 2 ? 2 + x * (-4 + x * (2.5 - 0.5 * x)) : 0;
 }
 
-/// Catmull-Rom between drawn pixels without the corners, held between the four nearest.
+/// Catmull-Rom interpolation of drawn pixels without the corner taps, clamped to the range of the four nearest pixels.
 double enlarged(const Image16& drawn, double x, double y, std::size_t channel) {
   const int left = static_cast<int>(std::floor(x)), top = static_cast<int>(std::floor(y));
   double sum = 0, weights = 0, low = 1e9, high = -1e9;
@@ -117,7 +118,8 @@ double enlarged(const Image16& drawn, double x, double y, std::size_t channel) {
 TEST_F(Resolve, PartSizeFramesAreEnlargedByCatmullRom) {
   FrameRequest request = small_frame();
   request.exposure = -4;  // nothing is brighter than white
-  // Strands at the silhouette, from so near that pixels of both frames read the finest texels: the light is the same.
+  // The camera sees strands at the silhouette from so near that both frames read the finest texels: the light is the
+  // same.
   request.camera = {
       .automatic = AutoView::none, .position = {1.07, 0, 1.4}, .target = {1.07, 0, 0}, .fov_degrees = 1.5};
   const double scale = 0.5;

@@ -1,4 +1,4 @@
-// A picture on a model takes the place of its own colours, and gives it back when it is taken off.
+// A skin texture replaces the model's own colours, which return when it is taken off.
 #include "server/builtin/builtin.h"
 #include "server/frames/fur_view.h"
 #include "tests/frames/with_renderer.h"
@@ -10,7 +10,7 @@ namespace {
 
 class Backplate : public WithRenderer {
  protected:
-  /// A ball under white light from all around.
+  /// A ball with UVs, under white light from all directions.
   static FurredModel ball() {
     FurredModel model = furred(with_planar_uvs(make_builtin({Builtin::sphere, 1000})));
     model.settings.lights.clear();
@@ -20,7 +20,7 @@ class Backplate : public WithRenderer {
   Image draw_front(const FurredModel& model) { return draw(*renderer, model, small_frame(AutoView::front, 128)); }
 };
 
-/// Mean of a field of pixels on one side of the middle.
+/// Mean colour of a block of pixels on one side of the middle.
 glm::dvec3 colour_beside(const Image& image, bool right) {
   glm::dvec3 sum(0);
   int count = 0;

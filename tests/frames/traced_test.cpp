@@ -1,4 +1,4 @@
-// What traced strands stand on, against rays that are cast here, and finished pictures against drawn ones.
+// Backplates of traced strands against rays that are cast here, and finished pictures against drawn ones.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,10 +21,10 @@ glm::dvec3 pixel(const FloatImage& image, std::size_t i) {
 }
 
 struct Ray {
-  glm::dvec3 from{0}, along{0};  // 1 along the view
+  glm::dvec3 from{0}, along{0};  // `along` has length 1 along the view direction
 };
 
-/// Through the middle of a pixel of a picture of that size; rows from the top.
+/// The ray through the centre of pixel `i` of a picture of that size; rows go from top to bottom.
 Ray ray_through(const FurCamera& camera, std::size_t i, int width, int height) {
   const double x = (static_cast<double>(i % static_cast<std::size_t>(width)) + 0.5) / width;
   const double y = (static_cast<double>(i / static_cast<std::size_t>(width)) + 0.5) / height;
@@ -33,7 +33,7 @@ Ray ray_through(const FurCamera& camera, std::size_t i, int width, int height) {
                                            glm::dvec3(camera.up) * ((1 - 2 * y) * up)};
 }
 
-/// Depth along the view of where a ray enters a ball about the origin.
+/// Depth along the view at which a ray enters a ball about the origin; none if it misses.
 std::optional<double> depth_of_ball(const Ray& ray, double radius) {
   const double a = glm::dot(ray.along, ray.along), b = glm::dot(ray.from, ray.along);
   const double rest = b * b - a * (glm::dot(ray.from, ray.from) - radius * radius);
@@ -62,9 +62,9 @@ FurredModel smooth_ball(double fur = 0.05) {
   return furred({Builtin::sphere, 40'000}, {.length = fur, .inclination = 0.3});
 }
 
-const double ball_radius = 0.5 / std::sqrt(3.0);  // the box's diagonal is 1
+const double ball_radius = 0.5 / std::sqrt(3.0);  // the bounding box's diagonal is 1
 
-/// A shift by a tenth of a pixel would show: the ball is seen at all slopes up to 70 degrees.
+/// The ball is seen at all slopes up to 70 degrees, so a shift by a tenth of a pixel would show.
 TEST_F(Base, RaysMeetTheBallWhereItIsDrawn) {
   const FurredModel model = smooth_ball();
   for (const glm::ivec2 size : {glm::ivec2(200, 120), glm::ivec2(120, 200), glm::ivec2(97, 61)}) {
@@ -117,7 +117,8 @@ TEST_F(Base, RaysMeetThePlaneWhereItIsDrawn) {
   EXPECT_GT(seen, 2000);
 }
 
-/// Skin under fur is a matt surface of the undercoat's colour in open light; a rectangle shines by the cosine.
+/// Skin under fur is a matt surface of the undercoat's colour, without shadows; a rectangular light emits by the
+/// cosine.
 TEST_F(Base, SkinIsLitAsIfNothingGrewOnIt) {
   FurredModel model = smooth_ball();
   Look& look = model.settings.look;
@@ -170,7 +171,7 @@ TEST_F(Base, OfTheKnobsOnlyEyeStepsCount) {
   EXPECT_NE(base_of(model, request).beauty.rgba, after.beauty.rgba);
 }
 
-/// Frames before and after are those of a renderer that never drew a base.
+/// Drawing a backplate changes no later frame.
 TEST_F(Base, LeavesFramesAsTheyAre) {
   FurredModel model = furred({Builtin::creature, 2000});
   model.settings.coats[0].coat.pattern.kind = PatternKind::spots;
@@ -180,14 +181,13 @@ TEST_F(Base, LeavesFramesAsTheyAre) {
   EXPECT_EQ(draw(*renderer, model, small_frame()).rgba, before.rgba);
 }
 
-/// Without light from all around and without surroundings to mirror all light is of lights, on skin, bare skin and
-/// eyes.
+/// Without ambient light and without surroundings to reflect, all light is direct, on skin, bare skin and eyes.
 TEST_F(Base, DirectIsWhatLightsBring) {
   FurredModel model = smooth_ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .wetness = 0.5}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1, .lids = Lids{}}};
   FrameRequest request = askew(120, 90);
-  const auto beside = [](const Backplate& base) {  // least and most of what is not of lights
+  const auto beside = [](const Backplate& base) {  // range of the light that is not direct
     glm::dvec2 ends(1e9, -1e9);
     for (std::size_t i = 0; i < base.beauty.rgba.size(); ++i) {
       if (i % 4 == 3) continue;
@@ -238,14 +238,15 @@ class Finish : public WithRenderer {
   FloatImage light_of(const FurFrame& frame) {
     return std::move(renderer->draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
   }
-  /// Largest difference in steps of each depth between what is drawn and what is finished of the same light.
+  /// Largest difference between the drawn picture and the one finished from the same light, in steps of 8 and of 16
+  /// bits.
   std::pair<int, int> steps_apart(const FrameRequest& request) {
     FurFrame frame = frame_of(*renderer, model, request);
     if (frame.overlay == Overlay::difference) frame.difference.assign(model.fields.size(), 0.6f);
     const FloatImage light = light_of(frame);
     const Image drawn = renderer->draw(frame).value();
     const Image16 deep = renderer->draw_deep(frame).value();
-    FurFrame other = frame;  // what was drawn last is not what is finished
+    FurFrame other = frame;  // the view drawn last must not matter to finish()
     other.camera.tan_half_fov *= 2;
     EXPECT_TRUE(renderer->draw_backplate(other).ok());
     const Image finished = renderer->finish(frame, light).value();

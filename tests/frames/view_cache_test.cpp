@@ -1,4 +1,4 @@
-// Which views are kept.
+// Which views the cache keeps.
 #include "renderer/frame/view_cache.h"
 
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 class CachedViews : public RasterViews {
  protected:
-  /// Other colours around a vertex: what no fur moves does not change the whole picture.
+  /// Paints around a vertex: a change that moves no fur does not redraw the whole picture.
   std::vector<DirtyRange> painted(FurredModel& model) {
     const Mesh& mesh = model.model.surface.mesh();
     const glm::vec3 middle = mesh.positions[random() % mesh.positions.size()];
@@ -24,7 +24,7 @@ class CachedViews : public RasterViews {
   }
 };
 
-// Each view knows what has changed since it was drawn itself.
+// Each view accumulates the changes since it was last drawn itself.
 TEST_F(CachedViews, SeveralAreCached) {
   FurredModel model = animal();
   const std::array views{AutoView::front, AutoView::left, AutoView::top};
@@ -52,7 +52,7 @@ TEST_F(CachedViews, OfSeveralScenes) {
   EXPECT_EQ(kept.rgba, whole(one).rgba);
 }
 
-// An orbit's frames are not asked for again: they do not push out who grooms beside it.
+// Frames of an orbit are not requested again, so they do not evict the view of somebody who grooms meanwhile.
 TEST_F(CachedViews, AnOrbitLeavesWhatComesBack) {
   FurredModel model = animal();
   const FrameRequest groomed = request;
@@ -66,7 +66,7 @@ TEST_F(CachedViews, AnOrbitLeavesWhatComesBack) {
   }
   request = groomed;
   EXPECT_LT(drawn(model, painted(model)).redrawn, 1);
-  request.width = request.height = 2100;  // more than is kept at all
+  request.width = request.height = 2100;  // too large for the cache
   EXPECT_EQ(drawn(model).redrawn, 1);
   EXPECT_EQ(drawn(model).redrawn, 1);
   request = groomed;

@@ -1,4 +1,4 @@
-// Fur in the wind: still and moved frames leave each other alone.
+// Fur in the wind: still and moved frames do not affect each other.
 #include "server/frames/shown_fur.h"
 #include "server/frames/shown_scene.h"
 #include "tests/frames/with_renderer.h"
@@ -18,7 +18,7 @@ class InTheWind : public WithRenderer {
 
   FurFrame sync(Renderer& drawer, const FurredModel& model, std::optional<double> time) {
     request.time = time;
-    const std::shared_ptr<const void> nobody;  // the model outlives the snapshot
+    const std::shared_ptr<const void> nobody;  // no owner is needed: the model outlives the snapshot
     return show(drawer, fur,
                 std::make_shared<const SceneSnapshot>(SceneSnapshot{.model = {nobody, &model.model},
                                                                     .fields = {nobody, &model.fields},

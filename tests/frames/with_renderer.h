@@ -1,4 +1,4 @@
-// A renderer for each test.
+// A fixture with a renderer for each test.
 #pragma once
 
 #include <gtest/gtest.h>

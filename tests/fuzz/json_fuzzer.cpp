@@ -1,4 +1,4 @@
-// Any bytes give a command or a refusal; what is decoded is encoded and decoded to the same thing.
+// Any bytes decode to a command or a refusal; what is decoded encodes and decodes to the same thing.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -44,7 +44,7 @@ void check_history(std::string_view text) {
   }
 }
 
-/// The text as a recipe, and as what that recipe includes.
+/// Checks the text as a recipe, and as a file that the recipe includes.
 void check_recipe(std::string_view text) {
   (void)pelage::is_recipe(text);
   const auto read = [text](const std::string&) { return pelage::Result<std::string>(std::string(text)); };
@@ -57,7 +57,7 @@ void check_recipe(std::string_view text) {
   require(steps.ok() ? !steps->empty() : !steps.status().message.empty());
 }
 
-/// "name=value&name=value", as far as it goes.
+/// Checks the text as a query, "name=value&name=value".
 void check_query(std::string_view text) {
   pelage::Query query;
   while (!text.empty()) {

@@ -1,5 +1,5 @@
-// Tests run on both GL drivers, EGL and OSMesa; those of a context's own ways on each way to open one. A backend that
-// is missing skips with its reason, and fails in CI.
+// The GL backends of tests. Most tests run on both drivers, EGL and OSMesa; tests of contexts run on each way to open
+// one. Tests of a missing backend are skipped with the reason, and fail in CI.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ inline std::string name_of_backend(Backend backend) {
   return names[static_cast<int>(backend)];
 }
 
-/// CMake runs a driver's tests by this end of their names.
+/// The end of a test's name, by which CMake runs the tests of a driver.
 inline std::string name_of(const ::testing::TestParamInfo<Backend>& info) { return name_of_backend(info.param); }
 
 inline bool in_ci() {
@@ -44,7 +44,8 @@ class OnBackend : public ::testing::TestWithParam<Backend> {
   Context* context = nullptr;
 };
 
-/// The two drivers. Surfaceless EGL is the driver of the EGL device, and Backends holds it to the same bytes.
+/// The two drivers. Surfaceless EGL uses the driver of the EGL device; the tests Backends.* expect the same bytes from
+/// both.
 inline auto both_backends() { return ::testing::Values(Backend::egl_device, Backend::osmesa); }
 
 /// Every way to open a context, for handles, plain frames and the golden pictures.

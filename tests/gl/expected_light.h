@@ -1,4 +1,4 @@
-// The light on a fibre after GPU fur eq 1 to 3 and science.md 4, in double, for the shader to be compared with.
+// The light on a fibre after GPU fur eq 1 to 3 and science.md 4, in double, as a reference for the shader.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace pelage::testing {
 
-/// A fibre, as in lighting.glsl.
+/// The inputs of a fibre, as in lighting.glsl.
 struct Case {
   glm::vec3 place, normal, tangent, to_camera, colour;
   float height, above, strand;
 };
 
-/// Share that a strand of that colour stops of the light: 1 - t^(1 - f_c), f_c = .82 sqrt(C), t = exp(-2 w p).
+/// Share of the light that a strand of that colour takes: 1 - t^(1 - f_c), f_c = .82 sqrt(C), t = exp(-2 w p).
 inline glm::dvec3 stopped(const Look& look, const glm::dvec3& colour, double part = 1) {
   glm::dvec3 share;
   for (int k = 0; k < 3; ++k)
@@ -26,18 +26,18 @@ inline glm::dvec3 stopped(const Look& look, const glm::dvec3& colour, double par
   return share;
 }
 
-/// Strands met by chance: the sum over n of e^-N N^n / n! (1 - stopped)^n.
+/// Transmittance of randomly placed strands, N on average: the sum over n of e^-N N^n / n! (1 - stopped)^n.
 inline glm::dvec3 let_through(const Look& look, double strands, const glm::dvec3& colour) {
   return glm::exp(-strands * stopped(look, colour));
 }
 
-/// What gets from all around to a place under so many strands, about.
+/// Approximate share of the light from all directions that reaches a point below an optical depth of `a`.
 inline double from_all_around(double a) {
   return (1 + a) / (1 + (std::numbers::pi / 2 + 1) * a + 1.21 * a * a + 0.5 * a * a * a);
 }
 
-/// The way out of a ball of fur a tenth of its radius high, from (1 - s) below its surface, over the height of what is
-/// above.
+/// Length of the path out of the fur, over the height of the fur above. The fur covers a ball to a tenth of its radius;
+/// the path starts (1 - s) of the fur's height below its surface.
 inline double way_out(const Case& c, const glm::dvec3& direction) {
   const double facing = glm::dot(glm::dvec3(c.normal), direction), below = 0.1 * (1 - double(c.height)) + 0.005;
   return (std::sqrt(facing * facing + 2 * below) - facing) / below;
@@ -48,8 +48,8 @@ inline double strands_crossed(const Case& c, const glm::dvec3& direction) {
   return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way_out(c, direction);
 }
 
-/// Those that a ray crosses but for what the eye's ray, which meets none, shares with it: less the further they part,
-/// seen along the strands, in sixths of a strand's width.
+/// Strands that a ray to the light crosses. The view ray crosses none, so the strands that both rays share are taken
+/// off: the fewer, the more the rays diverge across the strands, in sixths of a strand's width.
 inline double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3& to_light) {
   const glm::dvec3 tangent(c.tangent), to_camera(c.to_camera);
   const double to_cameras = strands_crossed(c, to_camera), to_lights = strands_crossed(c, to_light);
@@ -83,11 +83,11 @@ inline Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
 
 struct Expected {
   glm::dvec3 light{0};
-  glm::dvec3 direct{0}, unshadowed{0};  // of lights
+  glm::dvec3 direct{0}, unshadowed{0};  // light of lights alone
 };
 
-/// c = ka g C E + sum of [scattered] t B L, with t of the colour of the fur above; g = (1-e) o + e, where o goes from s
-/// to what reaches the place as the self-shadow takes the place of the height.
+/// c = ka g C E + sum of [scattered] t B L, where t is the transmittance in the colour of the fur above and g = (1-e) o
+/// + e. As `self_shadow` goes from 0 to 1, o goes from the height s to the ambient share that reaches the fibre.
 inline Expected expected_light(const FurFrame& frame, const FibreShading& shading, const Case& c) {
   const Look& look = frame.look;
   const SphericalHarmonics around = irradiance_of(harmonics_of(frame.environment));

@@ -1,11 +1,11 @@
-// How far two pictures are from each other where either shows something.
+// FLIP between two pictures, over the pixels where either shows something.
 #pragma once
 
 #include "renderer/compare/compare.h"
 
 namespace pelage::testing {
 
-/// Mean FLIP; 1 where it cannot be measured.
+/// Mean FLIP; 1 if it cannot be measured.
 inline double flip_between(const Image& truth, const Image& image) {
   const FloatImage expected = linear_image(truth), drawn = linear_image(image);
   const Result<PictureError> error = compare(expected, drawn, union_of(alpha_mask(expected), alpha_mask(drawn)));

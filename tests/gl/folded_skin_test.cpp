@@ -1,12 +1,12 @@
-// Skin whose fur turns over in a fold and grows into the body.
+// Fur at a fold of the skin, where it grows into the body.
 #include "tests/gl/with_renderer.h"
 #include "tests/support/furred_model.h"
 
 namespace pelage::testing::folded_skin_test {
 namespace {
 
-/// A triangle that faces the front, and on each of its edges one ten times as large, folded back below it: the normals
-/// of its vertices point away from the front, and its fur with them.
+/// A front-facing triangle, and on each of its edges one ten times as large, folded back below it: the normals of its
+/// vertices point away from the front, and its fur with them.
 FurredModel folded() {
   RawModel raw;
   raw.positions = {{-1, -0.6, 0}, {1, -0.6, 0}, {0, 1, 0}, {0, 16, -0.5}, {-14, -7, -0.6}, {14, -7, -0.7}};

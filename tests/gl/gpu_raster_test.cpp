@@ -1,4 +1,4 @@
-// Strands drawn by compute shaders against the same drawn by the CPU: one fur, whoever draws it.
+// Strands drawn by compute shaders look like the same strands drawn by the CPU.
 #include "renderer/raster/gpu/gpu_raster.h"
 
 #include <algorithm>
@@ -20,14 +20,14 @@
 namespace pelage::testing {
 namespace {
 
-/// A golden scene that a software GL draws in less than a second: a small picture of a few strands.
+/// A golden scene that a software GL draws in less than a second: a small picture of few strands.
 GoldenScene small_scene(std::size_t number, int size = 128) {
   GoldenScene scene(goldens()[number], size);
   scene.model.settings.coats[0].coat.count /= 8;
   return scene;
 }
 
-/// The same scenes, drawn by both.
+/// Draws the same scenes by the GL and by the CPU.
 class GpuRasterTwin : public OnBackend {
  protected:
   void SetUp() override {
@@ -39,8 +39,8 @@ class GpuRasterTwin : public OnBackend {
     ASSERT_TRUE(by_gl->strands_by_gl());
   }
 
-  /// Within a twentieth of what issue 44 allows, as more would hide a fault. PELAGE_PICTURES: a folder that both
-  /// pictures go to.
+  /// Expects differences of at most a twentieth of what issue 44 allows, since more would hide a fault. If
+  /// PELAGE_PICTURES names a folder, both pictures are written to it.
   void expect_same(const FurredModel& model, const FrameRequest& request, const std::string& name) {
     const Image expected = draw(by_cpu, model, request);
     gl().take_counts();
@@ -141,7 +141,7 @@ TEST_P(GpuRasterTwin, DrawsTheSameBitsAgain) {
   const Groom groom = scene.model.fields.at(5);
   scene.model.fields.set(5, stored_groom(groom.direction, 2 * groom.length, 0));
   EXPECT_NE(draw(*by_gl, scene.model, scene.request).rgba, before.rgba);
-  scene.model.fields.set(5, groom);  // all is found anew
+  scene.model.fields.set(5, groom);  // everything is computed anew
   EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, before.rgba);
 }
 
@@ -193,7 +193,7 @@ TEST_P(GpuRasterTwin, FollowsALightThatStandsNear) {
 }
 
 TEST_P(GpuRasterTwin, FollowsTheWind) {
-  GoldenScene scene = small_scene(3, 96);  // a pattern changes how it leans
+  GoldenScene scene = small_scene(3, 96);  // its coat has a pattern
   scene.model.settings.coats[0].coat.curl = 0.1;
   const Image calm = draw(*by_gl, scene.model, scene.request);
   MovedFur moved{{scene.model.fields.direction().begin(), scene.model.fields.direction().end()}};
@@ -215,14 +215,14 @@ TEST_P(GpuRasterTwin, FollowsTheWind) {
   EXPECT_EQ(draw(*by_gl, scene.model, scene.request).rgba, calm.rgba) << "it stands as it did";
 }
 
-/// All pictures but those of colours; the CPU draws those of objects in between.
+/// All AOVs but the beauty. The CPU draws those of objects.
 TEST_P(GpuRasterTwin, ShowsWhatIsAskedForBesideLight) {
   const GoldenScene scene = whole_creature(64);
   const std::vector<Aov> aovs{Aov::alpha,     Aov::depth,  Aov::position, Aov::normal,       Aov::tangent,
                               Aov::albedo,    Aov::direct, Aov::shadow,   Aov::sample_count, Aov::objects_1,
                               Aov::objects_2, Aov::strand, Aov::root};
   const auto pictures = [&](Renderer& renderer) {
-    draw(renderer, scene.model, scene.request);  // so that it has the model
+    draw(renderer, scene.model, scene.request);  // gives the renderer the model
     Result<std::vector<FloatImage>> drawn = renderer.draw_aovs(make_frame(scene.model.view(), scene.request), aovs);
     EXPECT_TRUE(drawn.ok()) << drawn.status().message;
     return std::move(drawn).value();
@@ -235,8 +235,8 @@ TEST_P(GpuRasterTwin, ShowsWhatIsAskedForBesideLight) {
       const float apart = std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
       others += apart > 0.01f + 0.01f * std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
     }
-    // Strands that cover as much of a pixel, or end where it begins, may change places; what is hidden behind full
-    // tiles is counted by one and not by the other.
+    // Strands of equal coverage in a pixel, or that end at its border, may swap places. Only one of the two counts
+    // strands that are hidden behind full tiles.
     const double share = static_cast<double>(others) / static_cast<double>(pixels);
     EXPECT_LE(share, aovs[i] == Aov::sample_count ? 0.3 : 0.005) << static_cast<int>(aovs[i]);
     if (std::getenv("PELAGE_PICTURES"))
@@ -259,20 +259,20 @@ TEST_P(GpuRasterTwin, DrawsAnewAfterItsGlWasReset) {
 }
 
 TEST_P(GpuRasterTwin, LeavesToTheCpuWhatItHasNoMemoryFor) {
-  const GoldenScene scene = small_scene(3, 64);  // with its ground, which either drawer darkens once
-  static int answers = 0;                        // that are left: every second one says that memory is out
+  const GoldenScene scene = small_scene(3, 64);  // it has a ground, which must be darkened only once
+  static int answers = 0;                        // that are left; every second one is GL_OUT_OF_MEMORY
   Gl poor = gl();
   poor.GetError = [] { return answers > 0 && answers-- % 2 == 0 ? GLenum{GL_OUT_OF_MEMORY} : GLenum{GL_NO_ERROR}; };
   const auto renderer = Renderer::create(poor, {.threads = 2, .software_gl_draws_strands = true});
   ASSERT_TRUE(renderer.ok());
-  gl().GetError();  // of a query that shells try
-  answers = 4;      // for a picture that is finished on the GPU, and for its light
+  gl().GetError();  // clears the error of a query that shells try
+  answers = 4;      // two for the picture that is finished on the GPU, two for its light
   EXPECT_EQ(draw(**renderer, scene.model, scene.request).rgba, draw(by_cpu, scene.model, scene.request).rgba);
   EXPECT_EQ(answers, 0);
-  EXPECT_TRUE((*renderer)->strands_by_gl());  // the next one may fit
+  EXPECT_TRUE((*renderer)->strands_by_gl());  // the next frame may fit
 }
 
-/// A second coat, long, curled and wet, whose density falls from one side of the model to the other.
+/// Adds a second coat, long, curled and wet, whose density falls from one side of the model to the other.
 void add_second_coat(FurredModel& model) {
   NamedCoat second{"mane", 3, false, model.settings.coats[0].coat};
   second.coat.seed = 7, second.coat.curl = 0.1, second.coat.wetness = 0.6, second.coat.ramp = {{0, {0.1f, 0.2f, 0.6f}}};
@@ -296,7 +296,7 @@ TEST_P(GpuRasterTwin, DrawsSeveralCoats) {
   expect_same(scene.model, scene.request, "coats");
 }
 
-/// Light of a scene by a GL with buffers of so many bytes at most.
+/// Draws the light of a scene by a GL, with buffers of at most `max_bytes`.
 Result<FloatImage> light_in_buffers(const Gl& gl, const GoldenScene& golden, std::size_t max_bytes) {
   const ModelArrays arrays = make_arrays(golden.model.view());
   const FurModel model = make_model(golden.model.view(), arrays);
@@ -322,7 +322,7 @@ TEST_P(GpuRasterTwin, DrawsInBandsWhereBuffersAreSmall) {
   const Result<FloatImage> bands = light_in_buffers(gl(), scene, std::size_t{300} << 10);
   ASSERT_TRUE(whole.ok() && bands.ok());
   EXPECT_EQ(whole->rgba, bands->rgba);
-  const Result<FloatImage> none = light_in_buffers(gl(), scene, 1024);  // not even for a row of tiles
+  const Result<FloatImage> none = light_in_buffers(gl(), scene, 1024);  // too small even for one row of tiles
   EXPECT_EQ(none.status().code, Code::too_large);
 }
 

@@ -1,4 +1,4 @@
-// A question for each pixel of a square, answered by a shader: how GLSL is compared with C++.
+// Evaluates a shader for each pixel of a square, to compare GLSL with C++.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace pelage::testing {
 
-/// Texels in shells of side x side, one shell after the other, read with texelFetch; or with linear filtering, clamped.
+/// Sends an array texture of side x side texels for each index, one index after the other; to be read with texelFetch,
+/// or clamped with linear filtering.
 inline Texture send_images(const Gl& gl, int side, const std::vector<glm::vec4>& texels, bool linear = false) {
   Texture texture(gl, GLenum{GL_TEXTURE_2D_ARRAY});
   const int layers = static_cast<int>(texels.size()) / (side * side);
@@ -20,7 +21,7 @@ inline Texture send_images(const Gl& gl, int side, const std::vector<glm::vec4>&
   return texture;
 }
 
-/// A uniform block bound at `binding` for as long as the buffer lives.
+/// Sends a uniform block, which is bound at `binding` for as long as the buffer lives.
 template <class Block>
 Buffer send_block(const Gl& gl, GLuint binding, const Block& block) {
   Buffer buffer(gl);
@@ -29,7 +30,7 @@ Buffer send_block(const Gl& gl, GLuint binding, const Block& block) {
   return buffer;
 }
 
-/// What the program in use answers for each pixel.
+/// Returns what the program in use writes for each pixel.
 inline std::vector<glm::vec4> answers(const Gl& gl, int side) {
   const RenderTarget target(gl, GL_RGBA32F, side, side, false);
   const VertexArray nothing(gl);

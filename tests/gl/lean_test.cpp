@@ -51,7 +51,7 @@ TEST_P(Lean, AgreesWithTheCpu) {
                               std::abs(point.angle - double(gpu[2]))});
         }
       }
-      EXPECT_LT(largest, 2e-5) << "curve " << int(curve) << " root share " << root_share;  // llvmpipe's sines
+      EXPECT_LT(largest, 2e-5) << "curve " << int(curve) << " root share " << root_share;  // from llvmpipe's sines
     }
   }
 }

@@ -2,11 +2,12 @@
 #include "frame.glsl"
 #include "lighting.glsl"
 
-// One shell each: place with height, normal with the strands above, tangent with the strand's number, to eye, colour.
+// By array index: 0 position, height; 1 normal, strands above; 2 tangent, strand number; 3 direction to the camera; 4
+// colour.
 layout(binding = 0) uniform sampler2DArray cases;
 
 uniform int asked;
-uniform int light;  // whose shadow is asked for
+uniform int light;  // index of the light whose shadow is asked for
 
 layout(location = 0) out vec4 result;
 

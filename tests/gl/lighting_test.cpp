@@ -24,7 +24,7 @@ namespace testing::lighting_test {
 namespace {
 
 constexpr int side = 32, cases = side * side;
-constexpr int asked_light = 2;  // the light whose shadow is asked for: the third, whose maps are the second ones
+constexpr int asked_light = 2;  // index of the light whose shadow is asked for; its maps are the second ones
 
 std::vector<Case> random_cases() {
   std::mt19937 random(5);
@@ -115,7 +115,7 @@ TEST_P(Lighting, SumsUpAmbientLightAndLights) {
   }
 }
 
-/// Lights that are known to be far away when a program is built give the light that they give in any program.
+/// A program that is built for far lights alone gives the same light as one for any lights.
 TEST_P(Lighting, FarLightsAloneGiveTheSameLight) {
   FurFrame frame = lit_frame();
   frame.lights.resize(1);
@@ -127,12 +127,12 @@ TEST_P(Lighting, FarLightsAloneGiveTheSameLight) {
   for (std::size_t i = 0; i < of.size(); ++i) ASSERT_LT(apart(far[i], glm::dvec3(any[i])), 1e-6) << i;
 }
 
-/// The fibre models scatter once; .55 kd C sin(T, L) stands for what goes on from fibre to fibre.
+/// Fibre models compute single scattering; .55 kd C sin(T, L) stands for further scattering between fibres.
 TEST_P(Lighting, FibreModelsScatterAgainInTheFursColour) {
   FurFrame frame = lit_frame();
   frame.lights.resize(1), frame.look.ambient = 0, frame.look.self_shadow = 0;
   frame.look.shading = ShadingModel::energy_conserving;
-  const Texture nothing(gl(), GLenum{GL_TEXTURE_3D});  // a table in which a fibre scatters nothing at first
+  const Texture nothing(gl(), GLenum{GL_TEXTURE_3D});  // a table without single scattering
   const glm::vec4 zero(0);
   gl().TextureStorage3D(nothing.id(), 1, GL_RGBA32F, 1, 1, 1);
   gl().TextureSubImage3D(nothing.id(), 0, 0, 0, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, &zero);
@@ -147,7 +147,7 @@ TEST_P(Lighting, FibreModelsScatterAgainInTheFursColour) {
   }
 }
 
-/// Past two strands on average black fur lets through exp(-2 (1 - t)); the paler, the more (science.md 4).
+/// Below two strands on average black fur transmits exp(-2 (1 - t)), and paler fur more (science.md 4).
 TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   std::vector<Case> of = random_cases();
   of[0].colour = {0, 0.25f, 1}, of[0].above = 2;
@@ -162,7 +162,7 @@ TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   EXPECT_GT(values[0].b, 0.5f);
 }
 
-/// The approximation beside the mean of exp(-a tan x) over the half sphere.
+/// The approximation against the mean of exp(-a tan x) over the hemisphere.
 TEST(AmbientShare, IsNearTheMeanOverAllDirections) {
   for (const double a : {0.01, 0.1, 0.5, 1.0, 3.0, 10.0}) {
     double mean = 0;
@@ -217,18 +217,18 @@ TEST_P(Lighting, LightsFallWithTheSquareSpotsToTheirEdgeAndAreasByTheCosine) {
   }
 }
 
-/// A light above looks down -Z; its map holds skin at depth .5 everywhere, those of the first map are of another light.
+/// A light above looks down -Z. Its map holds skin at depth .5 everywhere; the first map is that of another light.
 class ShadowFormulas : public Lighting {
  protected:
   struct Maps {
-    float white = 1;  // shadow-width map
+    float white = 1;  // value of the shadow-width map
     bool soft = true;
-    float scale = 10;              // Cscale; -1 casts none
-    float shells = 1, depths = 1;  // slots
+    float scale = 10;              // Cscale; -1 casts no shadow
+    float shells = 1, depths = 1;  // array indices of the maps; -1 for none
     float lower = 0.5f;            // depth of the skin on the map's lower half
   };
 
-  /// rg: S, and the optical depth of the shells above, for places at (x, y, z) with height s; the estimate is 7.
+  /// Returns rg: S, and the optical depth of the shells above, at the cases' positions and heights. The estimate is 7.
   std::vector<glm::vec4> asked(const Maps& maps, const std::vector<Case>& of) {
     ShadowBlock block;
     block.to_light[asked_light] = glm::mat4(1);
@@ -250,7 +250,7 @@ class ShadowFormulas : public Lighting {
     return on_gpu(mapped, lit_frame(), of, "#define SHADOW_MAPS\n");
   }
 
-  /// Places `below` the skin that the light sees.
+  /// Points up to `deepest` below the skin that the light sees.
   static std::vector<Case> places_below(double deepest) {
     std::vector<Case> of = random_cases();
     for (std::size_t i = 0; i < of.size(); ++i) {
@@ -261,7 +261,7 @@ class ShadowFormulas : public Lighting {
   }
 };
 
-/// S = clamp(1 - Cscale sw / sd, 0, 1) behind what the light sees, 1 before it (GPU fur 4), past the bias.
+/// S = clamp(1 - Cscale sw / sd, 0, 1) behind what the light sees, 1 in front of it (GPU fur 4), past the bias.
 TEST_P(ShadowFormulas, SoftShadowIsTheWidthOverTheDepth) {
   const std::vector<Case> of = places_below(0.3);
   for (const float white : {0.4f, 0.55f, 0.7f, 1.0f}) {
@@ -289,8 +289,8 @@ TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
   }
 }
 
-/// The maps hold exp(-.2 (16 - i)) at boundary i: between two of them what is let through is mixed. Half a slice, a
-/// quarter of a shell, is the strand itself.
+/// The maps hold exp(-.2 (16 - i)) at boundary i, and transmittance is interpolated between boundaries. The lookup
+/// starts a quarter of a shell (half a slice) higher, because that part is the strand itself.
 TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
   const std::vector<Case> of = places_below(0);
   const std::vector<glm::vec4> values = asked({}, of);
@@ -305,7 +305,7 @@ TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
   EXPECT_EQ(other[cases - 1].g, 7) << "the maps show another part of the body";
 }
 
-/// The first row of a map is the light's upper side.
+/// The first row of a map is its upper side as the light sees it.
 TEST_P(ShadowFormulas, MapsStandUpright) {
   std::vector<Case> of = places_below(0.3);
   for (Case& c : of) c.place.y = c.place.y > 0 ? 0.6f : -0.6f;

@@ -1,4 +1,4 @@
-// Pieces of patches that share a place let through what one would.
+// Overlapping pieces of patches together transmit what a single piece would.
 #include <algorithm>
 
 #include "server/frames/fur_view.h"
@@ -10,7 +10,7 @@ namespace {
 
 class SharedFur : public WithRenderer {};
 
-/// The model with each piece drawn once for every weight.
+/// Draws the model with each piece once for every weight.
 Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
   const Mesh& mesh = model.model.surface.mesh();
   const FurPieces whole = make_pieces(mesh, hard_pieces(model.model.patches));
@@ -23,7 +23,7 @@ Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std:
     }
   }
   FurFrame frame = make_frame(model.view(), shells_frame(AutoView::three_quarter, 192));
-  static std::uint64_t last_id = 1'000'000;  // far from those of other models
+  static std::uint64_t last_id = 1'000'000;  // far from the ids of other models
   frame.model = ++last_id;
   const FurModel fur{frame.model,      mesh.positions, mesh.normals, mesh.tangents,
                      pieces.triangles, pieces.corners, {},           !mesh.corners.empty()};
@@ -40,7 +40,7 @@ TEST_P(SharedFur, PiecesWithSharesMakeOneFur) {
   EXPECT_LT(difference, 0.25 * mean_difference(half, one));
 }
 
-/// Soft overlaps show the same fur as hard borders but for which strand is where.
+/// Soft overlaps show the same fur as hard borders; only which strand is where differs.
 TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
   const FurredModel model = furred({Builtin::creature, 3000});
   FurredModel hard = furred({Builtin::creature, 3000});

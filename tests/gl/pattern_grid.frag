@@ -3,7 +3,7 @@
 
 layout(location = 0) out vec4 result;
 
-// The mixing of shares into a colour, over a grid of both.
+// Mixes weights into a colour, over a grid of weights and colours.
 void main() {
   vec2 at = floor(gl_FragCoord.xy) / 32.0;
   vec3 weights = vec3(at.x, fract(3.0 * at.x + 0.3), fract(5.0 * at.x + at.y));

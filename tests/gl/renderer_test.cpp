@@ -73,7 +73,7 @@ TEST_P(Frames, FewerShellsWhereTheViewNeedsFewerKeepTheOpacity) {
 }
 
 TEST_P(Frames, NothingPopsWhenTheCameraMoves) {
-  // From step to step of a slow approach no picture may change much more than with the same shells everywhere.
+  // In a slow approach no step may change the picture much more than with uniform shells.
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
   FrameRequest request = shells_frame();
   request.camera.automatic = AutoView::none;
@@ -163,9 +163,9 @@ TEST_P(Frames, CopiesAreCountedUntilTheyAreForgotten) {
   sync_shells(*renderer, model, {});
   const std::size_t sent = renderer->gl_bytes() - before, synced = renderer->bytes_of(model.model.id);
   EXPECT_GT(sent, 0u);
-  EXPECT_GT(synced, sent);  // and arrays of the CPU
+  EXPECT_GT(synced, sent);  // plus arrays on the CPU
   ASSERT_TRUE(renderer->draw(make_frame(model.view(), shells_frame())).ok());
-  EXPECT_GT(renderer->bytes_of(model.model.id), synced);  // triangles of the view
+  EXPECT_GT(renderer->bytes_of(model.model.id), synced);  // plus triangle lists of the view
   const std::size_t drawn = renderer->gl_bytes(), copy = renderer->bytes_of(model.model.id);
   renderer->forget(model.model.id);
   EXPECT_EQ(renderer->bytes_of(model.model.id), 0u);
@@ -214,11 +214,10 @@ TEST_P(Frames, TuftsOpenGapsAndLeaveNoTraceInFramesWithoutThem) {
 }
 
 TEST_P(Frames, WhatIsNotUsedCostsNothing) {
-  // A scene without maps, pattern or environment. These are the numbers of a program that has none of those: skin,
-  // coarse depth and fur; 4 shells of depth and 8 of fur on each side. The model and the coat are bound for skin and
-  // fur.
+  // A scene without maps, pattern or environment costs what a program without those features would: skin, coarse depth
+  // and fur; 4 shells of depth and 8 of fur on each side. The textures of model and coat are bound for skin and fur.
   FurredModel model = furred({Builtin::sphere, 300});
-  model.settings.look.shading = ShadingModel::kajiya;  // no table
+  model.settings.look.shading = ShadingModel::kajiya;  // needs no scattering table
   FrameRequest request = shells_frame();
   request.knobs.shells.count = 8;
   request.knobs.shells.policy = ShellPolicy::uniform;
@@ -229,15 +228,15 @@ TEST_P(Frames, WhatIsNotUsedCostsNothing) {
   EXPECT_EQ(plain.passes, 3u);
   EXPECT_EQ(plain.draws, 21u);
   EXPECT_EQ(plain.textures, 6u);
-  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 13312);  // a level for each vertex, lists of triangles
+  EXPECT_EQ(plain.bytes, sizeof(FrameBlock) + 13312);  // shell LOD of each vertex, and triangle lists
   EXPECT_NEAR(static_cast<double>(plain.fragments), 89599, 0.05 * 89599);  // edges differ between drivers
   EXPECT_EQ(counters(frame), plain);
 
-  frame.lights[0].self_shadow_maps = true;  // asked of the light alone: no map is drawn
+  frame.lights[0].self_shadow_maps = true;  // asked for by the light alone, so no map is drawn
   EXPECT_EQ(counters(frame), plain);
   frame.knobs.shells.shadow_maps = true;
   EXPECT_GT(counters(frame).draws, plain.draws);
-  frame.knobs.shells.shadow_maps = false;  // having drawn something once costs later frames nothing
+  frame.knobs.shells.shadow_maps = false;  // maps that were drawn once cost later frames nothing
   EXPECT_EQ(counters(frame), plain);
 }
 
@@ -252,7 +251,7 @@ TEST_P(Frames, SizesFromOnePixelOn) {
 }
 
 TEST_P(Frames, TheUprightPoleIsUp) {  // rows come from the top: a light from above brightens the upper half
-  // Lying fur: upright fur on the pole would point at the light, and shows it no side (Kajiya).
+  // Lying fur, since upright fur at the pole would point at the light and reflect nothing (Kajiya).
   FurredModel model = furred({Builtin::sphere, 1000}, {.inclination = 0.95});
   model.settings.lights = {{.direction = {0, -1, 0}}};
   const Image image = draw(*renderer, model, shells_frame());

@@ -4,16 +4,16 @@
 #include "base_colour.glsl"
 #include "scattering.glsl"
 
-// One shell each: tangent, normal, to light, to eye, colour with the strand's number.
+// By array index: 0 tangent; 1 normal; 2 direction to the light; 3 direction to the camera; 4 colour, strand number.
 layout(binding = 0) uniform sampler2DArray cases;
 
-uniform int by_lobe;  // 1: M Ap Np of R, TT, TRT and the rest for the red channel
+uniform int by_lobe;  // 1: M Ap Np of R, TT, TRT and the remaining lobe for the red channel
 
 layout(location = 0) out vec4 result;
 
 vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 0); }
 
-// Without what a bundle adds.
+// Scattering of a single fibre, without what the bundle adds.
 vec3 once(int model, Fibre fibre, vec3 to_light) {
   FibreEye eye = fibre_eye(fibre);
   return scatters_fibres(model) ? scatter_fibre(fibre, eye, to_light, model == model_marschner)

@@ -24,7 +24,7 @@ constexpr ShadingModel all_models[] = {ShadingModel::lengyel,           ShadingM
                                        ShadingModel::energy_conserving, ShadingModel::scheuermann,
                                        ShadingModel::kajiya_kay,        ShadingModel::marschner};
 
-/// One pixel's question, in the floats that the shader gets.
+/// Inputs of one pixel, in the floats that the shader gets.
 struct Case {
   glm::vec3 tangent, normal, to_light, to_camera, colour;
   float strand;
@@ -50,7 +50,7 @@ std::vector<Case> random_cases() {
   return made;
 }
 
-/// Directions along, against and across one another, black and white, over and over.
+/// Directions along, against and across one another, with black and white, repeated.
 std::vector<Case> extreme_cases() {
   const glm::vec3 slanted = glm::normalize(glm::vec3(1, 2, -0.5)), x(1, 0, 0), y(0, 1, 0);
   const glm::vec3 grazing = glm::normalize(glm::vec3(1, 1e-4, 0));
@@ -105,7 +105,7 @@ class Scattering : public OnBackend {
   }
 };
 
-/// Largest difference over the value, where the value is more than a hundredth of the grid's largest.
+/// Largest relative difference, over values above a hundredth of the grid's largest.
 double largest_difference(const Look& look, const std::vector<Case>& asked, const ScatteringTable& table,
                           const std::vector<glm::vec4>& pixels) {
   const FibreShading shading(look);
@@ -197,7 +197,7 @@ TEST_P(Scattering, EveryLobeOfAFibreAgreesWithTheCpu) {
   }
 }
 
-/// One lobe at a time of the models that are formulas: the weights of the others are 0.
+/// Tests one lobe at a time of the models that are formulas: the weights of the others are 0.
 TEST_P(Scattering, EveryLobeOfAFormulaAgreesWithTheCpu) {
   const std::vector<Case> asked = random_cases();
   for (const ShadingModel model : {ShadingModel::kajiya, ShadingModel::kajiya_kay, ShadingModel::scheuermann}) {
@@ -210,8 +210,8 @@ TEST_P(Scattering, EveryLobeOfAFormulaAgreesWithTheCpu) {
   }
 }
 
-/// All that a white fibre sends into one direction, summed on the GPU over light from everywhere: pi, as `scatter` is
-/// pi times a distribution. Gauss-Legendre along the strand, midpoints around it.
+/// The light that a white fibre sends into one direction, summed on the GPU over light from everywhere, is pi, since
+/// `scatter` is pi times a distribution. Gauss-Legendre quadrature along the strand, midpoints around it.
 TEST_P(Scattering, WhiteFurnace) {
   Look look;
   look.shading = ShadingModel::energy_conserving;

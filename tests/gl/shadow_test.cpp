@@ -1,4 +1,4 @@
-// Shadows from maps: they darken what lies behind, agree with the estimate where both are right, and are kept.
+// Shadows from maps: they darken what lies behind, agree with the estimate where both are right, and are cached.
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
@@ -13,20 +13,20 @@ namespace {
 
 class Shadows : public WithRenderer {
  protected:
-  /// Light from above, the picture from above too, so that what is shadowed by itself is not seen.
+  /// Draws the model in one light. With light and camera above, parts that shadow each other are not seen.
   Image picture(FurredModel& model, const Light& light, bool maps, AutoView from = AutoView::top) {
     model.settings.lights = {light};
     FrameRequest request = shells_frame(from, 160);
     request.knobs.shells.shadow_maps = maps;
     return draw(*renderer, model, request);
   }
-  /// Premultiplied linear light of lights alone.
+  /// Premultiplied linear light without ambient light.
   FloatImage light_of(FurredModel& model, const FrameRequest& request) {
     model.settings.look.ambient = 0;
     sync_shells(*renderer, model, {{0, static_cast<std::uint32_t>(model.fields.size())}});
     return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::beauty}).value()[0];
   }
-  /// The share of it that shadows leave in each pixel, 0 where there is none.
+  /// Share of that light that shadows leave in each pixel; 0 where there is none.
   std::vector<double> share_left(FurredModel& model, FrameRequest request) {
     const FloatImage kept = light_of(model, request);
     request.knobs.shells.shadow_maps = request.knobs.shells.self_shadow = false;
@@ -36,7 +36,7 @@ class Shadows : public WithRenderer {
       shares.push_back(whole.rgba[i] > 1e-4f ? double{kept.rgba[i]} / double{whole.rgba[i]} : 0);
     return shares;
   }
-  /// Where in space the request's pixels lie, and the normals of the skin there.
+  /// Positions of the request's pixels, and the normals of the skin there.
   std::vector<FloatImage> places_of(const FurredModel& model, FrameRequest request) {
     request.knobs = {};
     return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::position, Aov::normal}).value();
@@ -50,7 +50,7 @@ class Shadows : public WithRenderer {
 const Light from_above{.direction = {0, -1, 0}, .intensity = 1};
 
 TEST_P(Shadows, ShellMapsAgreeWithTheEstimateOnAPlane) {
-  // Upright fur seen along the light: the map holds what the strands above let through, the estimate their mean.
+  // Fur seen along the light: the map holds the transmittance of the strands above, the estimate their mean.
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.6});
   Light light = from_above;
   const double estimate = mean(picture(model, light, false));
@@ -58,12 +58,13 @@ TEST_P(Shadows, ShellMapsAgreeWithTheEstimateOnAPlane) {
   const double maps = mean(picture(model, light, true));
   EXPECT_NEAR(maps, estimate, 0.15 * estimate);
   model.settings.look.self_shadow = 0;
-  EXPECT_GT(mean(picture(model, light, false)), estimate * 1.05);  // so there is a shadow to agree on
+  EXPECT_GT(mean(picture(model, light, false)), estimate * 1.05);  // there is a shadow to agree on
 }
 
-/// The share of light that all but black fur, which keeps what it takes, leaves: from the maps and from the estimate.
-/// The light comes from a side, as what is seen along it has nothing above it. The maps leave more: gaps let light in
-/// to what is seen through them, and the mean of what strands let through is more than the mean depth does.
+/// Share of light that shadows leave on nearly black fur, which does not scatter what it stops: from the maps and from
+/// the estimate. The light comes from a side, because what is seen along the light has nothing above it. The maps leave
+/// more: light falls through gaps on what is seen through them, and the mean transmittance of strands is more than the
+/// transmittance of the mean depth.
 TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
   model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.02f)}};
@@ -88,7 +89,7 @@ TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
 
 TEST_P(Shadows, CastShadowOnlyDarkens) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.01});
-  model.settings.look.ambient = 0.2;  // so that the means are the light's
+  model.settings.look.ambient = 0.2;  // so little that the means are mostly direct light
   Light light = from_above;
   const Image open = picture(model, light, true, AutoView::front);
   light.cast_shadow = CastShadow::hard;
@@ -112,7 +113,7 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
   EXPECT_NEAR(penumbra, mean(picture(sleek, light, true, AutoView::front)), 0.02 * mean(open));
 }
 
-/// On bare skin a hard shadow is where a ray to the light meets the body, from whatever side the light comes.
+/// On bare skin a hard shadow falls where a ray to the light hits the body, from whatever side the light comes.
 TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
   FrameRequest request = shells_frame(AutoView::front, 128);
@@ -136,7 +137,7 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   }
 }
 
-/// Directions to a light, even over the disc that it is seen as.
+/// Directions to a light, evenly distributed over the disc that it subtends.
 std::vector<glm::dvec3> rays_to(const FurLight& light, int count) {
   const glm::dvec3 axis = -glm::dvec3(light.direction);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, glm::dvec3(0.1, 0.2, 0.97))), up = glm::cross(axis, right);
@@ -148,7 +149,7 @@ std::vector<glm::dvec3> rays_to(const FurLight& light, int count) {
   return rays;
 }
 
-/// On bare skin a penumbra is the share of a light's disc that rays do not reach.
+/// On bare skin a penumbra is the share of the light's disc that rays do not reach.
 TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0});
   FrameRequest request = shells_frame(AutoView::front, 96);
@@ -170,13 +171,13 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
       error += std::abs(shares[i / 4] - open), bias += shares[i / 4] - open, ++count;
       between += open > 0.1 && open < 0.9;
     }
-    EXPECT_GT(between, 0.01 * degrees * count) << degrees;  // so there is a penumbra to be right about
+    EXPECT_GT(between, 0.01 * degrees * count) << degrees;  // there is a penumbra to compare
     EXPECT_LT(error, 0.05 * count) << degrees;
     EXPECT_LT(std::abs(bias), 0.02 * count) << degrees;
   }
 }
 
-// Light of lights on what lies below y = -.1, under fur of some length above the middle.
+// Compares the light below y = -.1 under shorter and longer fur above the middle.
 TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
   FurredModel model = furred({Builtin::knot, 4000}, {.length = 0.015});
   model.settings.coats[0].coat.count = 3000;
@@ -221,9 +222,9 @@ TEST_P(Shadows, MapsAreCachedUntilFieldsOrLightChange) {
   FrameRequest request = shells_frame(AutoView::left, 160);
   request.knobs.shells.shadow_maps = true;
   const auto made = [&] {
-    return counters_of(*renderer, make_frame(model.view(), request)).objects > 0;  // new textures
+    return counters_of(*renderer, make_frame(model.view(), request)).objects > 0;  // new textures: maps were drawn
   };
-  EXPECT_FALSE(made());  // another view of the same
+  EXPECT_FALSE(made());  // another view uses the same maps
   model.settings.lights[0].direction = {1, -1, 0};
   EXPECT_TRUE(made());
   EXPECT_FALSE(made());
@@ -262,8 +263,8 @@ TEST_P(Shadows, ASpotLightsOnlyItsCone) {
   EXPECT_LT(mean(picture(model, light, false)), 0.5 * full);
 }
 
-/// Share of the lights' light that is left where the light itself sees skin between strands. Skin under fur has the
-/// colour of the roots, and only that is red.
+/// Share of the light that is left where a light at the camera's position sees skin between strands. Skin under fur has
+/// the colour of the roots, and only that is red.
 double light_between_strands(Renderer& renderer, Coat coat) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.5});
   coat.ramp = {{0, {1, 0, 0}}, {0.01, {0, 1, 0}}, {1, {0, 1, 0}}};
@@ -303,8 +304,8 @@ TEST_P(Shadows, WhereALightSeesNoFurNothingIsDark) {
   EXPECT_GT(light_between_strands(*renderer, tufted), plain - 0.03);
 }
 
-/// Three levels one above the other: the highest over x < 0, the middle one over all, the lowest over all or, where it
-/// has `gap`, at the ends alone.
+/// Three horizontal rectangles, one above the other: the highest over x < 0, the middle one over all x, the lowest up
+/// to x = .6 or, with `gap`, only at the edge near x = -1.
 RawModel three_levels(bool gap) {
   RawModel raw;
   const auto level = [&](double y, double from, double to) {
@@ -314,7 +315,7 @@ RawModel three_levels(bool gap) {
     raw.face_sizes.push_back(4);
     for (std::uint32_t i = 0; i < 4; ++i) raw.corners.push_back(first + i);
   };
-  level(1, -1, 0), level(0.5, -1, 1), level(0, -1, gap ? -0.99 : 0.6);  // the camera sees no more of it
+  level(1, -1, 0), level(0.5, -1, 1), level(0, -1, gap ? -0.99 : 0.6);  // the camera sees nothing of the lowest
   return raw;
 }
 

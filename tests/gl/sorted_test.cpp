@@ -1,4 +1,4 @@
-// Fragments sorted for each pixel: stacks whose picture is known, and frames.
+// Fragments sorted in each pixel: stacks whose picture is known, and frames.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,7 +24,7 @@ struct Quad {
   float depth = 0.5f, grey = 1, opacity = 0.5f, padding = 0;
 };
 
-/// The light and the alpha of quads of different depths, over black, in double.
+/// Light and alpha of quads of different depths, composited over black in double.
 glm::dvec2 composite(std::vector<Quad> quads) {
   std::sort(quads.begin(), quads.end(), [](const Quad& a, const Quad& b) { return a.depth > b.depth; });
   double light = 0, left = 1;
@@ -35,7 +35,7 @@ glm::dvec2 composite(std::vector<Quad> quads) {
   return {light, 1 - left};
 }
 
-/// `count` quads whose depths all differ, in random order.
+/// `count` quads with distinct depths, in random order.
 std::vector<Quad> random_stack(int count, float opacity) {
   std::mt19937 random(7);
   std::vector<Quad> quads;
@@ -57,7 +57,7 @@ class Stack : public OnBackend {
     int areas = 0;
   };
 
-  /// What the pass makes of quads, over depth `behind` and nothing else.
+  /// What the sorting pass makes of quads alone, with `behind` in the depth buffer.
   Drawn sorted(const std::vector<Quad>& quads, std::size_t bytes = 1 << 22, float behind = 0) {
     const RenderTarget target(gl(), GL_RGBA32F, side, side, true);
     set_draw_state(gl(), target);
@@ -138,7 +138,7 @@ TEST_P(Stack, EqualDepthsAreAMixture) {
 TEST_P(Stack, LittleMemoryTakesMoreAreas) {
   const std::vector<Quad> quads = random_stack(100, 0.02f);
   const Drawn whole = sorted(quads);
-  const Drawn tiny = sorted(quads, 150 * FragmentLists::fragment_bytes);  // a pixel and a half
+  const Drawn tiny = sorted(quads, 150 * FragmentLists::fragment_bytes);  // room for one and a half pixels
   EXPECT_EQ(whole.areas, 1);
   EXPECT_GE(tiny.areas, side * side);
   ASSERT_TRUE(tiny.status.ok());
@@ -216,12 +216,12 @@ TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
   const FloatImage aovs_before = light_of(*renderer, model, aovs);
   std::reverse(model.model.patches.pieces.begin(), model.model.patches.pieces.end());
   EXPECT_LT(largest(before, light_of(*renderer, model, request)), 1e-5);
-  EXPECT_GT(largest(aovs_before, light_of(*renderer, model, aovs)), 1e-3);  // so the order did change
+  EXPECT_GT(largest(aovs_before, light_of(*renderer, model, aovs)), 1e-3);  // the order did change
 }
 
 TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
-  model.model.patches = hard_pieces(model.model.patches);  // no two fragments at one depth
+  model.model.patches = hard_pieces(model.model.patches);  // so that no two fragments have the same depth
   FrameRequest request = request_of(FragmentOrder::sorted, 64);
   request.camera.automatic = AutoView::top;
   const FloatImage sorted = light_of(*renderer, model, request);
@@ -230,7 +230,7 @@ TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   double seen = 0;
   for (std::size_t i = 3; i < aovs.rgba.size(); i += 4) seen += double{aovs.rgba[i]};
   EXPECT_GT(seen, 500);
-  EXPECT_LT(largest(sorted, aovs), 1e-3);  // shells leave out what lies well below dense fur
+  EXPECT_LT(largest(sorted, aovs), 1e-3);  // shells skip what lies well below dense fur
 }
 
 TEST_P(Sorted, TinyMemoryGivesTheSamePicture) {

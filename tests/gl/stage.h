@@ -1,5 +1,5 @@
-// One GL context and one renderer for all tests of a process that ask for the same driver: to make them, and to compile
-// what they draw with, takes longer than most tests. Between tests both are put back as if they were new.
+// One GL context and one renderer for all tests of a process that use the same driver, because creating them and
+// compiling their programs takes longer than most tests. Between tests both are reset to the state of new ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ inline Result<std::unique_ptr<Context>> open(Backend backend) {
   return open_osmesa();
 }
 
-/// What a new context has, of all that passes and tests change.
+/// Resets the state that passes and tests change to that of a new context.
 inline void reset_state(const Gl& gl) {
   for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_SCISSOR_TEST}) gl.Disable(capability);
   gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
@@ -40,8 +40,8 @@ inline void reset_state(const Gl& gl) {
 
 class Stage : public ::testing::Environment {
  public:
-  /// The context of a driver, current and in the state of a new one; that of another driver is closed before. Fails as
-  /// opening does.
+  /// Returns the context of a driver, current and in the state of a new one. Closes that of another driver first. Fails
+  /// as opening does.
   Result<Context*> context(Backend backend) {
     if (!context_ || backend != backend_) {
       close();
@@ -54,7 +54,7 @@ class Stage : public ::testing::Environment {
     return context_.get();
   }
 
-  /// The renderer on that context, without models and pictures of the tests before.
+  /// Returns the renderer on that context, without models and pictures of earlier tests.
   Result<Renderer*> renderer(Backend backend) {
     const Result<Context*> context = this->context(backend);
     if (!context) return context.status();
@@ -67,7 +67,7 @@ class Stage : public ::testing::Environment {
     return renderer_.get();
   }
 
-  /// The same, by which the GL draws strands too.
+  /// Returns a renderer like that which draws strands by the GL too.
   Result<Renderer*> strands_renderer(Backend backend) {
     const Result<Context*> context = this->context(backend);
     if (!context) return context.status();
@@ -94,7 +94,7 @@ class Stage : public ::testing::Environment {
   std::unique_ptr<Renderer> renderer_, strands_;
 };
 
-/// GoogleTest owns it, and closes it after the last test.
+/// GoogleTest owns it and closes it after the last test.
 inline Stage& stage = *static_cast<Stage*>(::testing::AddGlobalTestEnvironment(new Stage));
 
 }  // namespace pelage::testing

@@ -2,7 +2,7 @@
 #include "tufts.glsl"
 
 uniform float height;
-uniform int asked;  // 0: way to the root, and how far it is gathered; 1: lean, and share of the optical depth
+uniform int asked;  // 0: vector to the root, how far it is gathered; 1: lean, share of the optical depth
 
 layout(location = 0) out vec4 result;
 

@@ -1,4 +1,4 @@
-// Tufts in GLSL against what they stand for: strands that are gathered to the middle of their tuft.
+// Tufts in GLSL against their definition: strands are gathered to the middle of their tuft.
 #include "renderer/pattern/tufts.h"
 
 #include <array>
@@ -17,13 +17,13 @@ namespace testing::tufts_test {
 namespace {
 
 constexpr int side = 16;
-constexpr float longest = 0.24f;                  // the longest pull
-const glm::vec3 to_middle(0.02f, -0.03f, 0.05f);  // from every place
-constexpr float inside = 0.4f;                    // of the tuft, everywhere
+constexpr float longest = 0.24f;                  // range of each component of a stored pull
+const glm::vec3 to_middle(0.02f, -0.03f, 0.05f);  // vector to the tuft's middle, the same everywhere
+constexpr float inside = 0.4f;                    // 0 on the border between tufts, 1 in the middle; the same everywhere
 
 class TuftsOnGpu : public OnBackend {
  protected:
-  /// Answers for a volume that says the same everywhere, at one height; `gather` is that of the coat.
+  /// Evaluates a constant volume at one height; `gather` is that of the coat.
   std::vector<glm::vec4> asked(int what, float height, const Tufts& tufts) {
     const Program program(gl(), shaders::tufts_grid_vert, shaders::tufts_grid_frag);
     EXPECT_EQ(program.log(), "");
@@ -42,13 +42,13 @@ class TuftsOnGpu : public OnBackend {
   }
 };
 
-/// A strand whose root is at r is at r + part (middle - r) at height s. So the root of the strand that is here lies
-/// further out, and a strand of a place with the root there ends where the ray meets it.
+/// At height s, the strand with its root at r is at r + part (middle - r). So the strand at a given position has its
+/// root further out, and leads from that root back to the position.
 TEST_P(TuftsOnGpu, TheStrandThatIsHereHasItsRootFurtherOut) {
   const Tufts tufts{.gather = 0.8};
   for (const float s : {0.1f, 0.5f, 1.0f}) {
     for (const glm::vec4& pixel : asked(0, s, tufts)) {
-      const glm::vec3 root(pixel), middle = to_middle;  // about here
+      const glm::vec3 root(pixel), middle = to_middle;  // relative to here
       ASSERT_LT(glm::length(root + pixel.w * (middle - root)), 1e-6f);
       ASSERT_LE(glm::dot(root, middle), 0);
     }
@@ -58,7 +58,7 @@ TEST_P(TuftsOnGpu, TheStrandThatIsHereHasItsRootFurtherOut) {
   }
 }
 
-/// The lean is the way's change with the height, over the length of the fur.
+/// The lean is the derivative of the strand's path by height, over the length of the fur.
 TEST_P(TuftsOnGpu, TheLeanIsTheSlopeOfTheStrand) {
   const Tufts tufts{.gather = 1};
   constexpr float s = 0.6f, h = 1e-2f;
@@ -72,12 +72,12 @@ TEST_P(TuftsOnGpu, TheLeanIsTheSlopeOfTheStrand) {
   }
 }
 
-/// Strands come together, so that there are more of them inside, and none where only those of the border were.
+/// Strands converge, so fur is denser inside a tuft, and there is none where only strands of the border would be.
 TEST_P(TuftsOnGpu, FurIsDenserInsideAndGoneOutside) {
   for (const float s : {0.01f, 0.4f, 1.0f}) {
     const auto share = asked(1, s, {.gather = 1}), way = asked(0, s, {.gather = 1});
     for (std::size_t i = 0; i < share.size(); ++i) {
-      const double kept = 1 - double(way[i].w), border = kept - (1 - double(inside));  // of the radius, above 0 inside
+      const double kept = 1 - double(way[i].w), border = kept - (1 - double(inside));  // of the radius; above 0 inside
       ASSERT_NEAR(share[i].w, std::clamp(1 + border / 0.15, 0.0, 1.0) / kept, 1e-4);
     }
   }

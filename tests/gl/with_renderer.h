@@ -1,4 +1,4 @@
-// A renderer of shells on each backend.
+// A fixture with a renderer of shells on each backend.
 #pragma once
 
 #include "server/frames/fur_view.h"
@@ -14,7 +14,7 @@ inline FrameRequest shells_frame(AutoView view = AutoView::front, int size = 128
   return request;
 }
 
-/// Sends what shells of the model need.
+/// Syncs what shells of the model need.
 inline UploadCount sync_shells(Renderer& renderer, const FurredModel& model, const std::vector<VertexRange>& dirty) {
   return sync_scene(renderer, model.view(), dirty, nullptr, true);
 }

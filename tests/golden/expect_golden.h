@@ -1,4 +1,4 @@
-// A picture against one that was looked at.
+// Compares a picture with a golden one, which somebody has looked at.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace pelage::testing {
 
-/// Thresholds in 1/255. With PELAGE_UPDATE_GOLDEN=1 the picture takes the place of the one that is there.
+/// Thresholds are in 1/255. With PELAGE_UPDATE_GOLDEN=1 the picture replaces the golden one.
 inline void expect_golden(const Image& image, const std::string& name, double mean, int largest) {
   const std::string path = PELAGE_GOLDEN_FOLDER "/" + name + ".png";
   if (std::getenv("PELAGE_UPDATE_GOLDEN")) {

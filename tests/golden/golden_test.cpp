@@ -1,5 +1,5 @@
-// A few whole pictures against ones that were looked at. After a wanted change run with PELAGE_UPDATE_GOLDEN=1, look at
-// the new pictures and commit them on their own with the reason.
+// A few whole pictures against golden ones. After a wanted change run with PELAGE_UPDATE_GOLDEN=1, look at the new
+// pictures and commit them on their own with the reason.
 
 #include "tests/gl/with_renderer.h"
 #include "tests/golden/expect_golden.h"

@@ -1,5 +1,5 @@
-// Models with hard edges in each tier, one below the other, against pictures that were looked at. Run with
-// PELAGE_UPDATE_GOLDEN=1 after a wanted change, as golden_test.cpp says.
+// Models with hard edges in each tier, one below the other, against golden pictures. After a wanted change run with
+// PELAGE_UPDATE_GOLDEN=1, as golden_test.cpp says.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace pelage::testing {
 namespace {
 
-/// Closed and open shapes of flat sides.
+/// Builds closed and open shapes with flat faces.
 class Shape {
  public:
   Shape& face(std::vector<glm::dvec3> corners) {
@@ -27,7 +27,8 @@ class Shape {
     raw_.face_sizes.push_back(static_cast<std::uint32_t>(corners.size()));
     return *this;
   }
-  /// Between two quads with corresponding corners, `from` seen from outside clockwise; a point where they are equal.
+  /// Adds the body between two quads with corresponding corners; `from` is clockwise as seen from outside. A quad of
+  /// equal corners is a point.
   Shape& loft(const std::array<glm::dvec3, 4>& from, const std::array<glm::dvec3, 4>& to) {
     for (std::size_t k = 0; k < 4; ++k) face({from[k], from[(k + 1) % 4], to[(k + 1) % 4], to[k]});
     return face({from[3], from[2], from[1], from[0]}).face({to[0], to[1], to[2], to[3]});
@@ -38,11 +39,11 @@ class Shape {
   RawModel raw_;
 };
 
-/// Corners of a level rectangle about a place.
+/// Corners of a horizontal rectangle about a point.
 std::array<glm::dvec3, 4> level(glm::dvec3 at, double x, double z) {
   return {at + glm::dvec3(-x, 0, z), at + glm::dvec3(x, 0, z), at + glm::dvec3(x, 0, -z), at + glm::dvec3(-x, 0, -z)};
 }
-/// Of an upright one across Z.
+/// Corners of an upright rectangle across Z.
 std::array<glm::dvec3, 4> upright(glm::dvec3 at, double x, double y) {
   return {at + glm::dvec3(-x, -y, 0), at + glm::dvec3(x, -y, 0), at + glm::dvec3(x, y, 0), at + glm::dvec3(-x, y, 0)};
 }
@@ -55,7 +56,7 @@ RawModel box(bool lid) {
   return raw;
 }
 
-/// 13 blocks: body, neck, head, snout, two thin ears, four legs, a tail of two.
+/// A fox of 13 blocks: body, neck, head, snout, two thin ears, four legs, a tail of two.
 RawModel fox() {
   Shape fox;
   fox.loft(upright({0, 1, -1}, 0.3, 0.32), upright({0, 1.05, 0.8}, 0.34, 0.38));
@@ -84,7 +85,7 @@ FurredModel subdivided(const FurredModel& model, FirstGroom fur, int levels) {
   return {{Surface(std::move(mesh)), std::move(patches), model.model.id + 1000, "test"}, std::move(fields), {}};
 }
 
-/// Strands in few passes, filtered; what they stand on is drawn by `renderer`, which knows the model.
+/// Traces strands with few passes, filtered. `renderer`, which has the model, draws the backplate.
 Image traced(Renderer& renderer, const FurredModel& model, FrameRequest request) {
   const auto never_stop = [] { return true; };
   request.knobs = knobs_of(Tier::reference);
@@ -100,7 +101,7 @@ Image traced(Renderer& renderer, const FurredModel& model, FrameRequest request)
   return renderer.finish(frame, tracer.aov(Aov::beauty)).value();
 }
 
-/// A frame of each tier, one below the other.
+/// Frames of all tiers, one below the other.
 Image all_tiers(const FurredModel& model) {
   Renderer renderer{RendererOptions{}};
   FrameRequest request = small_frame(AutoView::three_quarter, 240);
@@ -133,7 +134,7 @@ TEST(HardEdges, OfACube) { expect_as_looked_at(furred(box(true), short_fur), "ed
 TEST(HardEdges, OfASubdividedCube) {
   expect_as_looked_at(subdivided(furred(box(true), short_fur), short_fur, 4), "edges_cube_subdivided");
 }
-/// Open, and prepared as a file's model is.
+/// An open box, prepared as a file's model is.
 FurredModel open_box() {
   Mesh mesh = prepare(box(false)).value();
   lean_over_rims(mesh);

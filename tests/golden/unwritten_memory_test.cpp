@@ -1,4 +1,4 @@
-// What is culled has no rows; nothing may read them, also not for pixels beside those that are seen.
+// What is culled has no rows of data, and nothing may read them, not even for pixels next to visible ones.
 #include <gtest/gtest.h>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -11,10 +11,10 @@
 namespace pelage::testing {
 namespace {
 
-/// Fills memory that is handed out with NaN.
+/// Fills newly allocated memory with NaN.
 class PoisonedMemory {
  public:
-  PoisonedMemory() { poison(256); }  // the allocator writes 255 - the lowest byte of it
+  PoisonedMemory() { poison(256); }  // the allocator writes 255 minus the lowest byte
   ~PoisonedMemory() { poison(0); }
 
  private:

@@ -1,4 +1,4 @@
-// Lints the contract that the build makes with Redocly's recommended rules and our own.
+// Lints the contract that the build generates, with Redocly's recommended rules and our own.
 //
 // usage: lint.mjs OPENAPI_JSON
 import {createConfig, lint} from "@redocly/openapi-core";
@@ -16,8 +16,8 @@ export const config = await createConfig({
     "operation-operationId-unique": "error",
     "path-parameters-defined": "error",
     "no-path-trailing-slash": "error",
-    "operation-4xx-response": "off",   // `default` of each operation is the refusal
-    "no-unused-components": "off",     // it does not see members that parameters refer to
+    "operation-4xx-response": "off",   // each operation describes its refusals by `default`
+    "no-unused-components": "off",     // the rule does not see members that parameters refer to
     "pelage/described": "error",
     "pelage/whole-sentences": "error",
     "pelage/exampled": "error",

@@ -1,4 +1,4 @@
-// The contract that the build makes has no problem, and the linter finds those that are put into it.
+// The contract that the build generates has no problems, and the linter finds problems that are put into it.
 import assert from "node:assert/strict";
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -11,7 +11,7 @@ const contract = join(process.env.PELAGE_BIN, "openapi.json");
 const folder = mkdtempSync(join(tmpdir(), "pelage-openapi-"));
 after(() => rmSync(folder, {recursive: true}));
 
-/** The problems of the contract after all these changes, as "rule pointer" each. */
+/** Returns the problems of the contract after these changes, each as "rule pointer". */
 async function broken_by(changes) {
   const document = JSON.parse(readFileSync(contract, "utf8"));
   for (const change of changes) change(document);

@@ -1,9 +1,9 @@
-// Rules of our own for the contract: nothing without a description, no torn one, an example for each request, a unit
-// for each number.
+// Our own rules for the contract: everything has a description that is a whole sentence or phrase, each request an example, and
+// each number a unit.
 
-/** First words that leave a description hanging on something before it, such as "Of the file." */
+/** First words of a fragment that needs something before it, such as "Of the file." */
 const hanging = /^(of|that|which|whose|and|or|but|with|beside|at|over|to|as in|from the|from one)\b/i;
-/** A capital, a digit, a quote or a name; or words of an enumeration and a colon, as "png and png16: ...". */
+/** How a description may begin: a capital, a digit, a quote or a name; or enumeration values and a colon, as in "png and png16: ...". */
 const begins = /^([A-Z0-9`"]|\w+(,? (and )?\w+)*: )/;
 
 /** What is wrong with a description, or nothing. */
@@ -19,7 +19,7 @@ export function fault(text) {
 }
 const count = (text, mark) => text.split(mark).length - 1;
 
-/** An object that a schema is, or each of those that it is one of; not the rules between its members. */
+/** Returns a schema and the objects that it is one of (oneOf), without the rules between its members. */
 const forms = (schema) => [schema, ...(schema.oneOf ?? []).filter((one) => one.type === "object")];
 
 /** Calls `check` for each member of each named schema, with the pointer to it. */

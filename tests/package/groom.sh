@@ -1,4 +1,4 @@
-# Runs where the package is installed and nothing else of Pelage is there.
+# Tests the installed package, on a system with nothing else of Pelage.
 set -euo pipefail
 cd /tmp
 for program in pelaged pelage pelage-render; do $program --version; done
@@ -18,7 +18,7 @@ page = urllib.request.urlopen(os.environ["PELAGE_SERVER"] + "/").read()
 assert b"<title>Pelage" in page, page[:200]
 END
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >fox.obj
-pelage new --name box --file fox.obj  # by the confined worker
+pelage new --name box --file fox.obj  # imported by the confined worker
 pelage new --name fox
 pelage run fox /usr/share/pelage/recipes/portrait_light.json
 pelage frame fox -o fox.png --width 640 --height 640 --quality detailed

@@ -1,4 +1,4 @@
-// The validator of Khronos, who keep glTF, finds nothing in the GLBs of the server, and finds what is wrong with damaged ones.
+// Khronos' glTF validator finds no problem in the server's GLBs, and finds the problems of damaged ones.
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {glb_of, numbers_of, parts_of, validated} from "./support/glb.mjs";
@@ -46,7 +46,7 @@ test("triangles are as many as the server says", async () => {
   }
 });
 
-/** Triangles of the fur in each scene of a file of cards. */
+/** Number of the fur's triangles in each scene of a file of cards. */
 function triangles_of_levels({json}) {
   return json.scenes.map(({name, nodes}, level) => {
     assert.equal(name, `LOD${level}`);
@@ -62,7 +62,7 @@ test("cards have three levels of detail, each with its share of the triangles", 
   assert.equal(levels.length, 3);
   assert.equal(levels[0] + body, about.triangles);
   assert.ok(levels[1] < 0.6 * levels[0] && levels[2] < 0.6 * levels[1] && levels[2] > 0, levels.join());
-  const {info} = await validated(bytes);  // which counts the body once
+  const {info} = await validated(bytes);  // counts the body only once
   assert.equal(info.totalTriangleCount, levels[0] + levels[1] + levels[2] + body);
 });
 
@@ -72,7 +72,7 @@ test("bare skin has files too", async () => {
   }
 });
 
-/** The first primitive of the skin: where its positions, normals and triangles are. */
+/** The first primitive of the skin, which names its positions, normals and triangles. */
 const skin = ({json}) => json.meshes[0].primitives[0];
 const damages = [
   ["an accessor that counts too much", "ACCESSOR_TOO_LONG", (file) => { file.json.accessors[skin(file).attributes.POSITION].count *= 9; }],
@@ -88,7 +88,7 @@ const damages = [
 
 test("the validator finds what is damaged", async () => {
   const {bytes} = await exported(scenes["sphere without texture coordinates"], "shells?shells=3");
-  assert.deepEqual((await validated(glb_of(parts_of(bytes)))).found, []);  // taken apart and put together it is whole
+  assert.deepEqual((await validated(glb_of(parts_of(bytes)))).found, []);  // taken apart and put together again it is valid
   for (const [what, code, damage] of damages) {
     const file = parts_of(bytes);
     damage(file);

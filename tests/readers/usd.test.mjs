@@ -1,4 +1,5 @@
-// TinyUSDZ reads the USD of the server: as many curves and points as the answer says, within the bounds, each number the same.
+// TinyUSDZ reads the server's USD files: the numbers of curves and points match the answer, points are in the bounds, and each number is
+// the same.
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {bare, dry_run, exported, scene_of, start, whiskers} from "./support/scenes.mjs";
@@ -16,7 +17,7 @@ const arrays = ["int[] curveVertexCounts", "point3f[] points", "float[] widths",
   "float3[] primvars:groom_color", "int[] primvars:groom_id", "int[] primvars:groom_group_id", "int[] primvars:groom_guide",
   "texCoord2f[] primvars:st", "float2[] primvars:groom_root_uv"];
 
-/** The least and the greatest of each coordinate of all points, with half their widths around. */
+/** Returns the bounds of all points, extended by half of each point's width. */
 function bounds_of(points, widths) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   points.forEach((place, k) => {
@@ -32,7 +33,7 @@ const close = (found, expected, what) => {
   found.forEach((number, k) => assert.ok(Math.abs(number - expected[k]) <= 1e-6, `${what}: ${number}, not ${expected[k]}`));
 };
 
-/** Throws unless what the reader has of a file agrees with what the server says of it. */
+/** Throws unless the reader's counts and bounds of a file agree with the server's description. */
 function check({bytes, about}, scene) {
   const {root} = usd_scene_of(bytes);
   const layer = layer_of(bytes);
@@ -48,7 +49,7 @@ function check({bytes, about}, scene) {
   return layer;
 }
 
-/** Throws unless each number that the reader has of the file is the very number in the file. */
+/** Throws unless each number that the reader returns is exactly the number in the file. */
 function check_numbers(bytes, layer) {
   const text = new TextDecoder().decode(bytes);
   for (const name of arrays) assert.deepEqual(numbers_of(layer, name), numbers_of(text, name), name);
@@ -113,7 +114,7 @@ test("the reader finds what is damaged", async () => {
   }
 });
 
-// What programs that build on this reader get to see, so that the page on export stays true.
+// Checks what the page on export says about programs that build on this reader.
 test("the reader's scenes have no data of curves", async () => {
   const {root, meshes} = usd_scene_of((await exported(torus, "usda?every=8")).bytes);
   assert.equal(meshes, 0);

@@ -1,4 +1,4 @@
-"""Files of every kind that the server takes, small, to be sent as they are or damaged."""
+"""Small files of every kind that the server accepts, to be sent intact or damaged."""
 import json
 import pathlib
 import struct
@@ -57,7 +57,7 @@ GUIDES = {"json": json.dumps({"curves": [[[0, 0, 1], [0, 0.2, 1.2]], [[1, 0, 0],
 
 
 def exported(server):
-    """Guides and a saved scene as the server itself writes them: ({format: bytes}, bytes)."""
+    """Returns guides and a saved scene, written by the server: ({format: bytes}, bytes)."""
     scene = server.new_scene("sphere", 200)
     scene.run({"op": "set_coat", "coat": {"count": 100}})
     guides = {name: server.get(f"{scene.path}/export/{name}?every=10").body for name in ("usda", "hair")}

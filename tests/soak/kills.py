@@ -1,9 +1,9 @@
-"""Kills the server again and again while clients groom, undo, upload, branch, export, open and remove, and looks after each start
-whether all that was acknowledged is there, nothing that was removed, and no scene that nobody made.
+"""Kills the server again and again while clients groom, undo, upload, branch, export, open and remove. Checks after each start that
+everything acknowledged is there, that nothing removed is, and that there is no scene that nobody made.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/kills.py [KILLS] [SEED]
 
-Ends with 1 where anything was lost.
+Exits with 1 if anything was lost.
 """
 import http.client
 import random
@@ -15,19 +15,19 @@ import bodies
 from support.server import Server, comb
 
 CLIENTS = 4
-MAX_SCENES = 6   # of a client
-UP_SECONDS = (0.3, 2.0)  # from a start to its kill
+MAX_SCENES = 6   # per client
+UP_SECONDS = (0.3, 2.0)  # range of the time from a start to the kill
 
 
 class Groomer:
-    """A client and what it was told. A scene is known by the last change that was acknowledged, and the answer of the request that was
-    under way at the kill is not known."""
+    """A client and the state that it was told. It knows the last acknowledged change of each scene, and not the answer of the request
+    that was under way at the kill."""
 
     def __init__(self, server, number, seed, saved):
         self.server, self.random, self.saved = server, random.Random(f"{seed} {number}"), saved
         self.scenes, self.removed = {}, set()  # id -> (revision, fields_hash)
-        self.in_doubt = None                   # id of the scene whose change was not answered
-        self.making = False                    # whether a request that makes a scene was not answered
+        self.in_doubt = None                   # id of the scene with a change that was not answered
+        self.making = False                    # True if a request that makes a scene was not answered
         self.answers, self.failures = 0, []
 
     def request(self, method, path, body=None, **more):
@@ -108,7 +108,7 @@ class Groomer:
             self.failures.append(str(failure))
 
     def check(self, listed):
-        """Faults after a start; what was in doubt is as the server says."""
+        """Returns the faults found after a start. Takes over the server's state for what was in doubt."""
         faults, self.failures = self.failures, []
         for scene, (revision, fields_hash) in list(self.scenes.items()):
             now = listed.get(scene)
@@ -132,11 +132,11 @@ def check_all(server, groomers):
     strangers = set(listed) - known
     if len(strangers) > sum(groomer.making for groomer in groomers):
         faults.append(f"nobody made {strangers}")
-    for scene in listed:  # each can be worked with
+    for scene in listed:  # each scene must be usable
         for path in (f"/v1/scenes/{scene}", f"/v1/scenes/{scene}/log", f"/v1/scenes/{scene}/frame.png?width=16&height=16"):
             if (status := server.get(path).status) != 200:
                 faults.append(f"{path}: {status}")
-    for scene in strangers:  # whose answer the kill cut off
+    for scene in strangers:  # their answers were cut off by the kill
         server.call("DELETE", f"/v1/scenes/{scene}")
     for groomer in groomers:
         groomer.in_doubt, groomer.making = None, False

@@ -1,10 +1,10 @@
-"""Clients groom, trace, upload, export and hang up for an hour; the server's memory, its temporary files and its data folder are watched.
+"""Lets clients groom, trace, upload, export and hang up for an hour, and watches the server's memory, temporary files and data folder.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/mix.py [MINUTES] [CSV]
 
-Six times the clients stop, and memory is read at rest: what they made is gone, and what the server keeps by design is in one state. Prints a line a minute,
-writes all readings to CSV where it is given, and ends with 1 where memory still grows by more than a tenth, in the second half of the work or at rest after
-the second time, where temporary files are left, or where a request fails.
+Six times the clients stop, and memory is read at rest: what they made is gone, and the server's caches are in a defined state. Prints a line a minute, and
+writes all readings to CSV if given. Exits with 1 if memory still grows by more than a tenth in the second half of the work or at rest after the second time,
+if temporary files are left, or if a request fails.
 """
 import http.client
 import os
@@ -22,13 +22,13 @@ from support.server import Server, comb
 
 READING_SECONDS = 10
 RESTS = 6
-REST_SECONDS = 35  # a progressive picture that nobody asks for lives for 30 s
-MAX_GROWTH = 0.1  # of memory: of its mean from the third quarter to the last, and at rest from the second time to any later one
+REST_SECONDS = 35  # a progressive picture that nobody requests is kept for 30 s
+MAX_GROWTH = 0.1  # largest relative growth of memory: of its mean from the third quarter to the last, and at rest from the second time to any later one
 BINARY = {"Content-Type": "application/octet-stream"}
 
 
 class Client:
-    """One of the kinds of user; `work` is done again and again, each time on a scene of its own."""
+    """One kind of user, which repeats `work`, each time on a new scene."""
 
     def __init__(self, server, work, seed):
         self.server, self.work, self.random = server, work, random.Random(f"{work} {seed}")
@@ -62,7 +62,7 @@ class Client:
     def upload(self, scene):
         for name, content in bodies.MODELS.items():
             self.expect(self.server.call("PUT", f"{scene.path}/model?format={name}&discard=1", content, headers=BINARY), 200, 503)
-        self.expect(self.server.call("PUT", f"{scene.path}/skin_texture", bodies.PICTURES[0], headers=BINARY), 200, 422, 503)  # the last model has no place for it
+        self.expect(self.server.call("PUT", f"{scene.path}/skin_texture", bodies.PICTURES[0], headers=BINARY), 200, 422, 503)  # refused if the model has no UVs
         self.expect(self.server.call("PUT", f"{scene.path}/model?format=ply&discard=1", b"ply\nbroken", headers=BINARY), 422, 503)
 
     def export(self, scene):
@@ -75,7 +75,7 @@ class Client:
         self.expect(self.server.get(f"{scene.path}/export/cards"))
 
     def hang_up(self, scene):
-        """Asks for what takes long and leaves."""
+        """Makes requests that take long, and hangs up."""
         for path in ("frame.png?width=2048&height=2048&quality=detailed", "export/usda", "events", "maps/length?size=2048"):
             connection = http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=5)
             connection.request("GET", f"{scene.path}/{path}")
@@ -84,7 +84,7 @@ class Client:
 
 
 def reading(server, temporary):
-    """Megabytes of memory and of data, temporary files, open files."""
+    """Returns the megabytes of memory and of data, and the numbers of temporary and of open files."""
     process = pathlib.Path(f"/proc/{server.process.pid}")
     resident = int((process / "statm").read_text().split()[1]) * os.sysconf("SC_PAGESIZE")
     data = sum(file.stat().st_size for file in server.data.rglob("*") if file.is_file())
@@ -105,7 +105,7 @@ def watch(server, temporary, clients, began, ends):
 
 
 def keep_busy(server, temporary, clients, began, minutes):
-    """All clients for so long, and their last rounds to the end; readings meanwhile."""
+    """Runs all clients for this time, lets them finish their last rounds, and takes readings meanwhile."""
     ends = time.monotonic() + 60 * minutes
     threads = [threading.Thread(target=client.run, args=(lambda: time.monotonic() > ends,)) for client in clients]
     for thread in threads:
@@ -117,7 +117,7 @@ def keep_busy(server, temporary, clients, began, minutes):
 
 
 def rest(server, temporary):
-    """Fills what the server keeps (coats, the last traced picture) the same way each time, waits until the rest is dropped, and reads."""
+    """Fills the server's caches (coats, the last traced picture) the same way each time, waits until the rest is dropped, and takes a reading."""
     scene = server.new_scene("creature", 3000)
     for quality in ("detailed", {"method": "strands", "trace": {"passes": 1}}):
         answer = scene.post("frames", {"width": 128, "height": 128, "quality": quality})
@@ -145,7 +145,7 @@ def faults_of(server, temporary, readings, at_rest, clients):
 def main():
     minutes = float(sys.argv[1]) if len(sys.argv) > 1 else 60
     temporary = pathlib.Path(tempfile.mkdtemp(prefix="pelage-mix-"))
-    os.environ["TMPDIR"] = str(temporary)  # of the server
+    os.environ["TMPDIR"] = str(temporary)  # for the server
     server = Server(arguments=["--memory", "512M"])
     del os.environ["TMPDIR"]
     try:

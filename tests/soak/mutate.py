@@ -1,4 +1,4 @@
-"""Requests that the contract describes, and what becomes of them under a hostile hand."""
+"""Mutates requests that the contract describes, as a hostile client might."""
 import copy
 import json
 
@@ -29,7 +29,7 @@ def odd_value(chance, old):
 
 
 def mutated(chance, document):
-    """Up to three odd values, missing or unknown members, or long lists."""
+    """Returns the document with up to three odd values, missing or unknown members, or long lists."""
     document = copy.deepcopy(document)
     for _ in range(chance.randint(1, 3)):
         paths = [path for path in nodes(document) if path]
@@ -49,7 +49,7 @@ def mutated(chance, document):
 
 
 def damaged(chance, content):
-    """Bytes with flips, cuts or repeats."""
+    """Returns the bytes with flips, cuts or repeats."""
     content = bytearray(content)
     for _ in range(chance.randint(1, 8)):
         at = chance.randrange(len(content) + 1)
@@ -70,7 +70,7 @@ def as_text(document):
 
 
 def capped(document, caps):
-    """The document with numbers of these names at most so large, where the contract allows larger ones: what is merely long is no hang."""
+    """Returns the document with the numbers of these names capped. Larger ones are allowed, but might look like a hang."""
     if isinstance(document, list):
         return [capped(value, caps) for value in document]
     if not isinstance(document, dict):

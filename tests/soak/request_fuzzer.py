@@ -1,10 +1,10 @@
-"""Sends requests of every operation of the contract, right and wrong ones, and looks that each gets a described answer in time.
+"""Sends valid and invalid requests of every operation of the contract, and checks that each gets a described answer in time.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/soak/request_fuzzer.py [SECONDS] [PER_OPERATION] [SEED]
 
-Goes on until both SECONDS have gone by and each operation has had PER_OPERATION requests (or four times the seconds). Ends with 1 where a request was
-answered with 5xx other than 503 and 507 (busy, no room), with a status or a problem that the contract does not describe, or after more than ten seconds, and one
-more for each 20 MB.
+Runs until SECONDS have passed and each operation has had PER_OPERATION requests, but for at most four times the seconds. Exits with 1 if a request was
+answered with 5xx other than 503 and 507 (busy, no room), with a status or a problem that the contract does not describe, or after more than ten seconds plus
+one for each 20 MB.
 """
 import collections
 import json
@@ -23,9 +23,9 @@ import mutate
 from support.server import BIN, Server
 
 CLIENTS = 3
-MAX_SECONDS = 10  # beside the bytes of a large answer: every strand of a coat is some hundred megabytes
+MAX_SECONDS = 10  # plus the time for the bytes of a large answer: all strands of a coat are some hundred megabytes
 BYTES_A_SECOND = 2e7
-ROUND = 150  # requests of a client between new scenes
+ROUND = 150  # requests that a client makes before it takes a new scene
 CAPS = {"width": 64, "height": 64, "triangles": 800, "passes": 2, "size": 64, "wait": 0.2, "levels": 1, "shells": 16, "count": 2000, "keys": 50,
         "strands": 2000, "seconds": 1, "budget_ms": 200, "scale": 2, "steps": 3, "duration": 5, "dilate": 16}
 CONTRACT = json.loads((BIN / "openapi.json").read_text())
@@ -47,7 +47,7 @@ def resolved(node):
 
 
 def documents():
-    """Right documents by the name of their schema, as the tests make them, and the contract's examples."""
+    """Returns valid documents by the name of their schema: those that the property tests make, and the contract's examples."""
     found = collections.defaultdict(list)
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "documents"
@@ -62,7 +62,7 @@ def documents():
 
 
 def names_of(schema):
-    """Schemas that a body may be of."""
+    """Names of the schemas that a body may have."""
     if "$ref" in schema:
         name = schema["$ref"].rsplit("/", 1)[1]
         inner = resolved(schema)
@@ -80,7 +80,7 @@ class Fuzzer:
         self.faults, self.slowest, self.lock = [], (0, ""), threading.Lock()
 
     def parameter(self, chance, parameter):
-        """Name and value in a query or header; None for none."""
+        """Returns name and value of a query or header parameter; None to leave it out."""
         parameter = resolved(parameter)
         if chance.random() < 0.5 and not parameter.get("required"):
             return None
@@ -111,7 +111,7 @@ class Fuzzer:
             parameter = resolved(parameter)
             made = self.parameter(chance, parameter)
             if parameter["in"] == "path" and parameter["name"] != "id":
-                values[parameter["name"]] = (made and made[1]) or "x"  # an empty one is another address
+                values[parameter["name"]] = (made and made[1]) or "x"  # an empty one would be another URL
             elif made and parameter["in"] == "query":
                 query.append(made)
             elif made and parameter["in"] == "header":
@@ -133,7 +133,7 @@ class Fuzzer:
         self.judge(method, path, address, body, operation, answer, time.monotonic() - began)
 
     def hear(self, address, headers):
-        """The beginning of the stream, then a hang-up."""
+        """Reads the beginning of the stream, then hangs up."""
         lines = "".join(f"{name}: {value}\r\n" for name, value in headers.items())
         self.server.raw(f"GET {address} HTTP/1.1\r\nHost: localhost\r\n{lines}Connection: close\r\n\r\n".encode("utf-8", "surrogatepass"), timeout=0.2)
 
@@ -174,7 +174,7 @@ class Fuzzer:
             self.remove_all_but_others(number, scene)
 
     def remove_all_but_others(self, number, scene):
-        """What this client made by opening, branching and making goes when the server fills up."""
+        """Removes what this client made by opening, branching and creating when the server fills up."""
         self.server.call("DELETE", f"/v1/scenes/{scene}")
         if number == 0:
             listed = self.server.get("/v1/scenes").json["scenes"]

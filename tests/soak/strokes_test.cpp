@@ -1,5 +1,5 @@
-// A long life: many strokes with undo and redo among them, then the fields against a fresh replay, bit for bit, and
-// against a restart from the journal. 1,000 strokes, or PELAGE_SOAK_STROKES of them.
+// A long session: many strokes with undo and redo among them. Then the fields are compared bit for bit with a fresh
+// replay and with a restart from the journal. 1,000 strokes, or PELAGE_SOAK_STROKES of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 constexpr int usual_strokes = 1000;
 constexpr std::size_t commands_at_a_time = 1000;
 
-/// Megabytes of this process that are in memory.
+/// Resident memory of this process, in MiB.
 double resident_megabytes() {
   std::ifstream status("/proc/self/statm");
   double all = 0, resident = 0;
@@ -27,7 +27,7 @@ double resident_megabytes() {
   return resident * 4096 / (1 << 20);
 }
 
-/// Small strokes of the tools that an artist uses most, anywhere on the model.
+/// Makes small strokes with the tools that an artist uses most, anywhere on the model.
 class Artist {
  public:
   Artist(const Scene& scene, std::uint64_t seed) : random_(seed) {
@@ -46,7 +46,7 @@ class Artist {
       default: return with_stroke(Comb{.lean = random_.uniform()});
     }
   }
-  /// How many steps are taken back now, most often none.
+  /// Number of steps to undo now; mostly 0.
   int undone() { return random_.uniform() < 0.1 ? 1 + static_cast<int>(below(5)) : 0; }
   int redone(int undone) { return static_cast<int>(below(static_cast<std::size_t>(undone) + 1)); }
 
@@ -111,7 +111,7 @@ class Soak : public ::testing::Test {
     }
   }
 
-  /// The steps that are in effect, run in a scene of its own.
+  /// Runs the steps in effect in a fresh scene.
   std::shared_ptr<Scene> replay(const std::vector<std::vector<Command>>& steps) {
     const std::shared_ptr<Scene> fresh = make();
     std::vector<Command> batch;

@@ -13,7 +13,8 @@ FailingDisk::FailingDisk() : vfs_(*sqlite3_vfs_find(nullptr)) {
 int FailingDisk::open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* opened) {
   const int code = base_->xOpen(base_, name, file, flags, opened);
   if (code != SQLITE_OK) return code;
-  // Databases are locked and other files are not, by methods of their own; both are written alike.
+  // SQLite locks databases and not other files, so the two have methods of their own; both sync and write in the same
+  // way.
   sqlite3_io_methods& methods = (flags & SQLITE_OPEN_MAIN_DB) != 0 ? of_databases_ : of_others_;
   real_ = file->pMethods, methods = *real_;
   methods.xSync = sync, methods.xWrite = write;

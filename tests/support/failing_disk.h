@@ -1,4 +1,4 @@
-// A disk that fails when a test says so, under all files that SQLite opens meanwhile.
+// A disk that fails on demand, below all files that SQLite opens while it exists.
 #pragma once
 
 #include <sqlite3.h>
@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// One at a time; databases are opened after it and closed before it goes.
+/// Only one may exist at a time. Databases are opened after it is made, and closed before it is destroyed.
 class FailingDisk {
  public:
   FailingDisk();
@@ -16,10 +16,10 @@ class FailingDisk {
   FailingDisk(const FailingDisk&) = delete;
   FailingDisk& operator=(const FailingDisk&) = delete;
 
-  // What is done in spite of it: a sync that fails leaves what was written before.
+  // Faults to inject. A sync that fails leaves on disk what was written before.
   static inline std::atomic<int> syncs_to_fail{0};
   static inline std::atomic<bool> is_full{false};
-  static inline std::function<void()> during_sync = {};  // called in each; set while nothing is written
+  static inline std::function<void()> during_sync = {};  // called in each sync; set it while nothing is written
 
  private:
   static int open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* opened);

@@ -22,30 +22,30 @@ struct FurredModel {
   }
 };
 
-/// A model, prepared as the server does it.
+/// Prepares a model as the server does.
 FurredModel furred(const RawModel& raw, FirstGroom fur = {});
 
-/// A built-in, prepared as the server does it.
+/// Prepares a built-in as the server does.
 FurredModel furred(BuiltinModel model, FirstGroom fur = {});
 
-/// A PLY or OBJ file, read by the worker beside this program; front is +Z. Throws when it is refused.
+/// Reads a PLY or OBJ file with the import worker beside this program; front is +Z. Throws if the file is refused.
 FurredModel furred_file(const std::string& path, FirstGroom fur = {});
 
-/// Small frames, no tone map, so that values can be compared.
+/// A small frame without tone map, so that values can be compared.
 FrameRequest small_frame(AutoView view = AutoView::front, int size = 128);
 
-/// Sends the model if the renderer lacks it, and draws all of the picture.
+/// Syncs the model if the renderer lacks it, and draws the whole picture.
 Image draw(Renderer& renderer, const FurredModel& model, const FrameRequest& request);
 
-/// What drawing all of a frame asks of the GL. The renderer has the model.
+/// Returns what drawing a whole frame asks of the GL. The renderer has the model.
 FrameCounters counters_of(Renderer& renderer, const FurFrame& frame);
 
-/// Share of pixels whose alpha is over half.
+/// Share of pixels whose alpha is above half.
 double covered(const Image& image);
 /// Mean absolute difference of all channels, in 1/255.
 double mean_difference(const Image& a, const Image& b);
 int largest_difference(const Image& a, const Image& b);
-/// Mean of red, green and blue over the pixels with alpha over `least`, in 1/255.
+/// Mean of red, green and blue over the pixels with alpha over `min`, in 1/255.
 glm::dvec3 mean_colour(const Image& image, int min = 200);
 
 }  // namespace pelage::testing

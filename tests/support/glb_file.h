@@ -1,4 +1,4 @@
-// A GLB as a client reads it, written without a look at the writer.
+// Reads a GLB as a client does; written independently of the writer.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ struct GlbFile {
 
   const nlohmann::json& primitive() const { return json["meshes"][0]["primitives"][0]; }
 
-  /// Elements of an accessor; the view has to hold them all.
+  /// Elements of an accessor; its buffer view has to hold them all.
   template <class T>
   std::vector<T> elements(int accessor) const {
     const nlohmann::json& about = json["accessors"][accessor];

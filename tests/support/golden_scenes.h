@@ -61,7 +61,7 @@ inline const std::vector<Golden>& goldens() {
   return all;
 }
 
-/// A golden's model, and how it is drawn, at another size if need be.
+/// The model and the request of a golden picture, at its own or another size.
 struct GoldenScene {
   FurredModel model;
   FrameRequest request;

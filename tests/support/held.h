@@ -1,4 +1,4 @@
-// Something that goes on until a test lets it go, so that the test sees what others do meanwhile.
+// Work that goes on until a test releases it, so that the test sees what others can do meanwhile.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,12 +13,13 @@
 
 namespace pelage::testing {
 
-constexpr std::chrono::seconds hang_guard(60);  // only against a hang
+constexpr std::chrono::seconds hang_guard(60);  // a timeout that only a hang reaches
 
-/// On a thread of its own.
+/// Runs work on its own thread.
 class Held {
  public:
-  /// `work` calls what it is given once it is in the middle, which returns when it is let go.
+  /// Passes a function to `work`, which has to call it when it is in the middle. That function returns when end() is
+  /// called.
   explicit Held(const std::function<void(const std::function<void()>&)>& work)
       : thread_(std::async(std::launch::async, [this, work] {
           work([this] {
@@ -43,7 +44,7 @@ class Held {
   std::future<void> thread_;
 };
 
-/// A cancel that nobody asks for; it calls `middle` when it is asked for the time after `after` others.
+/// A cancel that never cancels. When it is polled after `after` other polls, it calls `middle`.
 inline Cancel that_waits(const std::function<void()>& middle, int after = 1) {
   return Cancel([middle, left = std::make_shared<int>(after)] {
     if ((*left)-- == 0) middle();
@@ -51,7 +52,7 @@ inline Cancel that_waits(const std::function<void()>& middle, int after = 1) {
   });
 }
 
-/// Does the work on a thread of its own; the test program ends where it hangs, as nothing else would end it.
+/// Does the work on its own thread. Ends the test program if the work hangs, as nothing else would end it.
 inline void expect_ends(const char* what, const std::function<void()>& work) {
   auto ended = std::async(std::launch::async, work);
   if (ended.wait_for(hang_guard) != std::future_status::ready) {

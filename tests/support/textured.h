@@ -8,7 +8,7 @@
 
 namespace pelage::testing {
 
-/// Texture coordinates by the place in the box seen from +z: u to the right, v up.
+/// Adds texture coordinates by the position in the bounding box seen from +z: u to the right, v up.
 inline RawModel with_planar_uvs(RawModel raw) {
   glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
   for (const glm::dvec3& p : raw.positions) low = glm::min(low, p), high = glm::max(high, p);
@@ -19,7 +19,7 @@ inline RawModel with_planar_uvs(RawModel raw) {
   return raw;
 }
 
-/// Two pixels beside each other: red, then blue.
+/// Two pixels side by side: red, then blue.
 inline RawImage red_and_blue() { return {2, 1, {255, 0, 0, 255, 0, 0, 255, 255}}; }
 
 }  // namespace pelage::testing

@@ -17,7 +17,8 @@ namespace pelage {
 
 namespace {
 
-/// The format follows from the output's ending unless it is named; for .glb it is `shells`, for viewers.
+/// Returns the export parameters after checking them. Without --format, the output's file extension chooses the format;
+/// .glb means `shells`, which any glTF viewer shows.
 Result<Query> checked_export_query(const Options& options) {
   const std::string ending = std::filesystem::path(options.output).extension().string();
   Query query = options.export_parameters;
@@ -32,7 +33,8 @@ Result<Query> checked_export_query(const Options& options) {
   return refused;
 }
 
-/// Every value has passed the decoder, so that none needs escaping; only the + of a number is dropped.
+/// Builds the URL of an export. The decoder has checked every value, so none needs escaping; only the + sign of a
+/// number is dropped, because a URL would read it as a space.
 std::string address_of_export(const std::string& scene_path, const Query& query, bool dry_run) {
   std::string parameters = dry_run ? "&dry_run=1" : "", format;
   for (auto [name, value] : query) {
@@ -60,7 +62,7 @@ void print_about(const Options& options, const std::string& about) {
              static_cast<double>(answer->bytes) / 1e6);
 }
 
-/// Downloads the answer into the file as it arrives; `written` says whether the file took all of it.
+/// Streams the answer into the file. `written` becomes false if the file could not be written.
 Result<HttpAnswer> received(Session& session, const std::string& address, NewFile& file, bool& written) {
   std::atomic<std::size_t> bytes = 0;
   const ProgressLine line("exporting", [&bytes]() -> ProgressState {
@@ -76,7 +78,7 @@ ExitCode write_export(Session& session, const std::string& address) {
   NewFile file(session.options().output);
   bool written = true;
   const auto answer = received(session, address, file, written);
-  if (written) {  // else the file says why
+  if (written) {  // otherwise keep() below reports the file error
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());
   }

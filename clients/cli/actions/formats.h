@@ -1,4 +1,4 @@
-// Formats that the endings of files stand for.
+// Chooses file formats by file extension.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace pelage {
 
-/// The formats that endings stand for; that of none, as of standard output, comes first.
+/// Pairs of a file extension, such as ".png", and its format. The first pair has the extension "" and is used for
+/// outputs without an extension, such as standard output.
 using Endings = std::vector<std::pair<std::string, const char*>>;
 
-/// The parameters with the format that the output's ending stands for, unless they name one. Refused (invalid) where
-/// it stands for none.
+/// Returns the parameters with a `format` added according to the output's file extension, unless they have one already.
+/// Fails (invalid) if the extension is not among `endings`.
 Result<Parameters> with_format(Parameters parameters, const std::string& output, const Endings& endings);
 
 }  // namespace pelage

@@ -15,7 +15,7 @@ namespace {
 const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"},
                             {".webp", "webp"}, {".exr", "exr"}, {".npy", "npy"}};
 
-/// Checks the request here too, so that a wrong command line is refused without a server.
+/// Checks the request on the client's side too, so that a wrong command line is refused without a server.
 Result<FrameRequest> frame_request_of(const Options& options) {
   const Result<Parameters> parameters = with_format(options.frame, options.output, frame_endings);
   if (!parameters) return parameters.status();
@@ -61,8 +61,8 @@ ExitCode print_cost(Session& session, const std::string& path, const std::string
   return done;
 }
 
-/// Returns the progress of the frame that is nearest to its end, which is the one being drawn. A connection of its own
-/// asks for it.
+/// Returns the progress of the frame with the largest done share, which is the one being drawn. Needs its own
+/// connection, because the other one waits for the frame.
 ProgressState frame_progress(Connection& connection, const std::string& path) {
   const auto answer = connection.get(path + "/frames");
   const auto list =
@@ -74,7 +74,7 @@ ProgressState frame_progress(Connection& connection, const std::string& path) {
   return state;
 }
 
-/// Draws a frame. The refusal of a frame that takes too long says how to get it nevertheless.
+/// Draws a frame. If the server refuses it as too slow, the error says how to get it nevertheless.
 Result<HttpAnswer> drawn(Session& session, const std::string& path, const std::string& request) {
   auto other = Connection::to(session.options().server, session.options().token);
   const ProgressLine line("drawing", [&] { return other ? frame_progress(*other, path) : ProgressState{}; });

@@ -7,7 +7,8 @@ namespace pelage {
 
 namespace {
 
-/// Returns the address as the contract has it, or below the scene that is named.
+/// Returns the URL path: the first argument if it is the only one ("/metrics"), else the second one below the scene
+/// that the first one names.
 Result<std::string> whole_address(Session& session) {
   const Options& options = session.options();
   if (options.address.empty()) return options.scene;
@@ -25,7 +26,7 @@ ExitCode get_into_file(Session& session, const std::string& address) {
   bool written = true;
   const auto answer =
       session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
-  if (written) {  // else the file says why
+  if (written) {  // otherwise keep() below reports the file error
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());
   }

@@ -44,7 +44,7 @@ ExitCode show_log(Session& session) {
 
 namespace {
 
-/// What takes the step's place: the commands of the file, all as one step.
+/// Returns the request that replaces a step by all commands of the file, or by none with --drop.
 Result<AmendRequest> amendment(Session& session, const std::string& path, RunPlan& plan) {
   AmendRequest request{.revision = session.options().count, .commands = {}};
   if (session.options().drop) return request;

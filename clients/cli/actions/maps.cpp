@@ -18,14 +18,15 @@ namespace {
 const Endings guide_endings{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
 const Endings map_endings{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
 
-/// The parameters and the field, for the decoder to check before anything is sent.
+/// Returns the map's parameters together with its field, in the form that the decoder checks before anything is sent.
 Query checked_query(const Options& options) {
   Query query = options.map_parameters;
   query.emplace_back("field", options.field);
   return query;
 }
 
-/// Every value has passed a decoder, so that none needs escaping; only the + of a number is dropped.
+/// Appends a query string. A decoder has checked every value, so none needs escaping; only the + sign of a number is
+/// dropped, because a URL would read it as a space.
 std::string with_parameters(std::string address, const Parameters& parameters) {
   char separator = '?';
   for (const auto& [parameter, value] : parameters) {

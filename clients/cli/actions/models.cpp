@@ -18,7 +18,7 @@ namespace pelage {
 
 namespace {
 
-/// "obj" of "spot.OBJ".
+/// Returns the file extension in lower case without its dot: "obj" for "spot.OBJ".
 std::string ending_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
@@ -26,7 +26,7 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-/// `format` as it is sent.
+/// Returns the query parameters of an import. `format` is that of the bytes sent, "zip" for a packed model.
 Query import_query(const Options& options, const std::string& format) {
   Query query{{"format", format},
               {"length", fmt::format("{}", options.length)},
@@ -42,7 +42,7 @@ Query import_query(const Options& options, const std::string& format) {
   return query;
 }
 
-/// Sends bytes to `name` of the scene.
+/// Sends a PUT request with the bytes to the scene's resource `name`, such as "model".
 Result<HttpAnswer> put_bytes(Session& session, const std::string& scene_path, const char* name, const Query& query,
                              const std::string& bytes) {
   std::string address = scene_path + "/" + name;
@@ -59,7 +59,7 @@ Result<HttpAnswer> put_file(Session& session, const char* name, const Query& que
   return path ? put_bytes(session, *path, name, query, *bytes) : path.status();
 }
 
-/// The model with what it names; standard input is sent as it is.
+/// Returns the model packed with the files that it references; standard input is taken as it is.
 Result<PackedModel> packed(const Options& options, const std::string& format) {
   if (options.file != "-") {
     auto model = pack_model(options.file, format, limits::model_bytes);
@@ -70,7 +70,7 @@ Result<PackedModel> packed(const Options& options, const std::string& format) {
   return PackedModel{*bytes, false, {}};
 }
 
-/// What to do about a model that was refused. `pose` as it was asked for.
+/// Returns advice for the user on a model that the server refused. `pose` is the value of --pose.
 std::string next_after(const Status& status, const PackedModel& model, const std::string& pose) {
   const auto says = [&](const std::string& word) { return status.message.find(word) != std::string::npos; };
   for (const std::string& file : model.missing)

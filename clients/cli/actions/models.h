@@ -1,4 +1,4 @@
-// A scene's model from a file.
+// Loads a model file into a scene.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace pelage {
 
-/// Sends the options' file to the scene at `scene_path`. A refusal of the file says what to do next.
+/// Sends the file that the options name to the scene at `scene_path`. If the server refuses the file, the error says
+/// what to do next.
 Result<HttpAnswer> load_into(Session& session, const std::string& scene_path);
 
 }  // namespace pelage

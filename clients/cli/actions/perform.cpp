@@ -7,7 +7,7 @@ namespace {
 
 using Perform = ExitCode (*)(Session&);
 
-/// Null for what needs no session: main.cpp does it.
+/// Returns the function for an action; null for actions that need no session, which main.cpp handles.
 Perform action_of(Action action) {
   switch (action) {
     case Action::wait: return wait_for_server;
@@ -41,7 +41,7 @@ Perform action_of(Action action) {
   }
 }
 
-/// Checks that outputs can be written, before the server is asked for their content.
+/// Checks that the output file can be written before the server computes its content.
 Status check_outputs(const Options& options) {
   const bool writes =
       options.action == Action::frame || options.action == Action::export_fur || options.action == Action::get_map;

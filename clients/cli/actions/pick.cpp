@@ -17,7 +17,7 @@ namespace pelage {
 
 namespace {
 
-/// "1,2,3" as so many numbers; `flag` without its dashes.
+/// Parses "1,2,3" as exactly `count` numbers. `flag` is the option's name without its dashes, for the error.
 Result<std::vector<double>> numbers_of(const std::string& text, std::size_t count, const std::string& flag) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -37,7 +37,8 @@ glm::dvec3 triple_of(const std::vector<double>& numbers, std::size_t first) {
   return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-/// Converts positions of the command line to the model's coordinates, and writes them as recipes do.
+/// Converts between positions on the command line, model coordinates and fractions of the bounding box, [0, 1], and
+/// formats them as recipes do. Command-line positions are model coordinates with `world`, else fractions.
 class Places {
  public:
   Places(const Bounds& box, bool world) : box_(box), world_(world) {}
@@ -48,7 +49,7 @@ class Places {
     const auto share = [&](int k) { return all[k] > 0 ? std::round(1e6 * from[k] / all[k]) / 1e6 : 0.0; };
     return {share(0), share(1), share(2)};
   }
-  /// {"at": [x, y, z]}
+  /// Formats a position in model coordinates as {"at": [x, y, z]}, in fractions of the box.
   std::string at(glm::dvec3 position) const { return "{\"at\": " + list(shares(position)) + "}"; }
   static std::string list(glm::dvec3 v) { return fmt::format("[{}, {}, {}]", v.x + 0, v.y + 0, v.z + 0); }  // no -0
 
@@ -59,7 +60,7 @@ class Places {
   bool world_;
 };
 
-/// What is asked, and the same as a recipe's `pick`.
+/// A pick request, and the same request as the JSON of a recipe's `pick`.
 struct Question {
   PickRequest request;
   std::string in_recipe;
@@ -121,7 +122,7 @@ void print_forms(const Options& options, const PickAnswer& answer, const Places&
   fmt::print("  a step      {{\"pick\": {}, \"as\": {}}}\n", question.in_recipe, json_text(name));
 }
 
-/// Adds the place to the file of the options.
+/// Adds the place to the JSON file given by --places.
 Status keep_place(const Options& options, glm::dvec3 shares) {
   const auto before = std::filesystem::exists(options.places) ? read_file(options.places, limits::recipe_bytes)
                                                               : Result<std::string>(std::string());

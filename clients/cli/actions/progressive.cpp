@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_wait = 20;  // seconds of one request; the server takes 25
+constexpr double longest_wait = 20;  // seconds that one request waits; the server allows at most 25
 
 void print_progress(const Options& options, const HttpAnswer& answer, const TraceReport& trace, double seconds) {
   const std::string revision = header(answer, "pelage-revision");
@@ -27,14 +27,14 @@ void print_progress(const Options& options, const HttpAnswer& answer, const Trac
   } else if (trace.passes == 0) {
     fmt::print("{}: revision {}, rasterized, {:.2f} s\n", options.output, revision, seconds);
   } else {
-    const std::string noise = trace.noise < 1 ? fmt::format(", noise {:.4f}", trace.noise) : "";  // 1: not known yet
+    const std::string noise = trace.noise < 1 ? fmt::format(", noise {:.4f}", trace.noise) : "";  // 1: unknown yet
     fmt::print("{}: revision {}, {} pass{}{}, {:.2f} s\n", options.output, revision, trace.passes,
                trace.passes == 1 ? "" : "es", noise, seconds);
   }
   std::fflush(stdout);
 }
 
-/// Writes the picture and says so.
+/// Writes the picture to the output file and prints a line about it.
 Result<TraceReport> take(const Options& options, const HttpAnswer& answer, double seconds) {
   Result<TraceReport> trace = decode_answer<TraceReport>(header(answer, "pelage-trace"));
   if (!trace) return trace;

@@ -1,4 +1,4 @@
-// Pictures that get better while the client waits.
+// Progressive rendering from the command line.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace pelage {
 
-/// Writes the rasterized picture of a request with `progressive`, then each better picture of the scene over the same
-/// file, until the last one, `until_pass` or `for_seconds`. A line for each. `path` is the scene's.
+/// Writes the rasterized picture of a request that has `progressive`, then overwrites the file with each better
+/// picture, until the last one, --until-pass or --for. Prints a line for each picture. `path` is the scene's URL path.
 ExitCode follow_progressive(Session& session, const std::string& path, const std::string& request);
 
 }  // namespace pelage

@@ -28,7 +28,7 @@ void add(RunTotals& totals, const RunStep& step, const CommandAnswer& answer) {
 }
 
 HttpHeaders headers_of(const std::optional<Revision>& if_match, std::size_t step) {
-  // Later steps come after our own changes, and so at other revisions.
+  // Only the first step is conditional: the steps themselves raise the scene's revision.
   if (!if_match || step > 0) return {};
   return {{"If-Match", fmt::format("\"{}\"", *if_match)}};
 }
@@ -69,7 +69,7 @@ ExitCode run_once(Session& session, const std::string& path, const RunPlan& plan
   return done;
 }
 
-/// What each command touched in a dry run of the plan, below the step that it belongs to.
+/// Prints what each command touched in a dry run of the plan, below the command's step.
 void print_tried(const RunPlan& plan, const CommandAnswer& answer) {
   std::size_t number = 0;
   for (const RunStep& step : plan.steps) {
@@ -82,7 +82,7 @@ void print_tried(const RunPlan& plan, const CommandAnswer& answer) {
   fmt::print("nothing is changed, revision {}\n", answer.revision);
 }
 
-/// The first step whose assert does not hold in a dry run.
+/// Reports the first step whose assert fails in a dry run.
 ExitCode check_tried(const RunPlan& plan, const CommandAnswer& answer) {
   auto begin = answer.results.begin();
   for (const RunStep& step : plan.steps) {
@@ -94,7 +94,7 @@ ExitCode check_tried(const RunPlan& plan, const CommandAnswer& answer) {
   return done;
 }
 
-/// What each command would touch after those before it: one request for all of them.
+/// Makes a dry run of all steps as one request, so that each command sees the effect of those before it.
 ExitCode try_steps(Session& session, const std::string& path, const RunPlan& plan) {
   const Options& options = session.options();
   const auto batch = batch_of(plan.steps);

@@ -1,4 +1,4 @@
-// Running the steps of a plan.
+// Runs the steps of a plan, once or each time its files change.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,24 @@
 
 namespace pelage {
 
-/// What was sent, and what came of it.
+/// Totals over the steps that were sent.
 struct RunTotals {
   std::size_t steps = 0;
   Revision revision = 0;
-  std::size_t touched = 0;            // of all commands
-  std::vector<std::string> warnings;  // each with the step that it is about
+  std::size_t touched = 0;            // vertices, summed over all commands
+  std::vector<std::string> warnings;  // each names its command and step
   double seconds = 0;
 };
 
-/// Sends step after step, the first of them only at the revision `if_match`. Reports what stops it.
+/// Sends the steps one after the other. With `if_match`, the first one is sent only if the scene is at that revision.
+/// Stops at the first failure and reports it.
 ExitCode run_steps(Session& session, const std::string& path, const RunPlan& plan,
                    const std::optional<Revision>& if_match, RunTotals& totals);
 
-/// "4 steps, 1234 vertices touched, 1 warning, 0.31 s"
+/// Returns text such as "4 steps, 1234 vertices touched, 1 warning, 0.31 s".
 std::string words_of(const RunTotals& totals);
 
-/// Runs the plan, and runs it anew in its place each time one of its files changes, until Ctrl-C.
+/// Runs the plan; each time one of its files changes, undoes it and runs it again, until Ctrl-C.
 ExitCode watch_and_run(Session& session, const std::string& path);
 
 }  // namespace pelage

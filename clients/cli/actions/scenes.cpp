@@ -28,7 +28,7 @@ ExitCode fill_new_scene(Session& session, const std::string& id) {
   const std::string path = "/v1/scenes/" + id;
   const Result<HttpAnswer> answer = load_into(session, path);
   if (!answer) {
-    static_cast<void>(session.connection().remove(path));  // the load's own failure is the one to tell
+    static_cast<void>(session.connection().remove(path));  // only the failed load is reported
     return report(answer.status(), session.options().file);
   }
   fmt::print("{}\n", session.options().json ? answer->body : id);

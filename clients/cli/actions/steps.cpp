@@ -29,7 +29,7 @@ Result<RecipeRequest> request_of(const Options& options, const std::string& text
   return gather_recipe(source, read);
 }
 
-/// A refusal of the server with its pointer into the file that the message names.
+/// Rewrites a refusal of the server so that its JSON pointer refers to the file that the message names.
 Status in_file(const Options& options, const Status& refused) {
   Status status = refused;
   if (status.pointer.starts_with("/places")) status.message.insert(0, options.places + ": ");
@@ -51,7 +51,7 @@ Status steps_of_recipe(Session& session, const std::string& path, const std::str
   return {};
 }
 
-/// Decodes the commands of a step.
+/// Decodes `step.text` into `step.commands`.
 Status check(RunStep& step) {
   if (step.text.size() > limits::command_body_bytes) {
     return failure(Code::too_large, fmt::format("The step has {} bytes.", step.text.size()), "",
@@ -78,7 +78,7 @@ Status steps_of_log(const Options& options, const std::string& text, RunPlan& pl
   return {};
 }
 
-/// Puts ids in place of the names of scenes that fields are taken from.
+/// Replaces scene names by ids in `retarget` commands, which copy fields from another scene.
 Status name_sources(Session& session, RunStep& step) {
   bool named = false;
   for (std::size_t k = 0; k < step.commands.size(); ++k) {

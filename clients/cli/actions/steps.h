@@ -1,4 +1,4 @@
-// The steps of a run: from a recipe or from a log, checked before any of them is sent.
+// The steps of `pelage run` and `pelage amend`, read from a recipe or a log and checked before any of them is sent.
 #pragma once
 
 #include <string>
@@ -12,28 +12,29 @@ namespace pelage {
 
 /// One undo step.
 struct RunStep {
-  std::string text;                  // as it is sent
-  std::vector<Command> commands;     // what it says
-  std::string place;                 // "step 3 of 12 of show.json"
-  std::string pointer;               // to it, within the file; "" in a log
-  std::vector<TouchLimits> asserts;  // what its commands have to touch
+  std::string text;                  // JSON that is sent to the server
+  std::vector<Command> commands;     // decoded from `text`
+  std::string place;                 // for messages: "step 3 of 12, show.json"
+  std::string pointer;               // JSON pointer to the step within its file; "" in a log
+  std::vector<TouchLimits> asserts;  // limits on the vertices that its commands touch
 };
 
-/// What the files of the options say. `place` and `files` can be used even if reading them failed.
+/// All steps of a run. `place` and `files` are valid even if reading failed.
 struct RunPlan {
   std::vector<RunStep> steps;
-  std::string place;               // what a refusal is about
-  std::vector<std::string> files;  // that were read
+  std::string place;               // file or step that an error is about
+  std::vector<std::string> files;  // files that were read
 };
 
-/// Reads the steps of the file that the options name; the server turns a recipe into those for the scene at `path`. Ids
-/// stand for the names of scenes that fields are taken from.
+/// Reads the steps of the file that the options name. For a recipe, the server computes the steps for the scene at
+/// `path`. Names of scenes in `retarget` commands are replaced by ids.
 Status read_steps(Session& session, const std::string& path, RunPlan& plan);
 
-/// Refuses the results of a step where a command touched more or less than its assert says.
+/// Fails if a command of the step touched more or fewer vertices than its assert allows.
 Status check_asserts(const RunStep& step, const std::vector<CommandResult>& results);
 
-/// All commands as one batch, for a dry run. Refused when they are more than one request takes.
+/// Encodes the commands of all steps as one batch, for a dry run. Fails (too_large) if they exceed one request's
+/// limits.
 Result<std::string> batch_of(const std::vector<RunStep>& steps);
 
 }  // namespace pelage

@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-/// Calls `send` with a callback that it tells how many bytes went out.
+/// Shows upload progress while `send` runs. `send` gets a callback, to be called with the number of bytes sent so far.
 template <class Send>
 Result<HttpAnswer> with_progress(std::size_t size, Send send) {
   std::atomic<std::size_t> sent = 0;

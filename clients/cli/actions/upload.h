@@ -1,4 +1,4 @@
-// Uploads that say how far they are.
+// Uploads with a progress line.
 #pragma once
 
 #include <string>

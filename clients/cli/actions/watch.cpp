@@ -1,4 +1,4 @@
-// `pelage run --watch`
+// `pelage run --watch`: runs a recipe again each time one of its files changes.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds looked_every(100);
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// Ctrl-C lets a run under way come to its end; a second one does not wait for it.
+/// Makes the first Ctrl-C end the program after the current run; a second one ends it at once.
 void end_on_interrupt() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
@@ -29,7 +29,7 @@ void end_on_interrupt() {
 
 using Stamps = std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
 
-/// When each file was written, and its size. Files that are not there have none.
+/// Returns each file's modification time and size; default time and size 0 for a missing file.
 Stamps stamps_of(const std::vector<std::string>& files) {
   Stamps stamps;
   for (const std::string& file : files) {
@@ -41,8 +41,8 @@ Stamps stamps_of(const std::vector<std::string>& files) {
   return stamps;
 }
 
-/// Waits until a file differs from `known` and no longer changes, because an editor writes in several goes. Returns
-/// false after Ctrl-C.
+/// Waits until a file differs from `known` and has stopped changing, because editors write a file in several steps.
+/// Returns false after Ctrl-C.
 bool wait_for_change(const std::vector<std::string>& files, const Stamps& known) {
   Stamps before = known;
   for (;;) {
@@ -59,7 +59,7 @@ Result<SceneSummary> summary_at(Session& session, const std::string& path) {
   return answer ? decode_answer<SceneSummary>(answer->body) : Result<SceneSummary>(answer.status());
 }
 
-/// Takes back what was done since `base`; refused when someone else changed the scene since `last`.
+/// Undoes all steps since `base`. Fails (precondition) if someone else changed the scene since revision `last`.
 Status take_back(Session& session, const std::string& path, const SceneSummary& base, Revision last) {
   const auto now = summary_at(session, path);
   if (!now) return now.status();
@@ -88,7 +88,7 @@ ExitCode watch_and_run(Session& session, const std::string& path) {
     const Stamps known = stamps_of(plan.files);
     if (status.ok()) {
       if (const Status refused = take_back(session, path, *base, last); !refused.ok()) return report(refused);
-      status = read_steps(session, path, plan);  // picks see the fur that the steps begin with
+      status = read_steps(session, path, plan);  // again: picks depend on the scene, now undone
     }
     RunTotals totals;
     if (!status.ok())

@@ -35,7 +35,7 @@ bool is_opaque(const FloatImage& picture) {
 Result<Mask> mask_for(const Options& options, const FloatImage& reference, const FloatImage& test) {
   if (options.mask.empty()) {
     const bool same_size = reference.width == test.width && reference.height == test.height;
-    // Pictures of two sizes have no union; compare() refuses them.
+    // Masks of different sizes have no union; compare() refuses such pictures.
     return same_size ? union_of(alpha_mask(reference), alpha_mask(test)) : alpha_mask(reference);
   }
   const auto picture = read_picture(options.mask);
@@ -68,7 +68,7 @@ std::string json_of(const FlipFigures& flip) {
   return fmt::format(R"({{"mean":{:.7g},"percentile_95":{:.7g}}})", flip.mean, flip.percentile_95);
 }
 
-/// Prints an error, which has to have figures.
+/// Prints the figures of a comparison. `error.figures` must not be null.
 void print(const PictureError& error) {
   const PictureFigures& figures = *error.figures;
   fmt::print("FLIP        mean {:.4f}, 95th percentile {:.4f}\n", figures.flip.mean, figures.flip.percentile_95);

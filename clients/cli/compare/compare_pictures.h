@@ -1,4 +1,4 @@
-// What `pelage compare` does.
+// `pelage compare`: measures the error of one picture against another.
 #pragma once
 
 #include "clients/cli/options.h"
@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// Measures local files and prints the figures or why there are none; no server is asked.
+/// Compares local picture files and prints the figures, or the reason why there are none. Needs no server.
 ExitCode compare_pictures(const Options& options);
 
 }  // namespace pelage

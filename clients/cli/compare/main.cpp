@@ -1,5 +1,5 @@
-// pelage-compare: what `pelage compare` becomes, with the same line. A program of its own, because the readers of
-// pictures bring some 250 libraries that take .15 s to load, which no other action of the client needs.
+// pelage-compare: the program that `pelage compare` starts with the same command line. It is separate because the
+// picture readers link some 250 libraries that take .15 s to load, and no other action of the client needs them.
 #include <cstdio>
 
 #include "clients/cli/compare/compare_pictures.h"

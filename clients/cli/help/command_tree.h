@@ -1,4 +1,4 @@
-// The command line as data: what completions and manual pages are made of.
+// The command line as data, from which shell completions and the manual page are generated.
 #pragma once
 
 #include <string>
@@ -11,24 +11,24 @@ class App;
 namespace pelage {
 
 struct OptionHelp {
-  std::vector<std::string> names;  // "-o", "--output"; of a positional argument its one name without dashes
-  std::string words;               // what it does
-  std::string preset;              // its default; "" where its words say it
+  std::vector<std::string> names;  // "-o", "--output"; a positional argument has one name without dashes
+  std::string words;               // help text
+  std::string preset;              // default value; "" if there is none or the help text states it
   bool takes_value = false;
   bool required = false;
 };
 
 struct CommandHelp {
-  std::string name;   // "" for the program, else such as "map get"
-  std::string words;  // what it does
+  std::string name;   // full name, such as "map get"; "" for the program
+  std::string words;  // help text
   std::vector<OptionHelp> arguments;
   std::vector<OptionHelp> options;
-  std::vector<CommandHelp> commands;  // below it
+  std::vector<CommandHelp> commands;  // subcommands
 };
 
 CommandHelp tree_of(const CLI::App& app);
 
-/// A command and all below it, itself first.
+/// Returns a command and all its subcommands, recursively, parents first.
 std::vector<const CommandHelp*> all_commands(const CommandHelp& root);
 
 }  // namespace pelage

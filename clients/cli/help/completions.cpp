@@ -8,7 +8,7 @@ namespace pelage {
 
 namespace {
 
-/// "get" of "map get".
+/// Returns "get" for "map get".
 std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
 
 /// Puts a text into single quotes for bash and zsh.
@@ -28,8 +28,8 @@ std::string fish_text(const std::string& text) {
   return in_quotes + "'";
 }
 
-/// Returns the words that may follow, each with what it does: the commands below, the command's own options, and those
-/// of the program, which may stand anywhere.
+/// Returns the words that may follow a command, each with its help text: its subcommands, its own options, and the
+/// program's options, which are valid anywhere.
 std::vector<std::pair<std::string, std::string>> words_after(const CommandHelp& command, const CommandHelp& root) {
   std::vector<std::pair<std::string, std::string>> words;
   for (const CommandHelp& below : command.commands) words.emplace_back(last_word(below.name), below.words);
@@ -45,7 +45,8 @@ std::vector<std::pair<std::string, std::string>> words_after(const CommandHelp& 
   return words;
 }
 
-/// The values of an option whose words begin with all of them, as "front, back or left".
+/// Returns the values of an option, separated by spaces, if its help text begins with a list such as "front, back or
+/// left"; else "".
 std::string values_of(const OptionHelp& option) {
   static const std::regex list(R"(^([\w-]+(?:, [\w-]+)* or [\w-]+)(?:$|[;,.]| \[).*)"), between(", | or ");
   std::smatch found;
@@ -57,7 +58,8 @@ bool begins_with_scene(const CommandHelp& command) {
   return !command.arguments.empty() && command.arguments.front().names == std::vector<std::string>{"scene"};
 }
 
-/// Cases of bash and zsh, "COMMAND OPTION": each offers the option's values, between `before` and `after`.
+/// Returns branches of a bash or zsh `case` over "COMMAND OPTION". Each branch is the option's values between `before`
+/// and `after`.
 std::string value_cases(const CommandHelp& root, const std::string& before, const std::string& after) {
   std::string cases;
   for (const CommandHelp* command : all_commands(root))
@@ -68,7 +70,8 @@ std::string value_cases(const CommandHelp& root, const std::string& before, cons
   return cases;
 }
 
-/// A loop of bash and zsh that finds which command the line names.
+/// Returns a bash or zsh loop that sets `named` to the command on the line. `words` is the shell expression to loop
+/// over.
 std::string path_loop(const CommandHelp& root, const char* words) {
   std::string known;
   for (const CommandHelp* command : all_commands(root))
@@ -83,7 +86,7 @@ std::string path_loop(const CommandHelp& root, const char* words) {
                      words, known);
 }
 
-/// Returns fish's option "-n '...'": the command is on the line.
+/// Returns fish's condition, the argument of its option -n, that the command is on the line.
 std::string fish_condition(const CommandHelp& command) {
   if (command.name.empty()) return "__fish_use_subcommand";
   std::string condition;

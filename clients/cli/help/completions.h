@@ -1,4 +1,4 @@
-// Scripts that complete the command line in a shell.
+// Completion scripts for bash, zsh and fish.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-// Commands, and the options of the command that is being written; elsewhere names of files.
+// The scripts complete commands, the options of the current command, option values and scene names; else file names.
 
 std::string bash_completions(const CommandHelp& root);
 std::string zsh_completions(const CommandHelp& root);

@@ -1,4 +1,4 @@
-// Examples of each command, for its help and the manual page.
+// Example lines for each command, shown in its help and on the manual page.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace pelage {
 
 inline constexpr const char* exit_codes = "0 done, 1 failed, 2 wrong use, 3 the input was refused.";
 
-/// Returns shell lines that use a command; `command` is such as "map get", "" stands for the program.
+/// Returns shell lines that use a command, such as "map get"; "" stands for the program.
 std::vector<std::string> examples_of(const std::string& command);
 
-/// What stands below a command's help.
+/// Returns the text that is printed below a command's help.
 std::string footer_of(const std::string& command);
 
 }  // namespace pelage

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// Text as roff shows it: no line begins a request, and dashes can be copied.
+/// Escapes text for roff, so that no line is read as a request and dashes stay plain "-" when copied.
 std::string roff(const std::string& text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";

@@ -1,4 +1,4 @@
-// The manual page.
+// Generates the manual page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// The page of the program and of each command below it, as roff for `man`.
+/// Returns one page about the program and all its commands, in roff format for `man`.
 std::string man_page(const CommandHelp& root, const std::string& version);
 
 }  // namespace pelage

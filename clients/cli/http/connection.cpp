@@ -15,9 +15,9 @@ namespace pelage {
 namespace {
 
 constexpr int connection_seconds = 5;
-constexpr int answer_seconds = 24 * 3600;                         // the server says itself when it gives up
-constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // of TCP keepalive, which finds a host that is gone
-constexpr std::chrono::seconds retry_timeout(60), longest_wait(10);  // with a server that is busy
+constexpr int answer_seconds = 24 * 3600;                         // long: the server has its own timeouts
+constexpr int idle_seconds = 30, probe_seconds = 10, probes = 6;  // TCP keepalive, which detects a dead host
+constexpr std::chrono::seconds retry_timeout(60), longest_wait(10);  // for retries while the server is busy
 constexpr const char* bytes_type = "application/octet-stream";
 constexpr std::size_t piece_bytes = std::size_t{1} << 18;
 
@@ -29,7 +29,7 @@ void keep_alive(socket_t socket) {
   set(IPPROTO_TCP, TCP_KEEPCNT, probes);
 }
 
-/// When a busy server is to be asked again; 0 where it is not.
+/// Returns how long to wait before the request is sent again to a busy server (429); 0 if it is not to be repeated.
 std::chrono::seconds wait_after(const HttpAnswer& answer) {
   const auto said = answer.headers.find("retry-after");
   if (answer.status != 429 || said == answer.headers.end()) return {};
@@ -38,7 +38,7 @@ std::chrono::seconds wait_after(const HttpAnswer& answer) {
   return std::clamp(std::chrono::seconds(seconds), std::chrono::seconds(1), longest_wait);
 }
 
-/// Returns a body that reports how much of it was sent.
+/// Returns a request body that is sent in chunks and calls `sent` after each one.
 httplib::ContentProvider in_pieces(const std::string& bytes, const Sent& sent) {
   return [&bytes, &sent](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
     const std::size_t piece = std::min(length, piece_bytes);
@@ -78,7 +78,7 @@ struct Connection::Impl {
         "start a server with `pelaged`, or name it with --server or PELAGE_SERVER");
   }
 
-  /// What `ask()` is answered in the end.
+  /// Returns the answer to `ask()`, which is repeated while the server is busy, for up to `retry_timeout`.
   template <class Ask>
   Result<HttpAnswer> answer_to(const Ask& ask) const {
     const auto given_up = std::chrono::steady_clock::now() + retry_timeout;

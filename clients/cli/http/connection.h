@@ -1,4 +1,4 @@
-// The client's side of HTTP.
+// An HTTP client for one server.
 #pragma once
 
 #include <cstddef>
@@ -21,23 +21,23 @@ struct HttpAnswer {
 using HttpHeaders = std::map<std::string, std::string>;
 using Sent = std::function<void(std::size_t bytes)>;
 
-/// Keeps one connection to a server open. A server that cannot be reached gives a Status (unavailable). One that is
-/// busy (429) is asked again when it says so, for a minute; it has done nothing so far.
+/// Keeps one connection to a server open. Requests fail (unavailable) if the server cannot be reached. A request that a
+/// busy server refuses (429) had no effect; it is sent again as Retry-After says, for up to a minute.
 class Connection {
  public:
-  /// `server`: "http://host:port". Refused (invalid) when it is anything else. `token` may be empty;
-  /// `always` goes with every request.
+  /// `server` is "http://host:port"; fails (invalid) if it is anything else. `token` may be empty. The headers `always`
+  /// are sent with every request.
   static Result<Connection> to(const std::string& server, const std::string& token, const HttpHeaders& always = {});
   ~Connection();
   Connection(Connection&&) noexcept;
   Connection& operator=(Connection&&) noexcept;
 
   Result<HttpAnswer> get(const std::string& path);
-  /// Does the same, but hands the body of a success (2xx) to `take` in chunks; if `take` returns false, the transfer
-  /// ends.
+  /// Passes the body of a successful answer (2xx) to `take` in chunks instead of returning it. The transfer ends if
+  /// `take` returns false.
   Result<HttpAnswer> get(const std::string& path, const std::function<bool(std::string_view)>& take);
   Result<HttpAnswer> post_json(const std::string& path, const std::string& body, const HttpHeaders& headers = {});
-  /// `sent` is told how many bytes went out so far.
+  /// Calls `sent` with the number of bytes sent so far.
   Result<HttpAnswer> post_bytes(const std::string& path, const std::string& bytes, const Sent& sent = {});
   Result<HttpAnswer> put_bytes(const std::string& path, const std::string& bytes, const Sent& sent = {});
   Result<HttpAnswer> remove(const std::string& path);

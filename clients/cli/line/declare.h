@@ -1,4 +1,4 @@
-// Declares the command line: names, help texts, and where the values go.
+// Declares the command line: names, help texts, and the members of Options that take the values.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@ class App;
 
 namespace pelage {
 
-/// Adds a command with its examples; it sets the options' `action`.
+/// Adds a command with its examples. Parsing it sets `options.action`.
 CLI::App* add_action(CLI::App& app, Options& options, Action action, const char* name, const char* help);
 
 void add_scene(CLI::App* command, Options& options);
 
-/// Adds an option whose value is passed on as a parameter of an address.
+/// Adds an option whose value is appended to `into` as a query parameter named `parameter`.
 void hand_on(CLI::App* command, Parameters& into, const char* flag, const char* parameter, const char* help);
 
-/// Splits each text NAME=VALUE into a pair.
+/// Splits each text NAME=VALUE and appends the pair to `pairs`.
 void add_pairs(const std::vector<std::string>& texts, Parameters& pairs);
 
 /// Adds the options that set a recipe's variables.
 void add_variables(CLI::App* command, Options& options);
 
-/// Declares the whole line: all commands, and the program's own options.
+/// Declares the whole command line: the program's own options and all commands.
 void declare_line(CLI::App& app, Options& options);
 
 void declare_scene_actions(CLI::App& app, Options& options);

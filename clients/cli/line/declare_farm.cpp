@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* frames_help = "Folder of `pelage farm submit`, job, or frames as \"out/fox.####.png\"";
 
-// No value is stored: pelage-farm gets the command line unchanged.
+// The values are not stored: pelage-farm gets the command line unchanged. The declarations serve checks and help.
 
 CLI::Option* add_value(CLI::App* command, const char* flag, const std::string& help) {
   return command->add_option(flag, help)->type_name("TEXT");

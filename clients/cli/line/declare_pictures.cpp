@@ -31,7 +31,7 @@ void add_quality(CLI::App* command, Options& options) {
   command->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
 }
 
-/// Adds options for members of Tracing.
+/// Adds the options that set the members of Tracing.
 void add_tracing(CLI::App* command, Options& options) {
   Parameters& trace = options.trace;
   hand_on(command, trace, "--passes", "passes", "Passes of tracing at most: samples of a pixel, 1 to 65536 [64]");
@@ -86,7 +86,7 @@ void add_looks(CLI::App* command, Options& options) {
   hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
 }
 
-/// Adds the options that name a position other than by a pixel; at most one of them may be given.
+/// Adds the options that name a position by other means than a pixel. They and the pixel exclude each other.
 void add_places(CLI::App* pick, Options& options) {
   std::vector<CLI::Option*> ways = {
       pick->get_option("x"),

@@ -21,7 +21,7 @@ void add_fur(CLI::App* command, Options& options) {
   command->add_flag("--ground", options.ground, "Begin with a visible ground below the model");
 }
 
-/// Adds the options that say how a file is read.
+/// Adds the options that say how a model file is read.
 void add_import(CLI::App* command, Options& options) {
   command->add_option("--format", options.format, "obj, ply, stl, off, gltf, glb, 3ds or zip [the file's ending]");
   command->add_option("--up", options.up,

@@ -7,7 +7,7 @@ namespace pelage {
 
 namespace {
 
-/// Flags that are not called as their member is, but for dashes.
+/// Flags, and the member that each one sets, where the flag's name is not that of the member.
 constexpr std::pair<const char*, const char*> other_names[] = {
     {"--fov", "fov_degrees"}, {"--from", "overlay_from"}, {"--camera", "auto"}, {"x", "pixel"},
     {"--box", "min"},         {"--box", "max"},           {"step", "revision"}, {"--until-pass", "after_pass"}};

@@ -1,4 +1,4 @@
-// What the members of a request are called on the command line.
+// Maps the members of a request to the flags that set them.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@ class App;
 
 namespace pelage {
 
-/// Returns the flags, or names of arguments, of the command on the line, by the last step of the JSON pointer of the
-/// member that each sets. Empty for commands whose pointers lead into a file.
+/// Returns the flags and argument names of the command on the line. The key is the member that a flag sets: the last
+/// component of its JSON pointer. Empty for commands whose errors point into a file (run, amend).
 std::map<std::string, std::string> flags_of(const CLI::App& app);
 
 }  // namespace pelage

@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-/// The refusal of a word that stands where a command is expected; ok where there is no such word.
+/// Returns an error with the nearest known name if an unknown word stands in place of a command; else ok.
 Status unknown_command(const CLI::App& app) {
   const CLI::App* last = &app;
   while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
@@ -28,7 +28,7 @@ Status unknown_command(const CLI::App& app) {
                  nearest_name(words.front(), known));
 }
 
-/// Refuses the command line with what CLI11 says of it.
+/// Prints why CLI11 rejected the command line, or the help text that was asked for. Returns the exit code.
 int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool json = std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--json") == 0; });
   if (Status unknown = unknown_command(app); error.get_exit_code() != 0 && !unknown.ok()) {
@@ -42,7 +42,7 @@ int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, cha
   return wrong_use;
 }
 
-/// Prints what is made of the command line itself, without a server.
+/// Prints the manual page or a completion script, which need no server. Returns false if neither was asked for.
 bool print_tree(const CLI::App& app, const Options& options) {
   const CommandHelp root = tree_of(app);
   std::string text;

@@ -24,7 +24,7 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-/// Calls visit(word, rest) for each line: its first word, and what follows without blanks at its ends.
+/// Calls visit(word, rest) for each line that is not blank: its first word, and the trimmed text after it.
 template <class Visit>
 void for_each_line(const std::string& text, const Visit& visit) {
   std::istringstream stream(text);
@@ -45,7 +45,7 @@ std::optional<std::string> bytes_of(const fs::path& path) {
   return file ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-/// Where a name leads from the model's folder; none where it leads out of it.
+/// Returns a name as a normalized path relative to the model's folder; nothing if it leads out of that folder.
 std::optional<fs::path> below(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
   const fs::path path = fs::path(name).lexically_normal();
@@ -53,12 +53,12 @@ std::optional<fs::path> below(std::string name) {
   return path;
 }
 
-/// The files of one upload.
+/// Collects the files that a model references and zips them with it.
 class Packer {
  public:
   Packer(const fs::path& model, std::size_t max_bytes) : folder_(model.parent_path()), room_(max_bytes) {}
 
-  /// Null where the file is not there; it is then among the missing ones.
+  /// Reads a file and returns its bytes. If it cannot be read, adds the name to missing() and returns null.
   const std::string* add(const std::string& name) {
     for (const std::string& spelling : {name, percent_decoded(name)}) {
       const std::optional<fs::path> path = below(spelling);
@@ -82,11 +82,11 @@ class Packer {
  private:
   fs::path folder_;
   std::size_t room_;
-  std::vector<std::pair<std::string, std::string>> files_;  // by their paths
+  std::vector<std::pair<std::string, std::string>> files_;  // relative path, bytes
   std::vector<std::string> missing_;
 };
 
-/// Adds a file without compression: pictures would not get smaller, and the transfer is short.
+/// Adds a file to the archive without compression: pictures would not get smaller, and the transfer is short.
 bool add_to(zip_t* archive, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   const zip_int64_t index = source ? zip_file_add(archive, name.c_str(), source, ZIP_FL_OVERWRITE) : -1;
@@ -140,7 +140,7 @@ std::vector<std::string> names_in_mtl(const std::string& text) {
   std::vector<std::string> names;
   for_each_line(text, [&](const std::string& word, const std::string& rest) {
     if (word != "map_Kd") return;
-    const bool has_options = rest.starts_with("-");  // of which the name comes last
+    const bool has_options = rest.starts_with("-");  // then the file name comes last
     add_once(names, has_options ? rest.substr(rest.find_last_of(" \t") + 1) : rest);
   });
   return names;

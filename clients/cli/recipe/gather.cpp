@@ -23,7 +23,7 @@ Result<json> parsed(const std::string& file, const std::string& text) {
   return status;
 }
 
-/// Reads what files include, each file once. What is no name of a file is left to the server to refuse.
+/// Reads included files recursively, each once. Skips entries that are no valid file name; the server refuses them.
 class Gatherer {
  public:
   explicit Gatherer(const std::function<Result<std::string>(const std::string&)>& read) : read_(read) {}
@@ -62,7 +62,8 @@ class Gatherer {
   json files_ = json::object();
 };
 
-/// The values that the user sets: JSON where it is that, or a number such as .5, else text.
+/// Returns the values of the variables that the user sets: valid JSON or a number such as .5 as JSON, anything else as
+/// text.
 json values_of(const std::vector<std::pair<std::string, std::string>>& variables) {
   json values = json::object();
   for (const auto& [name, text] : variables) {
@@ -76,7 +77,7 @@ json values_of(const std::vector<std::pair<std::string, std::string>>& variables
 
 bool is_recipe(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos || text[begin] != '{') return false;  // long logs need no parsing for this
+  if (begin == std::string_view::npos || text[begin] != '{') return false;  // saves parsing long logs
   const auto tree = parse_json(text);
   if (!tree || !tree->is_object() || tree->contains("op") || tree->contains("commands")) return false;
   return tree->contains("steps") || tree->contains("variables") || tree->contains("include");

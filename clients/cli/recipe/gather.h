@@ -1,4 +1,4 @@
-// A recipe's files, put together into what the server turns into steps.
+// Gathers a recipe and the files that it includes into one request; the server turns it into steps.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@
 
 namespace pelage {
 
-/// Returns whether the text is a JSON object that is no command but has a recipe's members.
+/// Returns true if the text is a JSON object that has a recipe's members and is not a command.
 bool is_recipe(std::string_view text);
 
 struct RecipeSource {
   std::string file, text;
   std::vector<std::pair<std::string, std::string>> variables = {};  // values are JSON, a number such as .5, or text
-  std::string places = {};                                          // JSON; "" for none
-  std::string places_file = {};                                     // names them in refusals
+  std::string places = {};                                          // JSON text; "" for none
+  std::string places_file = {};                                     // path of the places, for error messages
 };
 
-/// The recipe with all that it includes, whose texts `read` gives. Refuses what is no JSON, and more than 64 files or
-/// 8 MiB; the message names the file.
+/// Returns the recipe with all included files; `read` returns a file's text. Fails on invalid JSON and on more than 64
+/// files or 8 MiB; the message names the file.
 Result<RecipeRequest> gather_recipe(const RecipeSource& source,
                                     const std::function<Result<std::string>(const std::string& file)>& read);
 
-/// A pointer into the request as one into the file that it leads to.
+/// Converts a JSON pointer into the request to a pointer into the file that it refers to.
 std::string pointer_in_file(const std::string& pointer);
 
 }  // namespace pelage

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Six digits are a millionth of the box.
+/// Rounds a fraction of the box to six decimal places.
 double rounded(double share) { return std::round(share * 1e6) / 1e6; }
 
 }  // namespace

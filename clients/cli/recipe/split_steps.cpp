@@ -35,7 +35,7 @@ Result<std::vector<std::string>> split_steps(std::string_view text) {
   if (lines.empty()) return failure(Code::malformed, "There are no commands in it.");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (const auto step = parse_json(lines[i]); !step) {
-      if (i == 0) return whole.status();  // no JSON lines but a document with a mistake in it
+      if (i == 0) return whole.status();  // a single document with a syntax error
       Status status = step.status();
       status.message = "Line " + std::to_string(i + 1) + " (empty ones not counted): " + status.message;
       return status;

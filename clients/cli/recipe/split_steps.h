@@ -1,4 +1,4 @@
-// Files of commands, split into steps.
+// Splits files of commands into steps.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// The texts of a file of commands, each one undo step: JSON lines, an array, or one document over many lines.
-/// Malformed texts are refused with the number of their line or element in the message.
+/// Returns the JSON text of each undo step in a file of commands, which is JSON lines, an array, or one document over
+/// many lines. Fails on malformed JSON; the message has the number of the line or element.
 Result<std::vector<std::string>> split_steps(std::string_view text);
 
 }  // namespace pelage

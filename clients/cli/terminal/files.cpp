@@ -31,7 +31,7 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
       return failure(Code::too_large, path + " is too large.", "", fmt::format("at most {} bytes", max_bytes));
     }
   }
-  // A folder opens as a file and fails at the first read.
+  // Opening a folder succeeds; only the first read fails.
   if (stream.bad() || (path != "-" && !file.is_open())) {
     return with_next(failure(Code::not_found, "Cannot read " + path + "."),
                      "name a file that exists and that you may read; - is standard input");

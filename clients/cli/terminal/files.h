@@ -1,4 +1,4 @@
-// Files and the standard streams.
+// Reads and writes files and the standard streams.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@
 
 namespace pelage {
 
-/// "-" is standard input. Refused when it cannot be read (not_found) or is over `max_bytes` (too_large).
+/// Returns a file's bytes; "-" is standard input. Fails if it cannot be read (not_found) or is larger than `max_bytes`
+/// (too_large).
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
 /// Writes a file under a temporary name in the same folder, then renames it; "-" is standard output.
 Status write_file(const std::string& path, const std::string& bytes);
 
-/// Checks whether a file can be written there, before the work whose result it takes. Changes nothing.
+/// Checks that a file can be written, before the work that produces its content. Changes nothing.
 Status check_output(const std::string& path);
 
 /// A file that is written in chunks under a temporary name, and removed unless keep() is called.
@@ -28,7 +29,7 @@ class NewFile {
   NewFile& operator=(const NewFile&) = delete;
 
   bool write(std::string_view piece);
-  /// Renames it, or says why it cannot be written.
+  /// Renames the file to its final name. Fails if it could not be written.
   Status keep();
 
  private:

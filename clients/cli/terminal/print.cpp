@@ -29,7 +29,7 @@ void print_sheets(const std::vector<NumberedPart>& sheets) {
 
 constexpr std::size_t max_commands = 3;
 
-/// Its name, and where it works: the radius of a stroke's brush, or everywhere.
+/// Returns the command's name and where it acts: the radius of the stroke's brush, or "everywhere".
 template <class Tool>
 std::string words_of(const Tool& command) {
   std::string words = Tool::op;
@@ -42,12 +42,12 @@ std::string words_of(const Tool& command) {
   return words;
 }
 
-/// "comb r 0.12" of a log entry's commands, as JSON; several with commas, and more than three as their number. Empty
-/// where there are none.
+/// Describes a log entry's commands, given as JSON, such as "comb r 0.12, frizz everywhere and 2 more": at most three,
+/// then the number of the others. Returns "" for no commands.
 std::string described(const std::string& commands) {
   const auto decoded =
       commands.empty() ? Result<std::vector<Command>>(std::vector<Command>{}) : decode_commands(commands);
-  if (!decoded) return commands;  // of a newer server
+  if (!decoded) return commands;  // unknown commands of a newer server
   std::string words;
   for (std::size_t k = 0; k < decoded->size() && k < max_commands; ++k) {
     words += (k > 0 ? ", " : "") + std::visit([](const auto& command) { return words_of(command); }, (*decoded)[k]);
@@ -149,7 +149,7 @@ void print(const PickAnswer& answer) {
 void print(const std::vector<LogEntry>& log) {
   for (const LogEntry& entry : log) {
     const std::string words = described(entry.commands), author = entry.author.empty() ? "" : ", by " + entry.author;
-    const bool later = entry.step != 0 && entry.step != entry.revision;  // a part of its stroke, or replayed
+    const bool later = entry.step != 0 && entry.step != entry.revision;  // it joined or replayed an earlier step
     fmt::print("{:>6}{} {}, {} vertices{}{}\n", entry.revision, entry.in_effect ? '*' : ' ',
                words.empty() ? entry.kind : words, entry.touched, later ? fmt::format(", step {}", entry.step) : "",
                author);

@@ -1,4 +1,4 @@
-// Answers in words, on standard output.
+// Prints answers of the server as text on standard output.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ void print(const SceneSummary& summary);
 void print(const std::vector<SceneSummary>& summaries);
 void print(const CommandResult& result);
 void print(const CommandAnswer& answer);
-/// Prints what lies at a position, without the forms that recipes take.
+/// Prints the skin and fur at a picked position, but not the JSON forms for recipes.
 void print(const PickAnswer& answer);
 void print(const PickedStrand& strand);
 void print(const std::vector<LogEntry>& log);

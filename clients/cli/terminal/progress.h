@@ -1,4 +1,4 @@
-// The progress of long work, shown to a user at a terminal.
+// Shows the progress of long work on a terminal.
 #pragma once
 
 #include <atomic>
@@ -10,18 +10,18 @@
 namespace pelage {
 
 struct ProgressState {
-  double share = -1;  // done, [0, 1]; below 0 where nobody knows
-  std::string words;  // such as "step 3 of 12"
+  double share = -1;  // fraction that is done, [0, 1]; below 0 if unknown
+  std::string words;  // details such as "step 3 of 12"; may be ""
 };
 
-/// "running [######..............]  30 %, step 3 of 10, 4 s".
+/// Returns text such as "running [######..............]  30 %, step 3 of 10, 4 s".
 std::string progress_text(const std::string& what, const ProgressState& state, double seconds);
 
-/// Shows progress from its construction to its destruction: one line on standard error, from the first second on, which
-/// is erased in the end. Shows nothing where that is no terminal or JSON is wanted.
+/// Shows a progress line on standard error during its lifetime, after the first second, and erases it at the end. Shows
+/// nothing if standard error is not a terminal or with --json.
 class ProgressLine {
  public:
-  /// `ask` is called twice a second in a thread of its own; without it the line says how long it took so far.
+  /// Calls `ask` twice a second in a separate thread. Without `ask`, the line shows only the elapsed time.
   explicit ProgressLine(std::string what, std::function<ProgressState()> ask = {});
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -36,7 +36,7 @@ class ProgressLine {
   std::thread thread_;
 };
 
-/// Returns what `call` returns, and shows meanwhile how long it takes.
+/// Returns the result of `call()`, and shows a line with the elapsed time while it runs.
 template <class Call>
 auto with_line(std::string what, Call call) {
   const ProgressLine line(std::move(what));

@@ -38,7 +38,7 @@ ExitCode exit_code_of(Code code) {
   return ours ? failed : refused;
 }
 
-/// Returns the status that a server would answer with, so that programs read one kind of problem document.
+/// Returns the HTTP status that the server uses for a code, so that the client's own errors look like the server's.
 int http_status_of(Code code) {
   switch (code) {
     case Code::malformed: return 400;
@@ -56,7 +56,7 @@ int http_status_of(Code code) {
   return 500;
 }
 
-/// The flag that gave the member or what it is part of; "" for members that came from elsewhere.
+/// Returns the flag that set the member at a JSON pointer or one of its parents; "" if no flag did.
 std::string flag_of(std::string pointer) {
   while (!pointer.empty()) {
     const std::size_t slash = pointer.rfind('/');

@@ -6,7 +6,7 @@ namespace pelage {
 
 namespace {
 
-/// Characters of UTF-8.
+/// Returns the number of UTF-8 characters (code points).
 std::size_t width_of(const std::string& cell) {
   return static_cast<std::size_t>(
       std::count_if(cell.begin(), cell.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));

@@ -1,4 +1,4 @@
-// Columns of text that line up.
+// Formats rows of text as aligned columns.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// A line for each row, the first being the heads; columns are as wide as their widest cell. Numbers, which are cells
-/// of digits alone, stand at the right.
+/// Returns one line for each row; the first row holds the headings. Columns are as wide as their widest cell. Cells
+/// with only digits are right-aligned.
 std::string table_of(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace pelage

@@ -1,10 +1,10 @@
-// Cameras by name: the contract's, and those that the agent has named since this program started.
+// Cameras by name: the server's automatic ones, and those that the agent has named since this program started.
 import {Refusal, unknownName} from "./refusal";
 
 export class Cameras {
   private readonly named = new Map<string, object>();
 
-  /** `automatic`: names that the server knows itself. */
+  /** `automatic` are the names that the server itself knows. */
   constructor(private readonly automatic: readonly string[]) {}
 
   names(): string[] {
@@ -17,7 +17,7 @@ export class Cameras {
     this.named.set(name, camera);
   }
 
-  /** The same with a camera for each name of one, wherever a member is called `camera`. */
+  /** Returns a copy of `value` in which camera names in members `camera`, at any depth, are replaced by the cameras. */
   within(value: unknown, pointer = ""): unknown {
     if (Array.isArray(value)) return value.map((one, k) => this.within(one, `${pointer}/${k}`));
     if (typeof value !== "object" || value === null) return value;

@@ -1,14 +1,15 @@
-// The contract as the server gives it: schemas that stand by themselves, and the commands.
+// Reads schemas and commands from the server's contract, and makes them self-contained for tool inputs.
 
-/** JSON Schema, as far as it is looked into. */
+/** The parts of JSON Schema that this program reads. */
 export interface Schema { [keyword: string]: unknown; description?: string; properties?: Record<string, Schema>; required?: string[] }
-/** The input of a tool: clients want a plain object on the top level. */
+/** The input schema of a tool; MCP clients want a plain object at the top level. */
 export interface InputSchema extends Schema { type: "object"; properties: Record<string, Schema> }
 
 export interface Contract { components: {schemas: Record<string, Schema>} }
 
 const schema_prefix = "#/components/schemas/";
-/** Rules between members. Many clients refuse them on the top level of a tool's input, so they go into its description. */
+/** Keywords for rules between members. Many clients reject them at the top level of a tool's input, so the rules go into
+ * the tool's description. */
 const rule_keywords = ["oneOf", "anyOf", "allOf", "not", "if", "then", "else", "dependentRequired"];
 
 export class Schemas {
@@ -20,24 +21,24 @@ export class Schemas {
     return schema;
   }
 
-  /** The words of an enumeration. */
+  /** Returns the values of an enumeration. */
   words(name: string): string[] {
     return this.named(name)["enum"] as string[];
   }
 
-  /** Schemas of all commands, by their `op`. */
+  /** Returns the schemas of all commands by their `op`. */
   commands(): Map<string, Schema> {
     const {mapping} = this.named("Command")["discriminator"] as {mapping: Record<string, string>};
     return new Map(Object.entries(mapping).map(([op, reference]) => [op, this.named(nameIn(reference))]));
   }
 
-  /** The members of `name` that a tool takes over. */
+  /** Returns the schemas of the `wanted` members of the schema `name`. */
   members(name: string, wanted: string[]): Record<string, Schema> {
     const all = this.named(name).properties ?? {};
     return Object.fromEntries(Object.entries(all).filter(([member]) => wanted.includes(member)));
   }
 
-  /** An object with these members, and all that they refer to under $defs. */
+  /** Returns the schema of an object with these members; all schemas that they reference are under $defs. */
   input(properties: Record<string, Schema>, required: string[]): InputSchema {
     const definitions = new Map<string, Schema>();
     const own = this.withLocalReferences(properties, definitions) as Record<string, Schema>;
@@ -47,7 +48,7 @@ export class Schemas {
     };
   }
 
-  /** A copy that refers to $defs, which takes up what is referred to. */
+  /** Returns a copy whose references point to $defs, and adds the referenced schemas to `definitions`. */
   private withLocalReferences(value: unknown, definitions: Map<string, Schema>): unknown {
     if (Array.isArray(value)) return value.map((one) => this.withLocalReferences(one, definitions));
     if (typeof value !== "object" || value === null) return value;
@@ -60,15 +61,15 @@ export class Schemas {
 
   private define(name: string, definitions: Map<string, Schema>) {
     if (definitions.has(name)) return;
-    definitions.set(name, {});  // before its own references, which may come back to it
+    definitions.set(name, {});  // set before resolving its references, which may be cyclic
     definitions.set(name, this.withLocalReferences(this.named(name), definitions) as Schema);
   }
 }
 
-/** "Brush" of "#/components/schemas/Brush/properties/radius". */
+/** Returns "Brush" for "#/components/schemas/Brush/properties/radius". */
 const nameIn = (reference: string) => reference.slice(schema_prefix.length).split("/")[0]!;
 
-/** The rules between members of a schema, in words for its description; "" where it has none. */
+/** Returns the rules between a schema's members as text for a description; "" if there are none. */
 export function rulesOf(schema: Schema): string {
   const rules = Object.fromEntries(rule_keywords.filter((keyword) => keyword in schema).map((keyword) => [keyword, schema[keyword]]));
   return Object.keys(rules).length === 0 ? "" : `Rules between members, as JSON Schema: ${JSON.stringify(rules)}`;

@@ -1,4 +1,4 @@
-// Looks and recipes that come with the program, in folders beside it.
+// Reads the looks and recipes that come with the program, from folders beside it.
 import {readFile, readdir} from "node:fs/promises";
 import {fileURLToPath} from "node:url";
 import {unknownName} from "./refusal";
@@ -8,7 +8,7 @@ export const kinds: Kind[] = ["looks", "recipes"];
 
 const folderOf = (kind: Kind) => fileURLToPath(new URL(`./${kind}/`, import.meta.url));
 
-/** Names without the ending, sorted. */
+/** Returns the sorted names, without the file extension. */
 export async function namesOf(kind: Kind): Promise<string[]> {
   const files = await readdir(folderOf(kind));
   return files.filter((file) => file.endsWith(".json")).map((file) => file.slice(0, -".json".length)).sort();

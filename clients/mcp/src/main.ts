@@ -1,4 +1,4 @@
-// pelage-mcp: the contract is read once, then requests of the agent's client come on standard input.
+// pelage-mcp: reads the server's contract once, then answers MCP requests from standard input.
 import {StdioServerTransport} from "@modelcontextprotocol/sdk/server/stdio.js";
 import {version} from "../package.json";
 import {Cameras} from "./cameras";
@@ -22,7 +22,7 @@ try {
   if (options.help) console.log(usage);
   else await serve(options);
 } catch (error) {
-  // Standard output belongs to the protocol.
+  // Standard output is reserved for the protocol.
   console.error(`pelage-mcp: ${error instanceof Refusal ? error.text() : (error as Error).message}`);
   process.exitCode = 1;
 }

@@ -1,4 +1,4 @@
-// Several pictures of one size in one, each with its number in its upper left corner.
+// Combines pictures of the same size into one, each with its number in the upper left corner.
 import {decode, encode} from "fast-png";
 
 export interface Corner { left: number; top: number }
@@ -10,7 +10,7 @@ const gap = 4;
 const gap_colour = 255;
 const channels = 3;
 
-/** Up to three in a row, more as near to a square as it goes; `pngs` are of 8 bits and of this width and height. */
+/** Arranges up to three pictures in a row, more in a nearly square grid. `pngs` have 8 bits and this width and height. */
 export function montage(pngs: Uint8Array[], width: number, height: number): Montage {
   const columns = pngs.length <= 3 ? pngs.length : Math.ceil(Math.sqrt(pngs.length)), rows = Math.ceil(pngs.length / columns);
   const canvas = blank(columns * (width + gap) - gap, rows * (height + gap) - gap);
@@ -39,14 +39,14 @@ function setPixel({width, height, data}: Canvas, x: number, y: number, colour: r
   if (x < width && y < height) data.set(colour, (y * width + x) * channels);
 }
 
-/** Digits as rows of three bits, the first one on top. */
+/** The digits 0 to 9 as bitmaps: rows of three bits, top row first. */
 const digits = [
   [7, 5, 5, 5, 7], [2, 6, 2, 2, 7], [7, 1, 7, 4, 7], [7, 1, 7, 1, 7], [5, 5, 7, 1, 1],
   [7, 4, 7, 1, 7], [7, 4, 7, 5, 7], [7, 1, 1, 1, 1], [7, 5, 7, 5, 7], [7, 5, 7, 1, 7],
 ];
 const digit_width = 3, digit_height = 5;
 
-/** White on a black box, whose dots are `dot` pixels wide, so that it can be read on any fur. */
+/** Draws a number in white on a black box, readable on any fur. Each dot of a digit is `dot` pixels wide. */
 function drawNumber(canvas: Canvas, number: number, {left, top}: Corner, dot: number) {
   const shapes = [...String(number)].map((digit) => digits[Number(digit)]!);
   const isLit = (column: number, row: number) => {

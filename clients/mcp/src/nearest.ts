@@ -1,13 +1,13 @@
-// The known name that a wrong one was most likely meant to be.
+// Suggests the known name nearest to a misspelt one.
 
-/** Undefined where none is near. */
+/** Returns the nearest known name; undefined if none is near. */
 export function nearestOf(wrong: string, known: readonly string[]): string | undefined {
   const near = known.map((name) => ({name, distance: distance(wrong.toLowerCase(), name.toLowerCase())}))
     .filter((one) => one.distance <= Math.ceil(wrong.length / 2));
   return near.sort((a, b) => a.distance - b.distance)[0]?.name;
 }
 
-/** Levenshtein's: letters to insert, remove or replace. */
+/** Returns the Levenshtein distance: the number of letters to insert, remove or replace. */
 function distance(from: string, to: string): number {
   let row = Array.from({length: to.length + 1}, (_, k) => k);
   for (const [i, letter] of [...from].entries()) {

@@ -1,4 +1,4 @@
-// What the program was started with.
+// Parses the program's command line and environment.
 import {parseArgs} from "node:util";
 
 export const usage = `usage: pelage-mcp [--server URL] [--token SECRET] [--toolsets NAMES | --tools NAMES]
@@ -16,12 +16,12 @@ export interface Options {
   server: string;
   token: string | undefined;
   toolsets: string[] | undefined;
-  /** Those of the toolsets where it is undefined. */
+  /** If undefined, all tools of the toolsets. */
   tools: string[] | undefined;
   help: boolean;
 }
 
-/** Throws an Error that says what is wrong. */
+/** Throws an Error if an option is wrong. */
 export function readOptions(words: string[], environment: NodeJS.ProcessEnv): Options {
   const text = {type: "string"} as const;
   const {values} = parseArgs({args: words, options: {server: text, token: text, toolsets: text, tools: text, help: {type: "boolean"}}});

@@ -1,4 +1,4 @@
-// Why something was not done: in the words of a problem document (RFC 9457), whoever refused it.
+// An error as a problem document (RFC 9457), whether it comes from the Pelage server or from this program.
 import type {components} from "contract";
 import {nearestOf} from "./nearest";
 
@@ -9,7 +9,7 @@ export class Refusal extends Error {
     super(problem.detail);
   }
 
-  /** The same refusal, of a field that the agent knows under another pointer. */
+  /** Returns the same refusal with its JSON pointer renamed, for fields that have another name in the agent's tools. */
   at(rename: (pointer: string) => string): Refusal {
     const {pointer} = this.problem;
     return pointer === undefined ? this : new Refusal({...this.problem, pointer: rename(pointer)}, this.next);
@@ -25,13 +25,13 @@ export class Refusal extends Error {
   }
 }
 
-/** Of a name that is not among the known ones. */
+/** Returns the refusal of a name that is not among the known ones; it suggests the nearest one. */
 export function unknownName(detail: string, pointer: string, wrong: string, known: readonly string[]): Refusal {
   const nearest = nearestOf(wrong, known);
   return new Refusal({detail, pointer, limit: known.join(" | "), ...(nearest === undefined ? {} : {nearest})});
 }
 
-/** By HTTP status, what helps. */
+/** Advice by HTTP status; 0 stands for no answer. */
 const next_steps = new Map([
   [0, "Start it with `pelaged --listen 127.0.0.1:8080`, or start pelage-mcp with the --server where it is."],
   [401, "Start pelage-mcp with the --token that the server was started with."],

@@ -1,4 +1,4 @@
-// The Model Context Protocol on one side, tools and resources on the other.
+// Serves the tools and resources over the Model Context Protocol.
 import {Server} from "@modelcontextprotocol/sdk/server/index.js";
 import {
   CallToolRequestSchema, ErrorCode, ListResourcesRequestSchema, ListToolsRequestSchema, McpError, ReadResourceRequestSchema, type CallToolResult,
@@ -14,7 +14,7 @@ A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \
 Lengths are shares of the model's size (the diagonal of its box) unless \`units\` says otherwise. Positions are in the model's own coordinates: y up, the model faces +z.
 Commands take a stroke, or "flood": true for everywhere.`;
 
-/** Low-level, as schemas come from the server's contract: McpServer takes only those that are written in code. */
+/** Uses the low-level Server, as the schemas come from the contract; McpServer takes only schemas written in code. */
 export function mcpServer(version: string, tools: Map<string, Tool>): Server {
   const server = new Server({name: "pelage", version}, {capabilities: {tools: {}, resources: {}}, instructions});
   server.setRequestHandler(ListToolsRequestSchema, () => ({
@@ -34,7 +34,7 @@ export function mcpServer(version: string, tools: Map<string, Tool>): Server {
   return server;
 }
 
-/** A refusal is for the agent to read and act on, so it is a result and no error of the protocol. */
+/** Runs a tool. Returns a refusal as a result, not as a protocol error, so that the agent can read it and act on it. */
 async function call(tool: Tool, input: Input, caller: Caller): Promise<CallToolResult> {
   try {
     refuseUnknown(tool, input);
@@ -45,7 +45,7 @@ async function call(tool: Tool, input: Input, caller: Caller): Promise<CallToolR
   }
 }
 
-/** Below the top the server does it. */
+/** Refuses unknown top-level members; the Pelage server checks the nested ones. */
 function refuseUnknown({name, inputSchema}: Tool, input: Input) {
   const known = Object.keys(inputSchema.properties);
   const unknown = Object.keys(input).find((member) => !known.includes(member));

@@ -1,11 +1,11 @@
-// Calls of the Pelage server. Everything but success is thrown as a Refusal.
+// Calls the Pelage server. Any answer but success is thrown as a Refusal.
 import {Refusal, type Problem} from "./refusal";
 
-/** Of whoever calls: ends requests where the agent gives the call up, and names the agent in the log. */
+/** The agent's call: `signal` aborts its requests if the agent cancels it, `author` names the agent in the log. */
 export interface Caller {
   signal: AbortSignal;
   author: string;
-  /** Says how many parts of a long call are done, so that the agent goes on waiting. */
+  /** Reports how many parts of a long call are done, so that the agent does not time out. */
   progress(done: number, total: number): Promise<void>;
 }
 
@@ -30,7 +30,7 @@ export class Service {
     await this.send("DELETE", path, {}, caller);
   }
 
-  /** For answers that are not JSON, and for headers. */
+  /** Returns the raw answer, for bodies that are not JSON and for headers. */
   async send(method: string, path: string, body: Body, caller: Caller): Promise<Response> {
     const init = {method, headers: this.headers(body, caller.author), signal: caller.signal, ...contentOf(body)};
     const answer = await fetch(this.address + path, init).catch((error: unknown) => {

@@ -26,7 +26,7 @@ UPRIGHT = mathutils.Matrix.Rotation(math.pi / 2, 4, "X")  # from y up to z up
 
 
 class Strands(NamedTuple):
-    """counts: Points of each strand. Of each point its position, radius and linear colour."""
+    """counts: Number of points of each strand. positions, radii, colours: One entry per point; colours are linear."""
 
     counts: Any
     positions: Any
@@ -43,7 +43,7 @@ def arguments() -> argparse.Namespace:
 
 
 def read_hair(content: bytes) -> Strands:
-    """A HAIR file with the arrays that Pelage writes: segments, points, thickness and colours."""
+    """Parses a HAIR file with the arrays that Pelage writes: segments, points, thickness and colours."""
     magic, strands, points, arrays = struct.unpack_from("<4sIII", content)
     if magic != b"HAIR" or arrays != 1 | 2 | 4 | 16:
         raise ValueError("this is no HAIR file of Pelage")
@@ -54,7 +54,7 @@ def read_hair(content: bytes) -> Strands:
 
 
 def mesh_of(strands: Strands) -> bpy.types.Mesh:
-    """A vertex for each point, and edges along the strands."""
+    """Returns a mesh with a vertex for each point and edges along the strands."""
     first = numpy.arange(len(strands.positions) - 1)
     inside = numpy.ones(len(first), bool)
     inside[numpy.cumsum(strands.counts)[:-1] - 1] = False  # from the tip of one strand to the root of the next
@@ -71,7 +71,7 @@ def mesh_of(strands: Strands) -> bpy.types.Mesh:
 
 
 def curves_of_edges(edges: bpy.types.Object, material: bpy.types.Material) -> bpy.types.NodeTree:
-    """Geometry nodes: the edges of another object as curves, with their radius and material."""
+    """Returns geometry nodes that turn the edges of another object into curves with radius and material."""
     group = bpy.data.node_groups.new("strands", "GeometryNodeTree")
     group.inputs.new("NodeSocketGeometry", "Geometry")
     group.outputs.new("NodeSocketGeometry", "Geometry")
@@ -91,7 +91,7 @@ def curves_of_edges(edges: bpy.types.Object, material: bpy.types.Material) -> bp
 
 
 def fur_material() -> bpy.types.Material:
-    """The colour of each point. Blender's fibres (Principled Hair) let more light through and are paler and noisier."""
+    """Returns a material with the colour of each point. Principled Hair transmits more light and is paler and noisier."""
     material = bpy.data.materials.new("fur")
     material.use_nodes = True
     tree = material.node_tree
@@ -107,7 +107,7 @@ def fur_material() -> bpy.types.Material:
 
 
 def add_fur(strands: Strands) -> None:
-    """As an object of the type for hair: Cycles draws curves of such alone, not those that become of a mesh."""
+    """Adds the fur as a hair object, because Cycles draws curves of hair objects only, not those made from a mesh."""
     edges = bpy.data.objects.new("fur edges", mesh_of(strands))
     fur = bpy.data.objects.new("fur", bpy.data.hair_curves.new("fur"))
     fur.matrix_world = UPRIGHT
@@ -116,9 +116,9 @@ def add_fur(strands: Strands) -> None:
 
 
 def read_skin(content: bytes) -> bpy.types.Mesh:
-    """The mesh that the server gives as glTF: positions, normals, triangles.
+    """Reads the mesh that the server sends as glTF: positions, normals, triangles.
 
-    Read here, since Blender's own importer of that release fails with NumPy 1.24 and newer, which Debian 12 has.
+    Blender 3.4's own importer fails with NumPy 1.24 and newer, which Debian 12 has.
     """
     length = struct.unpack_from("<I", content, 12)[0]
     about = json.loads(content[20 : 20 + length])
@@ -159,7 +159,7 @@ def add_camera(camera: Dict[str, Any]) -> None:
 
 
 def add_light(lights: Any, ambient: float) -> None:
-    """Suns, and an even sky. What a light of 1 makes white, a sun of pi does."""
+    """Adds suns and a uniform sky. A sun of strength pi equals a light of intensity 1."""
     for light in lights:
         sun = bpy.data.lights.new("sun", "SUN")
         sun.energy, sun.color = math.pi * light["intensity"], light["colour"]

@@ -45,7 +45,7 @@ def arguments() -> argparse.Namespace:
 
 
 def difference(first: NDArray[numpy.uint8], second: NDArray[numpy.uint8]) -> Difference:
-    """Of two pictures [height, width, channels]. Raises ValueError where their sizes differ."""
+    """Compares two pictures [height, width, channels]. Raises ValueError if their sizes differ."""
     if first.shape != second.shape:
         raise ValueError(f"the stored picture is {second.shape[1]} x {second.shape[0]}; take its --size, or --update")
     change = numpy.abs(first.astype(float) - second).mean(axis=2) / 255
@@ -55,7 +55,7 @@ def difference(first: NDArray[numpy.uint8], second: NDArray[numpy.uint8]) -> Dif
 
 
 def check(name: str, now: NDArray[numpy.uint8], args: argparse.Namespace) -> bool:
-    """Whether the view agrees with the stored one."""
+    """Returns True if the view agrees with the stored one."""
     path = args.stored / f"{name}.png"
     if not path.is_file():
         raise FileNotFoundError(f"there is no {path}; store it with --update")

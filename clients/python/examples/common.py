@@ -27,13 +27,13 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 LOOKS = REPOSITORY / "clients" / "looks"
 BUILTIN = ("torus", "knot", "sphere", "plane", "cloth", "creature")
 MODELS = (".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".3ds", ".zip")
-BACKGROUND = (197, 200, 206)  # as of a frame, so that a sheet is one picture
+BACKGROUND = (197, 200, 206)  # same as a frame's background, so that a sheet looks like one picture
 TEXT = (40, 42, 46)
 LABEL = 22  # pixels below each picture of a sheet
 
 
 def options(text: Optional[str]) -> argparse.ArgumentParser:
-    """A parser with what all examples take. text: The docstring of the program."""
+    """Returns a parser with the options of all examples. text: The docstring of the program."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
         "--server",
@@ -44,7 +44,7 @@ def options(text: Optional[str]) -> argparse.ArgumentParser:
 
 
 def model_options(parser: argparse.ArgumentParser) -> None:
-    """Options for a model and its groom, as `new_scene` takes them."""
+    """Adds the options for a model and its groom that `new_scene` uses."""
     parser.add_argument("--model", default="creature", help=f"a file, or one of {', '.join(BUILTIN)} (default: creature)")
     parser.add_argument("--triangles", type=int, default=5000, help="of a built-in model (default: 5000)")
     parser.add_argument("--front", help="the axis of the file that the model faces, such as -z")
@@ -59,7 +59,7 @@ def server(args: argparse.Namespace) -> Iterator[pelage.Server]:
 
 @contextlib.contextmanager
 def empty_scene(running: pelage.Server, name: str, model: Optional[BuiltinModel] = None) -> Iterator[pelage.Scene]:
-    """A scene that is removed at the end of the block: a server that runs on keeps nothing of us."""
+    """Creates a scene and removes it at the end of the block, so that nothing is left on a shared server."""
     scene = running.create(name, model=model)
     try:
         yield scene
@@ -69,7 +69,7 @@ def empty_scene(running: pelage.Server, name: str, model: Optional[BuiltinModel]
 
 @contextlib.contextmanager
 def new_scene(running: pelage.Server, args: argparse.Namespace) -> Iterator[pelage.Scene]:
-    """A scene with the model and the groom of the options."""
+    """Creates a scene with the model and the groom of the options; removes it at the end of the block."""
     model = {"builtin": args.model, "triangles": args.triangles} if args.model in BUILTIN else None
     with empty_scene(running, pathlib.Path(args.model).stem, cast(Optional[BuiltinModel], model)) as scene:
         if model is None:
@@ -88,24 +88,25 @@ def run_groom(running: pelage.Server, scene: pelage.Scene, groom: pathlib.Path) 
     )
     if done.returncode:
         raise pelage.PelageError(done.stderr.strip() or f"pelage ended with {done.returncode}")
-    scene.info()  # the revision that the client has made
+    scene.info()  # learns the revision that the client has created
 
 
 def client_program() -> str:
-    """`pelage` beside the server's program where that is named, else the one on the PATH."""
+    """Returns `pelage` beside PELAGE_SERVER_PROGRAM if that is set, else the one on the PATH."""
     beside = os.environ.get("PELAGE_SERVER_PROGRAM")
     return str(pathlib.Path(beside).with_name("pelage")) if beside else "pelage"
 
 
 def orbit(scene: pelage.Scene, degrees: float, height: float = 0.15, fov: float = 30.0) -> PinholeCamera:
-    """A camera on a circle around the model that sees all of it, counter-clockwise from its front seen from above.
+    """Returns a camera on a circle around the model that sees all of it.
 
-    height: Of the camera above the model's centre, in its distance.
+    degrees: Azimuth from the model's front, counter-clockwise seen from above.
+    height: Height of the camera above the model's centre, as a fraction of its distance.
     """
     bounds = scene.info()["bounds"]
     centre = [(low + high) / 2 for low, high in zip(bounds["min"], bounds["max"])]
     extent = [high - low for low, high in zip(bounds["min"], bounds["max"])]
-    # What turns needs the length of its ground diagonal; fur stands out beyond the box.
+    # A turning model needs its ground diagonal as width; the factor leaves room for fur outside the box.
     widest = max(math.hypot(extent[0], extent[2]), extent[1]) * 1.12
     distance = widest / 2 / math.tan(math.radians(fov / 2))
     angle = math.radians(degrees)
@@ -115,7 +116,7 @@ def orbit(scene: pelage.Scene, degrees: float, height: float = 0.15, fov: float 
 
 
 def report(done: int, of: int, text: str) -> None:
-    """A line of progress on standard error; the results are on standard output."""
+    """Shows a line of progress on standard error; results go to standard output."""
     pelage.print_progress(pelage.Progress(done / of, f"{text} ({done} of {of})"))
 
 
@@ -124,13 +125,13 @@ def picture(frame: pelage.Frame) -> Image.Image:
 
 
 def load_image(path: pathlib.Path) -> Image.Image:
-    """A picture of a file, over the background where it is transparent."""
+    """Loads a picture and composites it over the background."""
     image = Image.open(path).convert("RGBA")
     return Image.alpha_composite(Image.new("RGBA", image.size, BACKGROUND), image).convert("RGB")
 
 
 def sheet(pictures: Sequence[Tuple[str, Image.Image]], columns: int = 0) -> Image.Image:
-    """Pictures of one size with a label below each, in rows. columns: As many as rows unless given."""
+    """Arranges pictures of the same size in rows, each with its label below. columns: By default about as many as rows."""
     columns = min(columns or math.ceil(math.sqrt(len(pictures))), len(pictures))
     width, height = pictures[0][1].size
     rows = math.ceil(len(pictures) / columns)
@@ -145,7 +146,7 @@ def sheet(pictures: Sequence[Tuple[str, Image.Image]], columns: int = 0) -> Imag
 
 
 def font() -> "ImageFont.FreeTypeFont | ImageFont.ImageFont":
-    """A smooth font where one is installed; Pillow's own is small."""
+    """Returns a smooth font if one is installed, else Pillow's own, which is small."""
     try:
         return ImageFont.truetype("DejaVuSans.ttf", 14)
     except OSError:
@@ -165,7 +166,7 @@ def save_image(path: pathlib.Path, image: Image.Image, more: Sequence[Image.Imag
 
 
 def run(main: Callable[[], int]) -> None:
-    """Ends the program with what `main` gives, or with the message of what went wrong and 1."""
+    """Exits with the code that `main` returns, or with an error message and 1."""
     try:
         sys.exit(main())
     except (pelage.PelageError, OSError, ValueError) as error:
@@ -173,7 +174,7 @@ def run(main: Callable[[], int]) -> None:
 
 
 def files_in(folder: pathlib.Path, endings: Sequence[str]) -> List[pathlib.Path]:
-    """Files with one of the endings, by name. Raises ValueError where there is none."""
+    """Returns the files with one of the extensions, sorted by name. Raises ValueError if there are none."""
     found = sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
     if not found:
         raise ValueError(f"{folder} has no file that ends with one of {', '.join(endings)}")

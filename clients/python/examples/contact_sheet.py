@@ -39,7 +39,7 @@ def arguments() -> argparse.Namespace:
 
 
 def draw(scene: pelage.Scene, look: pathlib.Path, args: argparse.Namespace) -> Image.Image:
-    """On a branch, so that no look sees what another has left."""
+    """Draws a look on a branch, so that looks do not affect each other."""
     branch = scene.branch(look.stem)
     try:
         branch.run(json.loads(look.read_text(encoding="utf-8")))

@@ -44,14 +44,14 @@ from pelage.files import write_whole
 from pelage.schemas import PinholeCamera
 
 Array = NDArray[numpy.float64]
-WINDOW = 13  # pixels, of the mean of the structure tensor
-PATCH_WINDOW = 25  # strands of a photo cross each other
-EDGE = 6  # pixels within the silhouette whose edge would count as strands
-GRAZING = 0.35  # cosine between normal and view under which a vertex is left alone
-WORTH = 0.1  # of the difference: a round that turns less is not worth its frame
-CELL = 16  # pixels between two lines of the sheet
+WINDOW = 13  # side of the window that averages the structure tensor, in pixels
+PATCH_WINDOW = 25  # the same for --patch: wider, because strands in a photo cross each other
+EDGE = 6  # width of the margin inside the silhouette, in pixels, whose edge would be read as strands
+GRAZING = 0.35  # minimum cosine between normal and view direction; vertices below it are not changed
+WORTH = 0.1  # minimum gain, as a fraction of the difference; a round that turns less is not worth its frame
+CELL = 16  # distance between two lines on the sheet, in pixels
 
-# Fur whose strands a small picture shows: few, wide, of many colours, lying.
+# Fur whose strands are visible in a small picture: few, wide, of many colours, nearly flat.
 READABLE: List[Dict[str, Any]] = [
     {"op": "set_coat", "coat": {
         "count": 1500, "width_root": 0.003, "width_tip": 0.0012, "bend": 0.1, "clump": 0, "colour_spread": 0.5,
@@ -60,7 +60,7 @@ READABLE: List[Dict[str, Any]] = [
     {"op": "unify", "flood": True, "inclination": 0.9, "weight": 1},
 ]
 
-# The same for a patch, where strands are seen from near: long, grey with dark roots.
+# The same for a patch, which is seen from close up: long strands, grey with dark roots.
 PATCH: List[Dict[str, Any]] = [
     {"op": "set_coat", "coat": {
         "count": 1500, "width_root": 0.0025, "width_tip": 0.0006, "bend": 0.1, "clump": 0, "colour_spread": 0.7,
@@ -69,18 +69,18 @@ PATCH: List[Dict[str, Any]] = [
     {"op": "length", "flood": True, "value": 0.12},
     {"op": "unify", "flood": True, "inclination": 0.9, "weight": 1},
 ]
-SHOWN = 0.8  # of a patch's side: its rims are out of the picture
+SHOWN = 0.8  # fraction of a patch's side that is in the picture; its rims are outside
 
 
 class Lines(NamedTuple):
-    """Along which line strands run: cosine and sine of twice the angle [height, width, 2], and how clearly, 0 to 1."""
+    """Line directions of strands: twice is cosine and sine of twice the angle [height, width, 2]; clarity is 0 to 1."""
 
     twice: Array
     clarity: Array
 
 
 class View(NamedTuple):
-    """pixels: Column and row of each vertex. seen: Whether the camera sees fur of it well."""
+    """pixels: Column and row of each vertex. seen: True for vertices whose fur the camera sees well."""
 
     pixels: NDArray[numpy.int64]
     seen: NDArray[numpy.bool_]
@@ -116,7 +116,7 @@ def arguments() -> argparse.Namespace:
 
 
 def blurred(values: Array, size: int) -> Array:
-    """The mean of a window of size x size pixels, twice."""
+    """Applies a box filter of size x size pixels twice."""
     for axis in (0, 1, 0, 1):
         pad = [(size // 2 + 1, size // 2) if k == axis else (0, 0) for k in range(values.ndim)]
         sums = numpy.cumsum(numpy.pad(values, pad, mode="edge"), axis=axis)
@@ -126,37 +126,37 @@ def blurred(values: Array, size: int) -> Array:
 
 
 def lines_of(picture: Array, window: int) -> Lines:
-    """Reads lines from the brightness of a picture. Soft light and shadow are divided out first."""
+    """Estimates line directions from a picture's brightness, after removing its low frequencies (light and shadow)."""
     bright = picture[..., :3].mean(axis=2)
     detail = bright - blurred(bright, WINDOW)
     detail /= numpy.sqrt(blurred(detail**2, 2 * WINDOW + 1)) + 1.0
     down, right = numpy.gradient(detail)
-    # The gradient's angle doubled, as a vector with y up; lines run across the gradient, which is minus that.
+    # The gradient's doubled angle as a vector with y up. Lines are perpendicular to the gradient, hence the minus.
     tensor = blurred(numpy.stack([right**2 - down**2, -2 * right * down, right**2 + down**2], axis=-1), window)
     strength = numpy.hypot(tensor[..., 0], tensor[..., 1])
     return Lines(-tensor[..., :2] / (strength[..., None] + 1e-9), strength / (tensor[..., 2] + 1e-9))
 
 
 def turn_between(now: Array, wanted: Array) -> Array:
-    """Angles from lines to lines, -pi/2 to pi/2."""
+    """Returns the angles between lines, -pi/2 to pi/2."""
     sine = now[..., 0] * wanted[..., 1] - now[..., 1] * wanted[..., 0]
     return numpy.arctan2(sine, (now * wanted).sum(axis=-1)) / 2
 
 
 def smooth(values: Array, weight: Array, window: int) -> Array:
-    """The weighted mean of the pixels around each."""
+    """Returns the weighted mean in a window around each pixel."""
     each = weight[..., None] if values.ndim > weight.ndim else weight
     mean: Array = blurred(each * values, window) / (blurred(each, window) + 1e-6)
     return mean
 
 
 def smooth_turns(now: Lines, wanted: Lines, inside: Array, window: int) -> Array:
-    """How far lines are to be turned at each pixel: a mean of those around it, of clear ones more."""
+    """Returns the angle by which to turn the lines at each pixel: a mean around it, weighted by clarity."""
     return smooth(turn_between(now.twice, wanted.twice), now.clarity * wanted.clarity * inside, window)
 
 
 def camera_axes(camera: PinholeCamera) -> Array:
-    """To the right, up and away from the camera, in model coordinates."""
+    """Returns the camera's unit vectors right, up and forward, in model coordinates."""
     away = numpy.subtract(camera["target"], camera["position"])
     right = numpy.cross(away, camera["up"])
     up = numpy.cross(right, away)
@@ -164,7 +164,7 @@ def camera_axes(camera: PinholeCamera) -> Array:
 
 
 def from_above(scene: pelage.Scene) -> PinholeCamera:
-    """A narrow camera over the middle of the flat patch, whose fur points down on the picture as it is made."""
+    """Returns a narrow camera above the flat patch, whose fur initially points down in the picture."""
     side = SHOWN * scene.info()["bounds"]["max"][0] * 2
     fov = 10.0
     height = side / 2 / math.tan(math.radians(fov / 2))
@@ -172,7 +172,7 @@ def from_above(scene: pelage.Scene) -> PinholeCamera:
 
 
 def shape_of(scene: pelage.Scene) -> Tuple[Array, Array]:
-    """Positions and normals of the vertices, in the order of `scene.field`."""
+    """Returns positions and normals of the vertices, in the order of `scene.field`."""
     content = scene.mesh(triangles=200000)
     length = int.from_bytes(content[12:16], "little")
     about = json.loads(content[20 : 20 + length])
@@ -184,7 +184,7 @@ def shape_of(scene: pelage.Scene) -> Tuple[Array, Array]:
 
 
 def view_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[View, Array]:
-    """What the camera sees, and the pixels whose lines are compared: fur, and not its silhouette."""
+    """Returns what the camera sees, and a mask of the pixels to compare: fur, without a margin at its silhouette."""
     positions, normals = shape_of(scene)
     pixels = scene.frame_array(
         linear=True, aovs=["alpha", "depth"], camera=camera, quality=args.quality, width=args.size, height=args.size
@@ -196,22 +196,22 @@ def view_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace
     at = numpy.stack([args.size / 2 + scale * right, args.size / 2 - scale * up], axis=1).astype(int)
     at = at.clip(0, args.size - 1)
     facing = -(normals * offset).sum(axis=1) / numpy.linalg.norm(offset, axis=1)
-    # Fur is nearer than the skin below it; what is much nearer is another part of the body.
+    # Fur is a little nearer than the skin below it; if the depth is much nearer, another part of the body occludes it.
     behind = away - pixels[at[:, 1], at[:, 0], 1]
     seen = (facing > GRAZING) & (behind < 0.06 * scene.info()["size"]) & (inside[at[:, 1], at[:, 0]] > 0)
-    seen |= args.patch  # what lies beyond the picture follows its border
+    seen |= args.patch  # vertices outside the picture take the value at its border
     return View(at, seen, normals), inside
 
 
 def turned(directions: Array, normals: Array, angles: Array) -> NDArray[numpy.float32]:
-    """Directions turned about the normals, counter-clockwise seen from outside."""
+    """Turns directions about the normals, counter-clockwise seen from outside."""
     cosine, sine = numpy.cos(angles)[:, None], numpy.sin(angles)[:, None]
     result: Array = cosine * directions + sine * numpy.cross(normals, directions)
     return result.astype(numpy.float32)
 
 
 def own_reference(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[Array, Array]:
-    """A picture of the model whose fur lies in waves, up to 65 degrees from where it lay; and the field of that."""
+    """Draws the model with fur turned in waves by up to 65 degrees. Returns the picture and the direction field."""
     positions, normals = shape_of(scene)
     waves = numpy.sin(6 * math.pi * positions[:, 2] / scene.info()["size"])
     wanted = turned(scene.field("direction").astype(float), normals, math.radians(65) * waves)
@@ -229,13 +229,13 @@ def draw(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -
 
 
 def degrees_between(now: Lines, wanted: Lines, inside: Array) -> float:
-    """The mean angle, of clear lines of the reference more."""
+    """Returns the mean angle between lines, weighted by the clarity of the reference."""
     weight = wanted.clarity * inside
     return float(numpy.degrees((weight * numpy.abs(turn_between(now.twice, wanted.twice))).sum() / weight.sum()))
 
 
 def lay_along(scene: pelage.Scene, view: View, camera: PinholeCamera, lines: Lines, args: argparse.Namespace) -> None:
-    """Lays all fur along the lines, to that end of each which points away from `args.away_from`."""
+    """Lays all fur along the lines, in the direction that points away from `args.away_from`."""
     column, row = view.pixels.T
     twice = smooth(lines.twice, lines.clarity, args.window)[row, column]
     angles = numpy.arctan2(twice[:, 1], twice[:, 0]) / 2
@@ -248,7 +248,7 @@ def lay_along(scene: pelage.Scene, view: View, camera: PinholeCamera, lines: Lin
 
 
 def match(scene: pelage.Scene, camera: PinholeCamera, wanted: Lines, args: argparse.Namespace) -> Tuple[float, float]:
-    """Turns the fur until no round helps; the mean angles before and after."""
+    """Turns the fur until no round improves it. Returns the mean angles before and after."""
     view, inside = view_of(scene, camera, args)
     column, row = view.pixels.T
     now, gain = lines_of(draw(scene, camera, args), args.window), 0.8
@@ -277,7 +277,7 @@ def match(scene: pelage.Scene, camera: PinholeCamera, wanted: Lines, args: argpa
 
 
 def with_lines(pixels: Array, lines: Lines, inside: Array) -> Image.Image:
-    """The picture with a short line along the strands of each cell."""
+    """Draws a short line along the strands of each cell over the picture."""
     image = Image.fromarray(pixels.astype(numpy.uint8))
     pen = ImageDraw.Draw(image)
     for y in range(CELL // 2, image.height, CELL):
@@ -297,7 +297,7 @@ def cropped(picture: Image.Image, left: int, top: int, side: int) -> Image.Image
 
 
 def reference_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> Tuple[Array, Optional[Array]]:
-    """The picture to match, and the field that made it where it is our own."""
+    """Returns the picture to match, and its direction field if the program drew it, else None."""
     if args.reference:
         picture = Image.open(args.reference).convert("RGB")
         if args.crop:
@@ -307,7 +307,7 @@ def reference_of(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Name
 
 
 def degrees_off(directions: NDArray[numpy.float32], wanted: Array, seen: NDArray[numpy.bool_]) -> float:
-    """The mean angle between the directions of two fields at the vertices that are seen."""
+    """Returns the mean angle between two direction fields at the seen vertices."""
     first, second = directions[seen].astype(float), wanted[seen]
     lengths = numpy.linalg.norm(first, axis=1) * numpy.linalg.norm(second, axis=1)
     cosines = (first * second).sum(axis=1) / numpy.maximum(lengths, 1e-9)
@@ -315,7 +315,7 @@ def degrees_off(directions: NDArray[numpy.float32], wanted: Array, seen: NDArray
 
 
 def sheet_of(pictures: Dict[str, Array], inside: Array, args: argparse.Namespace) -> Image.Image:
-    """Pictures with lines along the strands; of a patch without, beside the lines of the reference alone."""
+    """Returns a sheet of the pictures with lines along the strands. For a patch: the reference's lines, and plain pictures."""
     labelled = [(name, with_lines(one, lines_of(one, args.window), inside)) for name, one in pictures.items()]
     if args.patch:
         paper = numpy.full_like(pictures["reference"], 240)

@@ -44,7 +44,7 @@ def arguments() -> argparse.Namespace:
 
 
 def write_scene(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace) -> None:
-    """Camera, light and skin colour, in the model's coordinates and linear light."""
+    """Writes camera, lights and skin colour, in the model's coordinates and linear light."""
     settings = scene.settings()
     about: Dict[str, Any] = {
         "camera": camera,

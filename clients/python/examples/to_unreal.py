@@ -20,7 +20,8 @@ import common
 import pelage
 from pelage.files import write_whole
 
-# Unreal takes as a groom what has this schema, with all curves below it: here both files together, not each.
+# Unreal imports each prim with GroomAPI as one groom with all curves below it. Only the root has it, so that both files
+# together become one groom.
 GROOM = """#usda 1.0
 (
     defaultPrim = "groom"
@@ -55,11 +56,11 @@ STEPS = """In Unreal (5.1 or newer), with the plugins Groom, USD Importer and Al
 Unreal reads: points and curveVertexCounts (strands), widths, groom_guide (1: a guide for simulation), groom_group_id (0 fur,
 1 whiskers), groom_id, groom_color, and groom_root_uv where the model has texture coordinates."""
 
-VECTORS = ("3f", "2f", "t2", "t3")  # how the names of types in brackets end
+VECTORS = ("3f", "2f", "t2", "t3")  # suffixes of USD type names whose values are tuples
 
 
 class Attributes(NamedTuple):
-    """Of a file: how many values its arrays have, and how many points its strands have by that."""
+    """counts: Number of values of each array in a file. points: Sum of the strands' point counts."""
 
     counts: Dict[str, int]
     points: int
@@ -79,7 +80,7 @@ def arguments() -> argparse.Namespace:
 
 
 def read(path: pathlib.Path) -> Attributes:
-    """Reads a USD text as Pelage writes it: an array is one line."""
+    """Reads a USD text file as Pelage writes it, with each array in one line."""
     counts: Dict[str, int] = {}
     points = 0
     with path.open(encoding="utf-8") as lines:
@@ -93,7 +94,7 @@ def read(path: pathlib.Path) -> Attributes:
 
 
 def check(path: pathlib.Path, about: pelage.schemas.ExportAbout) -> None:
-    """Raises ValueError where an attribute is missing or has another length than the strands or points."""
+    """Raises ValueError if an attribute is missing or its length does not fit the strands or points."""
     counts, points = read(path)
     strands = counts.get("curveVertexCounts", 0)
     wanted = {

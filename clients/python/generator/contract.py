@@ -1,13 +1,13 @@
-"""The contract as Python types and words."""
+"""Converts the contract's schemas to Python types and docstrings."""
 
 import json
 import pathlib
 import textwrap
 
 WIDTH = 118
-# Schemas whose names the package gives to classes of its own.
+# New names for schemas whose own names are those of handwritten classes of the package.
 RENAMED = {"Scene": "SceneInfo", "Problem": "ProblemDocument", "Batch": "CommandBatch"}
-# Objects that a schema is one of, in order.
+# Class names for the alternatives of a `oneOf` schema, in the contract's order.
 VARIANTS = {"Camera": ("AutoCamera", "PinholeCamera"), "Pick": ("PickMiss", "PickHit")}
 PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "object": "Dict[str, Any]",
          "array": "Sequence[Any]"}
@@ -24,19 +24,19 @@ class Contract:
         return Contract(json.loads(pathlib.Path(path).read_text(encoding="utf-8")))
 
     def commands(self):
-        """Pairs of an op and its schema, in the contract's order."""
+        """Returns pairs of an op and its schema, in the contract's order."""
         mapping = self.schemas["Command"]["discriminator"]["mapping"]
         return [(op, self.schemas[last_of(reference)]) for op, reference in mapping.items()]
 
     def resolved(self, schema):
-        """The schema with what it refers to; what it says itself wins."""
+        """Returns the schema with its $ref resolved; its own members take precedence."""
         if "$ref" not in schema:
             return schema
         target = self.resolved(self.schemas[last_of(schema["$ref"])])
         return {**target, **{key: value for key, value in schema.items() if key != "$ref"}}
 
     def words(self, schema):
-        """What a member is: description, range, default."""
+        """Describes a member: description, range, default."""
         whole = self.resolved(schema)
         items = self.resolved(whole.get("items", {}))
         words = [sentence(whole.get("description") or items.get("description", "")), with_capital(sentence(range_of(whole)))]
@@ -54,7 +54,7 @@ def named(name):
 
 
 def type_of(schema):
-    """The Python type of a schema that is no object with members."""
+    """Returns the Python type of a schema that is not an object with members."""
     if "$ref" in schema:
         return named(last_of(schema["$ref"]))
     if "const" in schema or "enum" in schema:
@@ -78,7 +78,7 @@ def literal(value):
 
 
 def range_of(schema):
-    """The range of a number with its unit or the count of an array's items, or nothing."""
+    """Describes the range of a number with its unit, or of the number of an array's items; "" if there is none."""
     unit = schema.get("x-unit", schema.get("items", {}).get("x-unit"))
     unit = (" items" if "items" in schema else "") + (f" ({unit})" if unit else "")
     low = schema.get("minItems", schema.get("minimum"))
@@ -104,7 +104,7 @@ def sentence(text):
 
 
 def member_lines(contract, members, indent):
-    """Lines of a docstring, one paragraph for each member that has words."""
+    """Returns lines of a docstring, one paragraph for each member with a description."""
     lines = []
     for name, schema in members.items():
         words = contract.words(schema)
@@ -114,7 +114,7 @@ def member_lines(contract, members, indent):
 
 
 def docstring(summary, lines, indent):
-    """A docstring with a summary and the lines, which are indented already."""
+    """Returns the lines of a docstring with a summary and `lines`, which are indented already."""
     summary_lines = textwrap.wrap(summary, WIDTH - 3, initial_indent=indent + '"""', subsequent_indent=indent)
     if not lines and len(summary_lines) == 1:
         return [summary_lines[0] + '"""']
@@ -122,7 +122,7 @@ def docstring(summary, lines, indent):
 
 
 def filled(words, width):
-    """The words in as few lines as hold them."""
+    """Wraps the words to lines of at most `width` characters."""
     lines = []
     for word in words:
         if lines and len(lines[-1]) + 1 + len(word) <= width:
@@ -133,7 +133,7 @@ def filled(words, width):
 
 
 def on_lines(line):
-    """The line; one that is too long has the values of its Literal or Union on lines of their own."""
+    """Returns the line; if it is too long, wraps the values of its Literal or Union."""
     if len(line) <= WIDTH:
         return line
     start, end = line.rindex("[", 0, line.index(", ")) + 1, line.index("]")

@@ -108,21 +108,21 @@ def request_lines(contract, request, used):
 
 
 def work_lines(request):
-    """What the class that has the requests defines."""
+    """Returns the declaration of the method that does a request's work, which a subclass implements."""
     extra = [f"        {name}: {kind}," for name, kind, *_ in request.parameters]
     return ["", f"    def _{request.name}(", "        self,", "        members: Dict[str, Any],", *extra,
             f"    ) -> {request.returns}:", "        raise NotImplementedError"]
 
 
 def in_order(members, required):
-    """Required members first."""
+    """Returns the members, required ones first."""
     return [*(name for name in members if name in required), *(name for name in members if name not in required)]
 
 
 def parameter(name, schema, required, used):
     kind = type_of(schema)
     collect(schema, used)
-    if name == "camera":  # a word does for a camera that the server places
+    if name == "camera":  # an automatic camera can be given by its name alone
         used.add("AutoView")
         kind = f"Union[AutoView, {kind}]"
     return on_lines(f"        {name}: {kind}," if required else f"        {name}: Optional[{kind}] = None,")
@@ -136,7 +136,7 @@ def collect(schema, used):
 
 
 def members_of(pairs):
-    """Lines of a dict that holds them."""
+    """Returns the lines of a dict with these pairs."""
     line = "{" + ", ".join(pairs) + "}"
     if len(line) + 13 <= WIDTH:
         return [f"            {line},"]

@@ -37,19 +37,19 @@ def alias(name, schema):
 
 
 def quoted(schema):
-    """The description of an alias, as a string below it."""
+    """Returns the description of an alias as a docstring below it."""
     words = sentence(schema.get("description", ""))
     return docstring(words, [], "") if words else []
 
 
 def object_lines(contract, name, schema):
-    """A class, and a base class with what is required where the rest may be left out."""
+    """Returns the lines of a TypedDict; if only some members are required, those are in a base class."""
     members, required = schema["properties"], schema.get("required", [])
     needed = {key: value for key, value in members.items() if key in required}
     free = {key: value for key, value in members.items() if key not in required}
     about = docstring(sentence(schema.get("description", "")) or f"The contract's {name}.",
                       member_lines(contract, members, "    "), "    ")
-    if "from" in members:  # a keyword, which no class can have as a member
+    if "from" in members:  # a Python keyword, which cannot be a class member
         pairs = ", ".join(f'"{key}": {type_of(value)}' for key, value in members.items())
         return ["", "", f'{name} = TypedDict("{name}", {{{pairs}}})']
     if not free:

@@ -1,4 +1,4 @@
-"""Which methods there are beside those of commands, and which operation of the contract each one uses."""
+"""The methods that are not commands, and the operation of the contract that each one uses."""
 
 from typing import NamedTuple
 
@@ -23,9 +23,9 @@ PATH = ("path", "Path", None)
 class Request(NamedTuple):
     """A method whose parameters are members of a schema.
 
-    without: Members that it does not have.
-    optional: Members that the schema requires and that the method finds by itself.
-    parameters: Name, type, default (None: it has none, and is positional) and words of what is no member.
+    without: Members of the schema that are no parameters.
+    optional: Members that the schema requires but the method can find itself.
+    parameters: Additional parameters: name, type, default (None: none, and positional) and description.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""NumPy arrays in and out. NumPy is imported here alone, once an array is asked for."""
+"""Converts NumPy arrays. Only this module imports NumPy, when the first array is needed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def numpy_module() -> Any:
-    """Raises PelageError where NumPy is not installed."""
+    """Imports NumPy. Raises PelageError if it is not installed."""
     try:
         import numpy
     except ImportError as error:
@@ -22,7 +22,7 @@ def numpy_module() -> Any:
 
 
 def decoded(content: bytes, format: str) -> NDArray[Any]:
-    """The array of a .npy file. Raises PelageError for another format."""
+    """Returns the array in a .npy file. Raises PelageError for other formats."""
     if format not in ("npy", "npy_linear"):
         raise PelageError(f"A picture in the format {format} has no array; ask for the format npy or npy_linear")
     array: NDArray[Any] = numpy_module().load(io.BytesIO(content), allow_pickle=False)
@@ -30,7 +30,7 @@ def decoded(content: bytes, format: str) -> NDArray[Any]:
 
 
 def encoded(array: ArrayLike) -> bytes:
-    """A .npy file of float32. Raises ValueError for what is no array of numbers."""
+    """Returns a .npy file of float32. Raises ValueError if `array` is not numeric."""
     numpy = numpy_module()
     file = io.BytesIO()
     numpy.save(file, numpy.ascontiguousarray(array, dtype="<f4"), allow_pickle=False)

@@ -17,7 +17,7 @@ from typing import Any, BinaryIO, Dict, Iterator, Mapping, NamedTuple, Optional
 from .errors import PelageError, Unreachable, problem_of
 from .progress import Progress, ReportProgress
 
-IDLE_SECONDS = 1.0  # a server closes a connection that nobody uses after 2 seconds
+IDLE_SECONDS = 1.0  # a connection idle for longer is replaced; the server closes one after 2 seconds
 LONGEST_DELAY = 30.0  # seconds between two tries
 CHUNK = 1 << 18  # bytes that are sent or written at a time
 LOST = (OSError, http.client.HTTPException)
@@ -26,7 +26,7 @@ Query = Mapping[str, Any]
 
 
 class Request(NamedTuple):
-    """repeatable: Whether sending it twice does no harm. into: Takes the body of a good answer."""
+    """repeatable: True if sending it twice does no harm. into: File for the body of a successful answer."""
 
     method: str
     path: str
@@ -57,7 +57,7 @@ class Connection:
     """
 
     def __init__(self, address: str, token: Optional[str], timeout: float, retries: int) -> None:
-        """timeout: Seconds without a sign of the server. retries: Tries after the first.
+        """timeout: Seconds without data from the server. retries: Attempts after the first.
 
         Raises ValueError for an address that is not http or https.
         """
@@ -75,7 +75,7 @@ class Connection:
         return self._answer(Request("GET", with_query(path, query), None, {}, True), retries)
 
     def get_into(self, file: BinaryIO, path: str, query: Optional[Query] = None) -> Answer:
-        """The answer without its body, which is written to the file as it comes."""
+        """Writes the body to the file as it arrives; returns the answer without it."""
         return self._answer(Request("GET", with_query(path, query), None, {}, True, into=file))
 
     def post(
@@ -87,7 +87,7 @@ class Connection:
         headers: Optional[Mapping[str, str]] = None,
         changes: bool = True,
     ) -> Answer:
-        """changes: Whether the request changes something, and so needs a key to be sent twice."""
+        """changes: True if the request changes something and so needs an Idempotency-Key for retries."""
         sent = {"Content-Type": "application/json", **(headers or {})}
         if changes:
             sent["Idempotency-Key"] = uuid.uuid4().hex
@@ -115,7 +115,7 @@ class Connection:
 
     @contextlib.contextmanager
     def stream(self, path: str, headers: Mapping[str, str], timeout: float) -> Iterator[http.client.HTTPResponse]:
-        """An answer that is read line by line, on a connection of its own. Raises `Problem` where it is refused."""
+        """Opens an answer to be read line by line, on a separate connection. Raises `Problem` if it is refused."""
         with contextlib.closing(self._connect(timeout)) as connection:
             connection.request("GET", self._parts.path.rstrip("/") + path, headers={**self._headers, **headers})
             with connection.getresponse() as answer:
@@ -159,14 +159,14 @@ class Connection:
         except (BrokenPipeError, ConnectionResetError):
             if request.content is None:
                 raise
-            # A server that refuses a body need not read it: its answer may be there all the same.
+            # Sending failed, but a server that refuses a body may have answered without reading it.
         answer = connection.getresponse()
         body = answer.read() if request.into is None or answer.status != 200 else copied(answer, request.into)
         self._threads.used = time.monotonic()
         return Answer(answer.status, {name.lower(): value for name, value in answer.getheaders()}, body)
 
     def _connection(self, repeatable: bool) -> http.client.HTTPConnection:
-        """That of this thread; a new one where the server may have closed it, or nothing may be sent twice."""
+        """Returns this thread's connection; a new one if the server may have closed it or a retry is not allowed."""
         connection: Optional[http.client.HTTPConnection] = getattr(self._threads, "connection", None)
         if connection is None or not repeatable or time.monotonic() - self._threads.used > IDLE_SECONDS:
             self.close()
@@ -189,29 +189,29 @@ def checked(answer: Answer) -> Answer:
 
 
 def copied(answer: http.client.HTTPResponse, file: BinaryIO) -> bytes:
-    """Writes the body to the file, in place of what an earlier try wrote, and gives none."""
+    """Writes the body to the file, replacing what an earlier attempt wrote. Returns an empty body."""
     file.seek(0)
     file.truncate()
     shutil.copyfileobj(answer, file, CHUNK)
-    if answer.length:  # of a body that ends early http.client says nothing
+    if answer.length:  # http.client does not report a body that ends early
         raise http.client.IncompleteRead(b"", answer.length)
     return b""
 
 
 def is_refused_for_now(answer: Answer, lost: bool) -> bool:
-    """Whether a later try may get another answer. After a lost connection the first try may still run (409)."""
+    """Returns True if a retry may succeed. After a lost connection the first attempt may still be running (409)."""
     return answer.status in (429, 503) or (lost and answer.status == 409)
 
 
 def delay(attempt: int, retry_after: str = "") -> float:
-    """Seconds before the next try: what the server says, else twice as many each time, not the same for all clients."""
+    """Returns the seconds before the next attempt: Retry-After, else exponential backoff with jitter."""
     if retry_after.isdecimal():
         return min(LONGEST_DELAY, float(retry_after))
     return min(LONGEST_DELAY, 0.1 * 2.0**attempt * random.uniform(0.5, 1))
 
 
 def in_chunks(content: bytes, progress: ReportProgress) -> Iterator[bytes]:
-    """The content in parts, with a report after each."""
+    """Yields the content in chunks and reports the progress after each."""
     for begin in range(0, len(content), CHUNK):
         yield content[begin : begin + CHUNK]
         done = min(len(content), begin + CHUNK)
@@ -219,7 +219,7 @@ def in_chunks(content: bytes, progress: ReportProgress) -> Iterator[bytes]:
 
 
 def encoded(document: Mapping[str, Any]) -> bytes:
-    """JSON. NumPy's arrays and numbers are written as lists and numbers; NaN and infinity raise ValueError."""
+    """Encodes as JSON. NumPy arrays and numbers become lists and numbers; NaN and infinity raise ValueError."""
     return json.dumps(document, allow_nan=False, default=plain).encode()
 
 
@@ -230,7 +230,7 @@ def plain(value: Any) -> Any:
 
 
 def with_query(path: str, query: Optional[Query]) -> str:
-    """The path with the query; members that are None are left out, lists have commas."""
+    """Returns the path with the query string; omits members that are None, joins lists with commas."""
     given = {name: query_text(value) for name, value in (query or {}).items() if value is not None}
     return f"{path}?{urllib.parse.urlencode(given)}" if given else path
 
@@ -244,5 +244,5 @@ def query_text(value: Any) -> str:
 
 
 def quoted(name: str) -> str:
-    """A name as one part of a path."""
+    """Percent-encodes a name as one segment of a path."""
     return urllib.parse.quote(name, safe="")

@@ -10,11 +10,11 @@ from .connection import LOST, Connection, delay
 from .errors import Busy, Unreachable
 from .schemas import ChangeEvent, SceneEvent
 
-SILENCE = 60.0  # seconds without a comment, of which one comes every 15, after which a connection is lost
+SILENCE = 60.0  # seconds without data after which a connection counts as lost; the server sends a comment every 15
 
 
 class Message(NamedTuple):
-    """event: "message" unless named. data: Its lines. id: That of this or of an earlier message."""
+    """event: Its type, "message" by default. data: Its lines. id: Id of this message, else of the latest that had one."""
 
     event: str
     data: str
@@ -22,7 +22,7 @@ class Message(NamedTuple):
 
 
 class SceneState(NamedTuple):
-    """Where a scene is: the first news, and again after a new model or a subdivision."""
+    """The state of a scene: the first event, sent again after a new model or a subdivision."""
 
     revision: int
     data: SceneEvent
@@ -36,7 +36,7 @@ class Change(NamedTuple):
 
 
 class Removed(NamedTuple):
-    """The scene is gone; the last news. revision: The last that was heard of."""
+    """The scene was removed; the last event. revision: The last known one."""
 
     revision: int
 
@@ -45,7 +45,7 @@ News = Union[SceneState, Change, Removed]
 
 
 def messages(lines: Iterable[bytes]) -> Iterator[Message]:
-    """Parses a stream of server-sent events; what is not ended by an empty line is dropped."""
+    """Parses a stream of server-sent events. Drops an event that no empty line ends."""
     members: Dict[str, str] = {}
     last_id = ""
     for raw in lines:
@@ -62,7 +62,7 @@ def messages(lines: Iterable[bytes]) -> Iterator[Message]:
 
 
 def follow(connection: Connection, path: str, since: Optional[int]) -> Iterator[News]:
-    """News in order, none left out. Connects again where it was, as often as the connection's retries in a row.
+    """Yields events in order without gaps. Reconnects and resumes, at most `retries` times in a row.
 
     since: The last revision that is known, after which changes come first.
     Raises NotFound, Busy or Unreachable.

@@ -1,4 +1,4 @@
-"""Formats by the endings of file names, and files that appear whole."""
+"""File formats by extension, and atomic writing of files."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import BinaryIO, Iterator, Union
 
 Path = Union[str, "os.PathLike[str]"]
 
-# What a file with an ending may hold; the first is what it holds unless another is asked for.
+# Formats that a file with an extension may have; the first is the default.
 FORMATS = {
     ".png": ("png", "png16"),
     ".jpg": ("jpeg",),
@@ -21,7 +21,7 @@ FORMATS = {
 
 
 def formats_of(path: Path) -> "tuple[str, ...]":
-    """Raises ValueError for an ending that stands for no format."""
+    """Returns the formats of a file's extension. Raises ValueError for an unknown one."""
     ending = os.path.splitext(os.fspath(path))[1].lower()
     if ending not in FORMATS:
         raise ValueError(f"{os.fspath(path)}: the ending says no format; take one of {', '.join(FORMATS)}")
@@ -29,14 +29,14 @@ def formats_of(path: Path) -> "tuple[str, ...]":
 
 
 def check_format(path: Path, kind: str) -> None:
-    """Raises ValueError where a file of that name does not hold that format."""
+    """Raises ValueError if the file's extension does not fit the format."""
     if kind not in formats_of(path):
         raise ValueError(f"{os.fspath(path)}: the ending stands for {' or '.join(formats_of(path))}, not {kind}")
 
 
 @contextlib.contextmanager
 def whole_file(path: Path) -> Iterator[BinaryIO]:
-    """A file beside the path, which is moved there at the end of the block, so that nobody sees half of it."""
+    """Opens a temporary file beside the path and renames it at the end of the block, so that the write is atomic."""
     target = os.path.realpath(os.fspath(path))
     part = f"{target}.{uuid.uuid4().hex[:8]}.part"
     try:
@@ -56,7 +56,7 @@ def write_whole(path: Path, content: bytes) -> None:
 
 
 def read_whole(source: Union[bytes, Path]) -> bytes:
-    """The bytes, or those of the file of that path."""
+    """Returns `source` if it is bytes, else the content of the file at that path."""
     if isinstance(source, bytes):
         return source
     with open(source, "rb") as file:

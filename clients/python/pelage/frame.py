@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """bytes: The file's bytes. format: What they are, as it was asked for. revision: What was drawn."""
+    """bytes: The file's bytes. format: Their format, as requested. revision: The scene's revision that was drawn."""
 
     def __init__(self, answer: Answer, format: str) -> None:
         self.bytes = answer.body
@@ -66,12 +66,12 @@ class Frame(Picture):
 
     @property
     def milliseconds(self) -> float:
-        """Of all stages; `cpu` is no stage."""
+        """Sum over all stages; `cpu` is no stage."""
         return sum(value for name, value in self.timing.items() if name != "cpu")
 
 
 class FieldMap(Picture):
-    """A field through the model's texture coordinates. about: How to read it."""
+    """A field as a picture over the model's texture coordinates. about: How to read it."""
 
     def __init__(self, answer: Answer, format: str) -> None:
         super().__init__(answer, format)
@@ -79,7 +79,7 @@ class FieldMap(Picture):
 
 
 def header(answer: Answer, name: str) -> Any:
-    """The JSON of a header, or None."""
+    """Returns the JSON value of a header, or None."""
     return json.loads(answer.headers[name]) if name in answer.headers else None
 
 

@@ -17,7 +17,7 @@ from .server import Server
 
 PROGRAM = "pelaged"
 PROGRAM_VARIABLE = "PELAGE_SERVER_PROGRAM"
-LOG_END = 2000  # characters of the log in an exception
+LOG_END = 2000  # characters at the end of the log that an exception quotes
 STOP_SECONDS = 30.0
 
 

@@ -1,4 +1,4 @@
-"""What goes beside a command."""
+"""Options that are sent with a command."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Dict, NamedTuple, Optional
 
 
 class Options(NamedTuple):
-    """author: Who makes the change. dry_run: Whether nothing is to change. if_match: The only revision to run at."""
+    """author: Who makes the change. dry_run: True to change nothing. if_match: The only revision to run at."""
 
     author: Optional[str] = None
     dry_run: bool = False

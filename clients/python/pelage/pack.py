@@ -1,4 +1,4 @@
-"""A model file with the files that it names, as one upload."""
+"""Packs a model file and the files that it references into one upload."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .files import Path
 
 
 class PackedModel(NamedTuple):
-    """content: The file's own bytes, or a zip archive of it and of what it names. format: What the content is."""
+    """content: The file's own bytes, or a zip archive of it and the files that it references. format: Its format."""
 
     content: bytes
     format: str
@@ -39,7 +39,7 @@ def pack_model(path: Path, format: Optional[str]) -> PackedModel:
 
 
 def named_files(folder: pathlib.Path, kind: str, content: bytes) -> Tuple[Dict[str, bytes], List[str]]:
-    """Files by their paths below the folder, and names that lead to none."""
+    """Returns the referenced files by their relative paths, and the names that cannot be read."""
     files: Dict[str, bytes] = {}
     missing: List[str] = []
 
@@ -62,7 +62,7 @@ def named_files(folder: pathlib.Path, kind: str, content: bytes) -> Tuple[Dict[s
 
 
 def read_below(folder: pathlib.Path, name: str) -> Optional[Tuple[str, bytes]]:
-    """The path below the folder and the bytes of a file, by its name as it is or percent-encoded."""
+    """Returns the relative path and the bytes of a file, given its name, plain or percent-encoded."""
     for spelling in (name, urllib.parse.unquote(name)):
         path = os.path.normpath(spelling.replace("\\", "/"))
         if os.path.isabs(path) or path.split(os.sep)[0] == "..":
@@ -75,7 +75,7 @@ def read_below(folder: pathlib.Path, name: str) -> Optional[Tuple[str, bytes]]:
 
 
 def zipped(files: Dict[str, bytes]) -> bytes:
-    """Stored as they are: pictures do not get smaller."""
+    """Zips files without compression, because pictures would not get smaller."""
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as target:
         for name, content in files.items():
@@ -88,7 +88,7 @@ def unique(names: Iterator[str]) -> List[str]:
 
 
 def lines_of(content: bytes) -> Iterator[Tuple[str, str]]:
-    """The first word of each line, and what follows it."""
+    """Yields the first word of each line, and the rest."""
     for line in content.decode("utf-8", "surrogateescape").splitlines():
         word, _, rest = line.strip().replace("\t", " ").partition(" ")
         yield word, rest.strip()
@@ -99,7 +99,7 @@ def names_in_obj(content: bytes) -> Iterator[str]:
 
 
 def names_in_mtl(content: bytes) -> Iterator[str]:
-    """Of colour pictures; options come before the name."""
+    """Returns the names of colour pictures; options come before a name."""
     return (rest.split()[-1] if rest.startswith("-") else rest for word, rest in lines_of(content) if word == "map_Kd")
 
 
@@ -107,7 +107,7 @@ def names_in_gltf(content: bytes) -> Iterator[str]:
     try:
         root = json.loads(content)
     except ValueError:
-        return  # the server says what is wrong with it
+        return  # the server reports what is wrong with it
     for kind in ("buffers", "images"):
         entries = root.get(kind) if isinstance(root, dict) else None
         for entry in entries if isinstance(entries, list) else []:

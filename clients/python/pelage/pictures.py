@@ -1,4 +1,4 @@
-"""Requests for pictures, models and maps: what the methods of `Requests` do."""
+"""Implements the methods of `Requests`: pictures, models and maps."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     import numpy
     from numpy.typing import NDArray
 
-WAIT = 20.0  # seconds of one request for a newer or better frame; a server takes 25
+WAIT = 20.0  # seconds that one request waits for a newer or better frame; the server allows 25
 POLL = 1.0  # seconds between two reports of a frame's progress
 
 
 class Pictures(Requests):
-    """revision: The last one of the scene that was heard of."""
+    """revision: The last known revision of the scene."""
 
     def __init__(self, connection: Connection, path: str, revision: int) -> None:
         self._connection = connection
@@ -86,7 +86,7 @@ class Pictures(Requests):
 
     @contextlib.contextmanager
     def _reported(self, request: Dict[str, Any], progress: Optional[ReportProgress]) -> Iterator[None]:
-        """Reports how far the frame is while the block runs, and the end of it."""
+        """Reports the frame's progress while the block runs, and its end."""
         if progress is None:
             yield
             return
@@ -101,12 +101,12 @@ class Pictures(Requests):
         progress(Progress(1.0, "done"))
 
     def _watch(self, view: str, done: threading.Event, progress: ReportProgress) -> None:
-        with contextlib.closing(self._connection):  # that of this thread
+        with contextlib.closing(self._connection):  # closes this thread's connection at the end
             while not done.wait(POLL):
                 try:
                     answer = self._connection.get(f"{self._path}/frames", retries=0)
                 except PelageError:
-                    continue  # the request for the frame itself says what is wrong
+                    continue  # the frame's own request reports the error
                 frames = cast(FrameProgressList, answer.json)["frames"]
                 ours = [frame for frame in frames if frame["view"] == view]
                 if ours:
@@ -179,14 +179,14 @@ class Pictures(Requests):
         options: Options,
         progress: Optional[ReportProgress],
     ) -> Answer:
-        """Not repeated when the connection is lost: it may have changed the scene already."""
+        """Uploads content. Is not retried when the connection is lost, because the scene may have changed already."""
         return self._connection.put(
             f"{self._path}/{name}", content, query=query, headers=options.headers, progress=progress
         )
 
     def _export(self, members: Dict[str, Any], path: Path) -> ExportAbout:
         ending = os.path.splitext(os.fspath(path))[1][1:].lower()
-        format = members["format"] or ("shells" if ending == "glb" else ending)  # a GLB is for viewers
+        format = members["format"] or ("shells" if ending == "glb" else ending)  # the GLB format that any viewer shows
         query = {**members, "format": None}
         with whole_file(path) as file:
             answer = self._connection.get_into(file, f"{self._path}/export/{quoted(format)}", query)
@@ -227,12 +227,12 @@ class Pictures(Requests):
 
 
 def given(members: Mapping[str, Any]) -> Dict[str, Any]:
-    """Those that are to be sent."""
+    """Returns the members that are not None."""
     return {name: value for name, value in members.items() if value is not None}
 
 
 def frame_request(members: Mapping[str, Any]) -> Dict[str, Any]:
-    """As it is sent: a camera that is a word stands for one that the server places."""
+    """Returns the request to send; a camera given by name becomes an automatic camera."""
     request = given(members)
     if isinstance(request.get("camera"), str):
         request["camera"] = {"auto": request["camera"]}

@@ -7,7 +7,7 @@ from typing import Callable, NamedTuple
 
 
 class Progress(NamedTuple):
-    """share: Done of all, 0 to 1; 1 comes once, at the end. text: The same in words."""
+    """share: Fraction that is done, 0 to 1; 1 is reported once, at the end. text: The same in words."""
 
     share: float
     text: str
@@ -17,7 +17,7 @@ ReportProgress = Callable[[Progress], None]
 
 
 def print_progress(progress: Progress) -> None:
-    """Shows progress in one line of standard error, and takes it away at the end. Prints nothing but on a terminal."""
+    """Shows progress in one line on standard error and erases it at the end. Prints only on a terminal."""
     if not sys.stderr.isatty():
         return
     line = f"{progress.share:4.0%} {progress.text}" if progress.share < 1 else ""

@@ -35,8 +35,8 @@ if TYPE_CHECKING:
 class Batch(Commands[None]):
     """Commands that become one undo step.
 
-    commands: Those so far, as they are sent.
-    answer: What they did, once the block has ended; None for no commands.
+    commands: The commands so far, as they will be sent.
+    answer: The server's answer, set at the end of the block; None if there are no commands.
     """
 
     def __init__(self) -> None:
@@ -52,8 +52,8 @@ class Batch(Commands[None]):
 class Scene(Commands[CommandAnswer], Pictures):
     """A scene on a server. Any number of threads and processes may use the same one.
 
-    id: What addresses it. name: What it was called; names need not differ.
-    revision: The last one that this object heard of; `info()` asks anew.
+    id: Its unique id. name: Its name; several scenes may have the same.
+    revision: The last revision that this object knows; `info()` updates it.
     """
 
     def __init__(self, connection: Connection, info: SceneInfo) -> None:
@@ -154,13 +154,13 @@ class Scene(Commands[CommandAnswer], Pictures):
         return [json.loads(line) for line in self._connection.get(f"{self._path}/log", query).body.splitlines()]
 
     def compare(self, first: int, second: int) -> Comparison:
-        """What two revisions differ in, field by field."""
+        """Returns the differences between two revisions, field by field."""
         return cast(Comparison, self._connection.get(f"{self._path}/compare", {"from": first, "to": second}).json)
 
     def follow(self, since: Optional[int] = None) -> Iterator[events.News]:
-        """News of the scene as they come: its state first, then each change; ends after `Removed`.
+        """Yields the scene's events as they happen: its state first, then each change; ends after `Removed`.
 
-        A lost connection is made again where it was, without a gap. since: A revision, to begin with the changes after it.
+        Reconnects after a lost connection without a gap. since: A revision; begins with the changes after it.
         """
         for news in events.follow(self._connection, f"{self._path}/events", since):
             self.revision = news.revision
@@ -169,11 +169,11 @@ class Scene(Commands[CommandAnswer], Pictures):
     # Pictures and fields
 
     def frames_under_way(self) -> List[FrameProgress]:
-        """The frames of the scene that are drawn now or wait to be, and how far they are."""
+        """Returns the frames of the scene that are being drawn or waiting, and their progress."""
         return cast(List[FrameProgress], self._connection.get(f"{self._path}/frames").json["frames"])
 
     def frame_address(self, **parameters: Union[str, int, float, bool]) -> str:
-        """The address of a PNG of the scene as it is whenever it is asked for, for a page or another program.
+        """Returns a URL that always serves a PNG of the scene's current state, for a page or another program.
 
         parameters: Those of GET frame.png, such as `camera="front", width=256`. A server with a token asks for it there too.
         """
@@ -194,7 +194,7 @@ class Scene(Commands[CommandAnswer], Pictures):
     def upload_picture(
         self, picture: Union[bytes, Path], *, progress: Optional[ReportProgress] = None
     ) -> StoredPicture:
-        """Keeps a PNG, JPEG, EXR or HDR for `map` and `mask` to name; nothing is changed. picture: Its bytes or path."""
+        """Stores a PNG, JPEG, EXR or HDR for use by `map` and `mask`; changes nothing. picture: Its bytes or path."""
         content = read_whole(picture)
         answer = self._connection.put(f"{self._path}/pictures", content, repeatable=True, progress=progress)
         return cast(StoredPicture, answer.json)
@@ -240,12 +240,12 @@ class Scene(Commands[CommandAnswer], Pictures):
     def set_map_array(self, field: Field, array: ArrayLike, **options: Any) -> CommandAnswer:
         """Reads a field from an array [height, width] or [height, width, channels] as from a picture.
 
-        options: As of `upload_map`.
+        options: Options of `upload_map`.
         """
         return self.upload_map(field, arrays.encoded(array), **options)
 
     def positions(self) -> NDArray[numpy.float64]:
-        """Where the vertices of the model are: [vertices, 3], in the model's own coordinates, in the order of `field`."""
+        """Returns the positions of the vertices, [vertices, 3], in the model's coordinates and the order of `field`."""
         return arrays.decoded(self._connection.get(f"{self._path}/vertices").body, "npy")
 
     def field(self, name: Field) -> NDArray[numpy.float32]:

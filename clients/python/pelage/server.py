@@ -40,7 +40,7 @@ class Server:
 
     @property
     def address(self) -> str:
-        """Also that of the studio, for a browser."""
+        """The server's address; a browser shows the studio there."""
         return self._connection.address
 
     def create(
@@ -87,11 +87,11 @@ class Server:
         return named[0]
 
     def is_alive(self) -> bool:
-        """Whether the process answers, at once and without retries."""
+        """Returns True if the process answers; asks once, without retries."""
         return self._answers("/livez")
 
     def is_ready(self) -> bool:
-        """Whether the server takes work, at once and without retries."""
+        """Returns True if the server accepts work; asks once, without retries."""
         return self._answers("/readyz")
 
     def metrics(self) -> Dict[str, float]:

@@ -10,8 +10,8 @@ from PIL import Image
 HERE = pathlib.Path(__file__).resolve().parent
 GALLERY = HERE.parents[2] / "docs" / "gallery"
 SIDE = 112  # pixels
-SHARE = 0.66  # of the picture that is seen, around its middle
-# In the order of the gallery's figure.
+SHARE = 0.66  # fraction of the picture's side that is kept, around its middle
+# Looks in the order of the gallery's figure.
 LOOKS = ["shorthair_cat", "rabbit", "fox", "sheep", "wet_dog", "bear", "zebra", "leopard", "toy_plush"]
 
 for k, look in enumerate(LOOKS):

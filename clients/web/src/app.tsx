@@ -1,4 +1,4 @@
-// The page: tools on the left, the picture, panels on the right.
+// The page: tools on the left, the picture in the middle, panels on the right.
 import {effect, signal, untracked} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {listScenes, log_read, openScene, last_scene, refresh, scene, scenes, wants_log} from "./scene/session";
@@ -24,7 +24,7 @@ import {current} from "./tools/state";
 import {ReferenceCompare} from "./view/reference_compare";
 import {Viewport} from "./view/viewport";
 
-/** The log is read for the panel that shows it and for the tools whose guides stand in it. */
+/** Reads the log only while it is needed: for the history panel, and for the tools that find their guides in it. */
 function followLog(): () => void {
   return effect(() => {
     const wanted = panel.value === "history" || current.value === "flow" || current.value === "interpolate";
@@ -35,10 +35,10 @@ function followLog(): () => void {
   });
 }
 
-/** Whether it is known which scenes there are. */
+/** True once the list of scenes was read. */
 const looked = signal(false);
 
-/** The scene of the address, the one that was open last, the first, or on a server without any a fox. */
+/** Opens the scene in the URL, else the last open one, else the first; on a server without scenes, creates a fox. */
 async function openFirst() {
   const left = sendLeftovers();
   if (left) say(`${left} changes of a page that was closed are sent now.`);
@@ -52,7 +52,7 @@ async function openFirst() {
   looked.value = true;
 }
 
-/** The address leads to the open scene, so that it can be sent to somebody. */
+/** Puts the open scene into the page's URL, so that the URL can be shared. */
 function followAddress() {
   const id = scene.value?.id;
   if (id) history.replaceState(null, "", `?scene=${encodeURIComponent(id)}`);

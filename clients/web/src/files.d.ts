@@ -1,4 +1,4 @@
-// What the bundle turns a picture into: its address.
+// Types of imported pictures: the bundler turns each into its URL.
 declare module "*.jpg" {
   const address: string;
   export default address;

@@ -60,7 +60,7 @@ std::vector<Opener> openers_of(GlChoice choice, std::optional<int> device) {
 }  // namespace
 
 Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads, std::optional<int> device) {
-  // llvmpipe takes its number of threads from this variable alone, and reads it once, when its screen is made.
+  // llvmpipe takes its number of threads from this variable only, and reads it once, when it is initialized.
   if (threads > 0) setenv("LP_NUM_THREADS", std::to_string(threads > 1 ? threads : 0).c_str(), 1);
   std::string tried;
   for (const Opener& open : openers_of(choice, device)) {

@@ -62,7 +62,7 @@ struct NamedDisplay {
   std::string name;
 };
 
-/// Returns the devices by their numbers.
+/// Returns all EGL devices; a device's number is its index.
 std::vector<EGLDeviceEXT> devices_of(const Egl& egl) {
   std::vector<EGLDeviceEXT> devices(32);
   EGLint count = 0;
@@ -92,7 +92,7 @@ std::vector<NamedDisplay> displays_of(const Egl& egl, EglPlatform platform) {
   return {{egl.platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "EGL surfaceless"}};
 }
 
-/// The display is never terminated while the process runs: handles of one platform are shared.
+/// Never terminates its display: eglTerminate would end it for all contexts of the process on the same platform.
 class EglContext final : public Context {
  public:
   explicit EglContext(const Egl& egl) : egl_(egl) {}
@@ -106,14 +106,15 @@ class EglContext final : public Context {
     display_ = named.display;
     if (display_ == EGL_NO_DISPLAY || !egl_.initialize(display_, nullptr, nullptr))
       return refuse(named, "eglInitialize");
-    if (!egl_.bind_api(EGL_OPENGL_API)) return refuse(named, "eglBindAPI");  // is for each thread
+    if (!egl_.bind_api(EGL_OPENGL_API)) return refuse(named, "eglBindAPI");  // has to be called on each thread
     if (!create(true) && !create(false)) return refuse(named, "eglCreateContext (OpenGL 4.5 core)");
     if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) return refuse(named, "eglMakeCurrent");
     return prove(named.name, [this](const char* name) { return reinterpret_cast<void*>(egl_.get(name)); });
   }
 
  private:
-  /// `tells`: the context reports a reset of the device (glGetGraphicsResetStatus); not every driver has that.
+  /// `tells`: asks for a context that reports a reset of the device (glGetGraphicsResetStatus), which not every driver
+  /// has.
   bool create(bool tells) {
     std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,       4,
                                EGL_CONTEXT_MINOR_VERSION,       5,
@@ -132,7 +133,7 @@ class EglContext final : public Context {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// Opens a context on the first display that proves itself.
+/// Opens a context on the first display that works.
 Result<std::unique_ptr<Context>> open_first(const Egl& egl, const std::vector<NamedDisplay>& displays) {
   std::string tried;
   for (const NamedDisplay& named : displays) {

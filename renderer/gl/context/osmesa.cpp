@@ -1,4 +1,4 @@
-// OSMesa: Mesa's off-screen library, opened at run time because it is gone from newer Mesa.
+// Contexts by OSMesa, Mesa's off-screen library. It is opened at run time because newer Mesa no longer has it.
 #include <dlfcn.h>
 
 #include <array>

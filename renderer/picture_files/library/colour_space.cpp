@@ -12,17 +12,18 @@ namespace pelage {
 
 namespace {
 
-/// Every configuration that takes part in exchange names its ACES2065-1 by this role (OpenColorIO 2).
+/// Every configuration that supports interchange names its ACES2065-1 space by this role (OpenColorIO 2).
 constexpr const char* exchange_role = "aces_interchange";
 
-/// Linear Rec. 709 to ACES2065-1, by Bradford from D65 to the white of ACES (SMPTE ST 2065-1). Columns.
+/// The matrix from linear Rec. 709 to ACES2065-1, with Bradford adaptation from D65 to the ACES white (SMPTE ST
+/// 2065-1). Columns.
 constexpr glm::mat3 exchange_from_linear{0.4396329819f, 0.0897764431f, 0.0175411704f,  //
                                          0.3829886981f, 0.8134394286f, 0.1115465500f,  //
                                          0.1773783199f, 0.0967841284f, 0.8709122796f};
 
 struct Configuration {
-  std::shared_ptr<const OIIO::ColorConfig> read;  // null where there is none
-  std::string names;                              // of its spaces, for a refusal
+  std::shared_ptr<const OIIO::ColorConfig> read;  // null if there is none
+  std::string names;                              // names of its spaces, for error messages
 };
 
 Configuration read_configuration() {

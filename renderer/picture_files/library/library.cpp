@@ -1,4 +1,4 @@
-// What pelage-pictures.so gives to programs.
+// The entry point of pelage-pictures.so and its implementation of PictureFiles.
 #include "renderer/picture_files/library/members.h"
 #include "renderer/picture_files/library/open_picture.h"
 

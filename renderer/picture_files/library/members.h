@@ -1,4 +1,4 @@
-// What the library does as the members of PictureFiles.
+// Functions that implement the members of PictureFiles.
 #pragma once
 
 #include "renderer/picture_files/picture_files.h"

@@ -14,7 +14,7 @@ std::size_t pixels_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-/// Opens a part, which has to lie inside the whole and to be as `first`, unless that has no channels.
+/// Opens a part. It has to lie inside the whole and to have the format of `first`, unless that has no channels.
 Result<OpenPicture> open_part(const PicturePart& part, int width, int height, const OIIO::ImageSpec& first) {
   constexpr std::array wanted{PictureFormat::png, PictureFormat::exr};
   Result<OpenPicture> file = open_picture(std::as_bytes(std::span(part.bytes)), wanted, pixels_of(width, height));
@@ -32,7 +32,7 @@ Result<OpenPicture> open_part(const PicturePart& part, int width, int height, co
   return file;
 }
 
-/// All channels of all pixels, interleaved.
+/// Reads all channels of all pixels, interleaved.
 template <class Number>
 Result<std::vector<Number>> read_numbers(OpenPicture& file, const OIIO::TypeDesc& type) {
   const auto channels = static_cast<std::size_t>(file.spec.nchannels);
@@ -55,7 +55,7 @@ void paste(const std::vector<Number>& part, const OIIO::ImageSpec& spec, const P
   }
 }
 
-/// PNG leaves out alpha where it is 1 everywhere.
+/// Returns RGBA; a PNG has no alpha if that is 1 everywhere.
 template <class Number>
 std::vector<Number> with_alpha(std::vector<Number> numbers, int channels) {
   if (channels == 4) return numbers;
@@ -88,7 +88,7 @@ Result<std::string> merge_png(std::span<const PicturePart> parts, int width, int
   return encode_png(whole, keep_alpha, texts);
 }
 
-/// The channels of interleaved numbers.
+/// Returns the channels of interleaved numbers as planes.
 std::vector<ExrPlane> planes_of(const OIIO::ImageSpec& spec, std::span<const float> numbers) {
   const auto channels = static_cast<std::size_t>(spec.nchannels);
   std::vector<ExrPlane> planes;
@@ -108,7 +108,7 @@ std::optional<ExrCamera> camera_of(const OIIO::ImageSpec& spec) {
   return is_there ? std::optional(camera) : std::nullopt;
 }
 
-/// How an EXR says that its channels are read: the same in all parts.
+/// Returns the texts that say how an EXR's channels are to be read; all parts have the same.
 std::vector<ImageText> texts_of_channels(const OIIO::ImageSpec& spec) {
   std::vector<ImageText> texts;
   for (const OIIO::ParamValue& one : spec.extra_attribs) {

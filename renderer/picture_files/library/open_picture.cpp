@@ -14,9 +14,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns whether the chunks of a PNG end before IEND.
+/// Returns true if the chunks of a PNG end before IEND.
 bool is_png_cut_off(std::string_view bytes) {
-  constexpr std::size_t signature = 8, frame = 12;  // of a chunk: its length, its name, its checksum
+  constexpr std::size_t signature = 8, frame = 12;  // bytes of a chunk's length, name and checksum
   bytes.remove_prefix(signature);
   while (bytes.size() >= frame) {
     std::size_t length = 0;
@@ -28,13 +28,14 @@ bool is_png_cut_off(std::string_view bytes) {
   return true;
 }
 
-/// Returns whether a JPEG has no end marker after its last scan: libjpeg fills what is missing with grey and goes on.
+/// Returns true if a JPEG has no end marker after its last scan: libjpeg would fill the missing part with grey and
+/// succeed.
 bool is_jpeg_cut_off(std::string_view bytes) {
   const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
   return scan == std::string_view::npos || end == std::string_view::npos || end < scan;
 }
 
-/// "PNG, JPEG nor EXR".
+/// Returns a list such as "PNG, JPEG nor EXR".
 std::string list_of(std::span<const PictureFormat> formats) {
   constexpr std::array names{"unknown", "PNG", "JPEG", "EXR", "HDR"};
   std::string list;

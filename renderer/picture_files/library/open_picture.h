@@ -1,4 +1,4 @@
-// Pictures in memory as OpenImageIO opens and writes them.
+// Opens and writes pictures in memory with OpenImageIO.
 #pragma once
 
 #include <OpenImageIO/filesystem.h>
@@ -15,23 +15,23 @@ namespace pelage {
 
 enum class PictureFormat { unknown, png, jpeg, exr, hdr };
 
-/// A picture in memory whose pixels are still to be read.
+/// A picture in memory whose pixels have not been read yet.
 struct OpenPicture {
   PictureFormat format = PictureFormat::unknown;
   std::unique_ptr<OIIO::Filesystem::IOMemReader> source;
-  std::unique_ptr<OIIO::ImageInput> input;  // reads on one thread; alpha is straight where the file has it so
+  std::unique_ptr<OIIO::ImageInput> input;  // reads on one thread; alpha is straight if it is so in the file
   OIIO::ImageSpec spec;
 };
 
-/// Goes by the first bytes. Refused (invalid) when it is of another format than `wanted`, broken, cut off, without
-/// pixels, with depth, or over `max_pixels`. The bytes outlive it.
+/// Opens a picture; its first bytes determine the format. Fails with invalid if the format is not in `wanted`, or the
+/// picture is broken, cut off, without pixels, with depth, or over `max_pixels`. The bytes must outlive the result.
 Result<OpenPicture> open_picture(std::span<const std::byte> bytes, std::span<const PictureFormat> wanted,
                                  std::size_t max_pixels);
 
-/// Why the input gave no pixels: what OpenImageIO said, or that the picture is broken when it said nothing.
+/// Returns why the input gave no pixels: OpenImageIO's message, or that the picture is broken if there is none.
 Status unreadable_pixels(const OIIO::ImageInput& input);
 
-/// The file of these pixels, rows from the top; `type` is theirs, UNKNOWN for the specification's own.
+/// Returns the file of these pixels, rows from the top; `type` is their type, UNKNOWN for that of the specification.
 std::string write_picture(PictureFormat format, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                           const void* pixels);
 

@@ -19,7 +19,7 @@ std::string text_in_picture(std::span<const std::byte> bytes, const std::string&
 
 namespace {
 
-/// Grey, grey with alpha, or colour without alpha to RGBA.
+/// Converts grey, grey with alpha, and colour with or without alpha to RGBA.
 std::vector<std::uint8_t> to_rgba(const std::vector<std::uint8_t>& pixels, std::size_t channels) {
   std::vector<std::uint8_t> rgba;
   rgba.reserve(pixels.size() / channels * 4);
@@ -49,7 +49,7 @@ Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pix
 
 namespace {
 
-/// Places of R, G, B and A among a file's channels; grey names one place three times. -1 where there is none.
+/// Indices of R, G, B and A among a file's channels; grey has the same index three times. -1 if there is none.
 using Places = std::array<int, 4>;
 
 int place_of(const std::vector<std::string>& names, const std::string& name) {
@@ -57,7 +57,7 @@ int place_of(const std::vector<std::string>& names, const std::string& name) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-/// "beauty." of "beauty.R"; "" of "R".
+/// Returns "beauty." for "beauty.R" and "" for "R".
 std::string prefix_of(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   return dot == std::string::npos ? "" : channel.substr(0, dot + 1);
@@ -83,13 +83,13 @@ Places places_by_name(const std::vector<std::string>& names) {
   return places;
 }
 
-/// By position, for formats without names of channels: grey, grey and alpha, RGB, RGBA.
+/// Returns the channels by their order, for formats without channel names: grey, grey and alpha, RGB, RGBA.
 Places places_by_count(int channels) {
   const bool grey = channels < 3, alpha = channels % 2 == 0;
   return {0, grey ? 0 : 1, grey ? 0 : 2, alpha ? channels - 1 : -1};
 }
 
-/// Reads the range of channels that holds all places at once: most readers cannot go back to the first row.
+/// Reads the range that contains all these channels at once, because most readers cannot go back to the first row.
 Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& image) {
   constexpr int max = 16;
   const int last = *std::max_element(places.begin(), places.end());
@@ -108,7 +108,7 @@ Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& 
   return {};
 }
 
-/// A file's numbers and what it says about them.
+/// A file's numbers and its metadata.
 struct ReadFile {
   PictureFormat format = PictureFormat::unknown;
   OIIO::ImageSpec spec;

@@ -52,12 +52,12 @@ OIIO::ImageSpec exr_spec(const ExrWindow& window, std::span<const ExrPlane> plan
     spec.attribute("worldToNDC", OIIO::TypeMatrix44, window.camera->world_to_ndc.data());
   }
   spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "");  // or the writer adds the present time, and no two files are equal
+  spec.attribute("DateTime", "");  // otherwise the writer adds the current time, and no two files are equal
   for (const ImageText& text : texts) {
     const bool is_rate = text.key == frame_rate_text;
     int rate[2] = {0, 1};
     if (is_rate && std::sscanf(text.value.c_str(), "%d/%d", &rate[0], &rate[1]) > 0)
-      spec.attribute("framesPerSecond", OIIO::TypeRational, rate);  // as the standard writes it
+      spec.attribute("framesPerSecond", OIIO::TypeRational, rate);  // the standard's spelling
     if (!is_rate) spec.attribute(text.key, text.value);
   }
   return spec;
@@ -65,7 +65,7 @@ OIIO::ImageSpec exr_spec(const ExrWindow& window, std::span<const ExrPlane> plan
 
 float within_half(float value) { return std::isfinite(value) ? std::clamp(value, -largest_half, largest_half) : value; }
 
-/// Pixel by pixel, each channel in its own type, as the file keeps them.
+/// Returns the pixels one by one, each channel in its own type, as the file stores them.
 std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<const ExrPlane> planes) {
   const std::size_t pixel_bytes = spec.pixel_bytes(true), pixels = spec.image_pixels();
   std::vector<std::byte> bytes(pixels * pixel_bytes);

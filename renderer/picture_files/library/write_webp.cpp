@@ -9,7 +9,7 @@ namespace pelage {
 
 namespace {
 
-/// Frees what the library made for a picture and its bytes.
+/// Owns the library's memory for a picture and its bytes.
 struct Encoding {
   WebPPicture picture;
   WebPMemoryWriter bytes;
@@ -28,7 +28,7 @@ struct Encoding {
 
 std::string encode_webp(const Image& image, int quality) {
   assert(image.width > 0 && image.height > 0 && quality >= 1 && quality <= 100);
-  constexpr int method = 2;  // of 0 to 6: a fifth fewer bytes than 0 in half more time, beyond it the time doubles
+  constexpr int method = 2;  // [0, 6]; a fifth fewer bytes than 0 in half more time, beyond it the time doubles
   WebPConfig config;
   Encoding encoding;
   if (!WebPConfigInit(&config)) throw std::runtime_error("WebP: another version of the library");

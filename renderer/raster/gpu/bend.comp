@@ -1,16 +1,17 @@
 #version 450 core
-// Moves strands from where they have grown to where wind or a body has bent them: Grower::bend, a strand a lane.
+// Bends strands by wind and body motion: Grower::bend, a strand a lane.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "fur.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = points_storage) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = words_storage) readonly buffer Words { uint words[]; };
-layout(std430, binding = bends_storage) readonly buffer Bends { vec4 bends[]; };  // PieceBend of each piece
+layout(std430, binding = bends_storage) readonly buffer Bends { vec4 bends[]; };  // PieceBend of each triangle of the model
 layout(std430, binding = leans_storage) readonly buffer Leans { vec4 leans[]; };  // LeanTable::rows
 layout(std430, binding = bent_storage) writeonly buffer Bent { vec4 bent[]; };
 
-const uint corner_bend = 4, lean = 2;  // in bends: of a corner, and what moves it after what it is without
+// Vectors of `bends` for a corner, and where in them its moved lean begins, which follows its still one.
+const uint corner_bend = 4, lean = 2;
 
 vec4 lean_knot(float inclination, int k) {
   int rows = leans.length() / (lean_cells + 1);

@@ -1,14 +1,15 @@
 #version 450 core
-// Puts segments of strands into tiles: first counts those of each, then writes them (renderer/raster/bins.cpp).
+// Sorts segments of strands into tiles (renderer/raster/bins.cpp). The first pass counts those of each tile, the second
+// writes them.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer StrandKnots { uint first_knots[]; };
 layout(std430, binding = 1) readonly buffer Knots { uvec2 knots[]; };
-layout(std430, binding = 2) readonly buffer Furthest { float furthest[]; };  // of each tile, one over the distance
-layout(std430, binding = 3) buffer TileCounts { uint tile_counts[]; };       // of each tile, while counting
-layout(std430, binding = 4) buffer TileEntries { uint tile_entries[]; };     // first of each tile, while writing
-layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };   // key, knot
+layout(std430, binding = 2) readonly buffer Furthest { float furthest[]; };  // for each tile, 1 / the furthest distance behind its strands
+layout(std430, binding = 3) buffer TileCounts { uint tile_counts[]; };       // segments of each tile; see BoxStages::fill_tiles
+layout(std430, binding = 4) buffer TileEntries { uint tile_entries[]; };     // index of each tile's first entry; read when `writing`
+layout(std430, binding = 5) writeonly buffer Entries { uvec2 entries[]; };   // sort key, first knot of the segment
 uniform bool writing;
 
 Knot read_knot(uint knot) {
@@ -22,8 +23,8 @@ uint key_of(float inverse) {
   return 65535 - min((bits - min(key_furthest, bits)) >> key_shift, 65535);
 }
 
-// Returns one over the distance of the segment's point that is nearest to the middle of a tile, at least half a tile
-// away from the segment's ends.
+// Returns 1 / distance of the segment's point that is nearest to the middle of a tile, but at least half a tile away from
+// the segment's ends.
 float inverse_near(Knot a, Knot b, vec2 middle) {
   vec2 way = b.at - a.at;
   float squared = max(dot(way, way), 1e-6), along = dot(middle - a.at, way) / squared;
@@ -33,7 +34,7 @@ float inverse_near(Knot a, Knot b, vec2 middle) {
 
 // Returns whether a segment misses a tile although its bounding box overlaps it.
 bool passes_by(Knot a, Knot b, vec2 middle, float wide) {
-  const float corner = 0.71 * float(tile_side);  // from the middle
+  const float corner = 0.71 * float(tile_side);  // distance of a tile's corner from its middle, pixels
   vec2 way = b.at - a.at, off = middle - a.at;
   return abs(off.x * way.y - off.y * way.x) > (corner + wide) * length(way);
 }

@@ -1,5 +1,5 @@
 #version 450 core
-// Blends a tile's segments front to back, by what they cover of each pixel: renderer/raster/blend-inl.h, a pixel a lane.
+// Blends a tile's segments front to back, by their coverage of each pixel: renderer/raster/blend-inl.h, a pixel a lane.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "shown.glsl"
@@ -8,23 +8,23 @@ layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; }
 layout(std430, binding = 1) readonly buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 2) readonly buffer Knots { uvec2 knots[]; };
 layout(std430, binding = 3) readonly buffer Ends { float ends[]; };
-layout(std430, binding = 4) writeonly buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
+layout(std430, binding = 4) writeonly buffer Sums { vec4 sums[]; };  // rgb: what is shown; a: transmittance
 
-const uint together = 64;        // segments that are read at a time
+const uint together = 64;        // number of segments that a group loads at a time
 
-// A segment over the tile: pixels from its corner.
+// A segment over the tile, in pixels from the tile's corner.
 struct FlatSegment {
-  vec2 at, way;  // from where, and unit
+  vec2 at, way;  // start, and unit direction
   float over_reach, reach, thickness, more_thickness;
   float inverse, more_inverse, sharpness;
-  uint knot, blocks;  // bit of each block of the tile that it may touch
+  uint knot, blocks;  // `blocks`: a bit for each block of the tile that it may touch
   vec3 light, more_light;
 };
 shared FlatSegment segments[together];
 shared uint still_open;
 
-// Returns the pixel of a lane. The 32 lanes that run together draw a block of eight by four pixels, so that they skip
-// together what lies elsewhere.
+// Returns the pixel of a lane. Each 32 lanes, which run together, draw a block of eight by four pixels, so that they can
+// skip a segment together.
 uvec2 pixel_of(uint lane) {
   uint block = lane / 32, in_block = lane % 32;
   return uvec2(block % 2 * 8 + in_block % 8, block / 2 * 4 + in_block / 8);
@@ -75,7 +75,7 @@ float covered_by(FlatSegment s, vec2 off, out float share) {
 // Returns the sum after a segment is added. `weight` is the segment's weight, `through` the transmittance in front of
 // it.
 vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
-#if defined SHOWN_STRAND  // knot of the one that covers most, with a bit that makes it a float; where on it, how much
+#if defined SHOWN_STRAND  // of the segment that covers most: knot | knot_bit, position along it, coverage
   return weight > sum.z ? vec3(uintBitsToFloat(knot_bit | s.knot), share, weight) : sum;
 #elif defined SHOWN_DISTANCE
   return sum + vec3(weight / max(share * s.more_inverse + s.inverse, 1e-12), 0.0, 0.0);

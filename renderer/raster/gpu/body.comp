@@ -1,5 +1,6 @@
 #version 450 core
-// Adds up what skin covers of each cell's face: skin_facing_away of renderer/raster/light_cells.cpp, a triangle a group.
+// Adds up how much of each cell's face the skin covers: skin_facing_away of renderer/raster/light_cells.cpp, a triangle a
+// work group.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -7,10 +8,10 @@
 #include "triangle_parts.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = corners_storage) readonly buffer Corners { float corners[]; };
-layout(std430, binding = body_sums_storage) buffer BodySums { uint body_sums[]; };  // a light after another
+layout(std430, binding = body_sums_storage) buffer BodySums { uint body_sums[]; };  // all cells of a light, then those of the next
 
-const uint corner_weight = 14;  // in a FurCorner
-const uint enough = 1u << 31;  // that nothing gets through
+const uint corner_weight = 14;  // index of `weight` in a FurCorner
+const uint enough = 1u << 31;   // a sum that stops all light: adding ends there, so that sums do not overflow
 
 float facing_away(vec3 a, vec3 b, vec3 c, uint light) {
   vec3 apart = (a + b + c) / 3.0 - frame.lights[light].position.xyz;

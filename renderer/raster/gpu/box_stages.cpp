@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t knot_bytes = 24, point_bytes = 16, entry_bytes = 8;
 
-/// Returns room for a quarter more than is wanted, so that the next frame has room at once.
+/// Returns the new room: a quarter more than is wanted, so that the next frame fits at once; `room` if that suffices.
 std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t most) {
   if (wanted <= room) return room;
   return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, most));
@@ -201,7 +201,7 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
 bool BoxStages::fill_tiles(const DrawnBox& box) {
   const auto tiles = static_cast<std::size_t>(box.tiles.count());
   tile_entries_.clear(0), tile_counts_.clear(0);
-  for (const int writing : {0, 1}) {  // counts go to where each tile's first entry will stand, and are summed up there
+  for (const int writing : {0, 1}) {  // counts go into tile_entries_, where the scan makes them first entries
     if (!begin(Stage::bins, box,
                {{0, &strand_knots_},
                 {1, &knots_},

@@ -1,6 +1,6 @@
-// Cells of the grid that light goes through: renderer/raster/light_cells.h.
-const uint sum_words = 8;         // of a cell: what strands cover of its face, and that times their direction, 64 bits each
-const uint body_steps = 16;       // in which the sums of skin are as fine again as crossed_one
+// The cells of the shadow grid: renderer/raster/light_cells.h.
+const uint sum_words = 8;         // of a cell: coverage of its face by strands, and that times their direction (x, y, z); 64 bits each
+const uint body_steps = 16;       // sums of skin are in steps of 1 / (body_steps crossed_one)
 
 uint cell_count() { return uint(grid_size.x * grid_size.y * grid_size.z); }
 uint cell_index(ivec3 cell) { return uint((cell.z * grid_size.y + cell.y) * grid_size.x + cell.x); }
@@ -10,7 +10,7 @@ ivec3 cell_at(uint index) {
 }
 bool has_cell(ivec3 cell) { return all(greaterThanEqual(cell, ivec3(0))) && all(lessThan(cell, grid_size)); }
 
-// What the light crosses within a cell or up to it, in steps of 1 / crossed_one.
+// What a light crosses within a cell or on its way to it, in steps of 1 / crossed_one.
 struct Crossed {
   float strands, body;
 };

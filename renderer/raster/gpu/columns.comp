@@ -1,5 +1,6 @@
 #version 450 core
-// Finds the columns of the grid: first of the fur, a column a lane, then of the skin, a triangle a group.
+// Finds the lowest and the highest point in each column of the grid: first of the fur, a column a lane, then also of the
+// skin, a triangle a work group.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -9,8 +10,8 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = cell_sums_storage) readonly buffer CellSums { uint cell_sums[]; };
 layout(std430, binding = columns_storage) buffer ColumnWords {
-  uint top;
-  uint column_words[];  // lowest and highest of each
+  uint top;  // highest point of all
+  uint column_words[];  // lowest and highest point of each column
 };
 uniform bool of_skin;
 

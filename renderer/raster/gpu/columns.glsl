@@ -1,5 +1,5 @@
-// The lowest and the highest point of what stands in each column of the grid: Columns of
-// renderer/raster/sky_over_ground.cpp. Heights are stored as words that sort in the same order.
+// The lowest and the highest point of fur and skin in each column of the grid: Columns of
+// renderer/raster/sky_over_ground.cpp. Heights are stored as unsigned words that sort in the same order.
 uint word_of(float height) {
   uint bits = floatBitsToUint(height);
   return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;

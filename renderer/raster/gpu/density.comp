@@ -1,6 +1,6 @@
 #version 450 core
-// Adds up how much of each cell strands cover: DensityGrid, a strand a lane. Sums are whole numbers, so that their order
-// does not count.
+// Adds up how much of each cell's face strands cover: DensityGrid, a strand a lane. Sums are integers, so that they do not
+// depend on the order of the strands.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"

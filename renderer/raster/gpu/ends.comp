@@ -1,11 +1,11 @@
 #version 450 core
-// Finds what ends the view of strands in each pixel: the skin, or an eye in front of it. Also finds the furthest of
-// these for each tile and each block of pixels: behind it nothing shows.
+// Finds the distance of the surface behind the strands in each pixel: the skin, or an eye in front of it. Also finds the
+// furthest of these distances in each tile and each block of pixels, behind which no strand is visible.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = 0) readonly buffer SkinPixels { uint skin_pixels[]; };
-layout(std430, binding = 1) writeonly buffer Ends { float ends[]; };  // one over the distance, 0 for nothing
+layout(std430, binding = 1) writeonly buffer Ends { float ends[]; };  // 1 / distance, 0 for none
 layout(std430, binding = 2) writeonly buffer Furthest { float furthest[]; };
 layout(std430, binding = 3) writeonly buffer Blocks { float blocks[]; };
 layout(std430, binding = 4) readonly buffer DrawnTiles { uint drawn_tiles[]; };
@@ -20,7 +20,7 @@ void main() {
   if (gl_LocalInvocationIndex == 0) of_tile = 0xffffffffu;
   if (gl_LocalInvocationIndex < 16) of_block[gl_LocalInvocationIndex] = 0xffffffffu;
   barrier();
-  uint end = skin_pixels[2 * pixel];  // floats above 0 stand in the order of their bits
+  uint end = skin_pixels[2 * pixel];  // floats above 0 sort like their bits
   if (eye_count > 0) end = max(end, eye_pixels[2 * pixel]);
   ends[pixel] = uintBitsToFloat(end);
   atomicMin(of_tile, end);

@@ -1,15 +1,16 @@
-// The shading models, with the azimuthal part as the lanes of the CPU read it (renderer/optics/azimuthal_fit.h).
+// The fibre shading models, with the azimuthal part from the same fit as on the CPU (renderer/optics/azimuthal_fit.h).
 #include "../../shaders/scattering_block.glsl"
 
 layout(std430, binding = azimuthal_storage) readonly buffer AzimuthalFit {
   uint azimuths, inclinations;
-  uint azimuthal_words[];  // five of a node
+  uint azimuthal_words[];  // five for each node
 };
 
 float lower_bfloat(uint word) { return uintBitsToFloat(word << 16); }
 float upper_bfloat(uint word) { return uintBitsToFloat(word & 0xffff0000u); }
 
-// Adds a node by its weight to a polynomial in the absorption: c0 to c3.
+// Adds a weighted node to the coefficients of a cubic polynomial in the absorption; curve.x is the constant term.
+// `along`: longitudinal factors of R, TT, TRT and the rest.
 void add_node(uint node, float weight, vec4 along, inout vec4 curve) {
   uint at = 5 * node, word[5];
   for (uint k = 0; k < 5; ++k) word[k] = azimuthal_words[at + k];

@@ -1,4 +1,4 @@
-// A field on the model, by its vertices.
+// A field on the model, stored for each vertex: RasterScene::field.
 layout(std430, binding = triangles_storage) readonly buffer Triangles { uint triangles[]; };
 layout(std430, binding = field_storage) readonly buffer Field { float field[]; };
 

@@ -1,5 +1,5 @@
 #version 450 core
-// Light at the pixels of the picture, in eight bits: renderer/finish, a pixel a lane.
+// Resizes light to the picture's size and encodes it with eight bits: renderer/finish, a pixel a lane.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/dialect.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -24,7 +24,7 @@ vec4 texel(ivec2 at) {
   return rows[held.y * light_size.x + held.x];
 }
 
-vec4 taps(float t) {  // the cubic of Catmull and Rom 1974
+vec4 taps(float t) {  // weights of the cubic of Catmull and Rom 1974
   float u = 1.0 - t;
   return vec4(-0.5 * t * u * u, 1.0 + t * t * (1.5 * t - 2.5), 1.0 + u * u * (1.5 * u - 2.5), -0.5 * u * t * t);
 }

@@ -1,11 +1,11 @@
-// All strands of a fur, in groups of one part: fur_cells.h mirrors it.
+// All strands of the fur, in groups of strands of one part. fur_cells.h mirrors the layout.
 struct FurPart {
-  uint points, words;  // in the pools: first point, first word of its colours
-  uint count;          // strands
-  uint summed;         // the first so many stand for all in the grid
-  int segments;
-  float each;          // strands that each of those stands for
-  bool near;           // its single strands are looked for
+  uint points, words;  // in the pools: index of its first point, and of the first word of its colours
+  uint count;          // number of strands
+  uint summed;         // number of its first strands that are summed in the grid on behalf of all
+  int segments;        // of each strand
+  float each;          // strands that each summed one stands for
+  bool near;           // it is in the near cells
   uint unused;
 };
 layout(std430, binding = fur_groups_storage) readonly buffer FurGroups { uvec2 fur_groups[]; };  // part, first strand in it
@@ -15,7 +15,7 @@ layout(std430, binding = fur_parts_storage) readonly buffer FurParts { FurPart f
 struct FurStrand {
   FurPart part;
   uint strand;
-  uint first;  // its root among the points
+  uint first;  // index of its root among the points
   bool there;
 };
 

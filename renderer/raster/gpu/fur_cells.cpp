@@ -10,7 +10,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t sum_bytes = 8 * word_bytes;  // of a cell
+constexpr std::size_t sum_bytes = 8 * word_bytes;  // bytes of a cell's sums: sum_words of cells.glsl
 
 template <class T>
 bool same_bytes(const std::vector<T>& a, std::span<const T> b) {

@@ -1,6 +1,6 @@
-// Finds on the GPU what stands between a scene and its lights, where that has changed: bent strands, their density in
-// the cells of a grid, what each light crosses on its way to each cell, and how much of the sky the ground sees. The
-// results equal GrownFur's bent strands, DensityGrid, NearCells and SkyOverGround.
+// Computes on the GPU what shadows a scene, and again only what has changed: the bent strands, their density in the
+// cells of a grid, what each light crosses on its way to each cell, and how much of the sky is hidden from the ground.
+// The results correspond to GrownFur's bent strands, DensityGrid, NearCells and SkyOverGround.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// A part of the fur in the layout of fur.glsl.
+/// FurPart of fur.glsl, which describes the members.
 struct FurListPart {
   std::uint32_t points = 0, words = 0, count = 0, summed = 0;
   std::int32_t segments = 1;
@@ -25,10 +25,10 @@ class FurCells {
  public:
   explicit FurCells(const Gl& gl);
 
-  /// Finds what has changed in a scene, and sends it. `strands_changed`: the strands of the pool have changed.
+  /// Determines what has changed in a scene, and sends it. `strands_changed`: the strands of the pool have changed.
   void prepare(const RasterScene& scene, const StrandPool& pool, bool strands_changed);
-  /// Updates what depends on these changes; the scene's uniforms must have been sent. Returns false if a stage cannot
-  /// be built.
+  /// Computes what depends on the changes that prepare() found; the scene's uniforms must have been sent. Returns false
+  /// if a stage cannot be built.
   bool find(Stages& stages, const RasterScene& scene, const StrandPool& pool, const GpuModel& model);
 
   /// Returns the points of all strands, bent where something bends them.
@@ -36,11 +36,11 @@ class FurCells {
   std::uint32_t groups() const { return groups_; }
   bool has_near() const { return !near_parts_.empty(); }
 
-  // As the stages read them.
+  // Buffers that the drawing stages read: the CrossedCells, NearCells and Sky of the shaders.
   Storage crossed, near, sky;
 
  private:
-  /// Marks what has to be found again.
+  /// What has to be computed again.
   struct Stale {
     bool strands = true, light = true, near = true, sky = true;
   };

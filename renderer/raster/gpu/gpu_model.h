@@ -1,4 +1,4 @@
-// A model's surface on the GPU: sent where it is another.
+// A model's surface on the GPU: its shape, colours and fields. Parts are sent again if they have changed.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class GpuModel {
 
   void update(const RasterScene& scene);
 
-  // As the stages read them.
+  // Buffers that the stages read, under the shaders' names.
   Storage vertices, triangles, corners, looks, texels, field;
 
  private:

@@ -11,17 +11,17 @@
 namespace pelage {
 
 struct GpuRaster::Held {
-  /// Number of scenes kept on the GPU, so that clients who groom in turn do not upload everything anew.
+  /// Number of scenes kept on the GPU, so that clients who take turns do not upload everything again.
   static constexpr std::size_t max_scenes = 4;
 
   struct Scene {
-    const GrownPart* of;  // whose strands are there
+    const GrownPart* of;  // parts of the scene's fur: identify the scene
     SceneData data;
   };
 
   const Gl& gl;
   BoxStages stages;
-  std::list<Scene> scenes = {};  // the last one first
+  std::list<Scene> scenes = {};  // most recently drawn first
 
   /// Frees all buffers after the GL ran out of memory, so that the next frame starts fresh.
   Status out_of_memory() {
@@ -71,7 +71,7 @@ bool GpuRaster::can_draw(const FurModel& model, const GrownFur& fur) const {
   for (const GrownPart& part : fur.parts()) groups += (part.strands->count() + strand_group - 1) / strand_group;
   for (const ImageView& image : model.images)
     side = std::max({side, static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height)});
-  const std::size_t texels = 6 * side * side * model.images.size();  // with their levels, bytes
+  const std::size_t texels = 6 * side * side * model.images.size();  // bytes, with mip levels
   return groups <= max_strand_groups && std::max({StrandPool::bytes_for(fur.parts()), fur.bend().pieces.size_bytes(),
                                                   model.corners.size_bytes(), texels}) <= held_->stages.max_bytes();
 }
@@ -94,7 +94,7 @@ Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixe
   data.send(box);
   Totals found;
   do {
-    data.send_plan(strands);  // without what stages have found of its parts
+    data.send_plan(strands);  // resets what stages wrote into its parts
     if (!stages.draw(box, data) || (encoding && !stages.encode(scene, *encoding))) return stages.stages().failure();
     lost_ = !wait_for(held_->gl).ok() || held_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
     if (lost_) return lost_it();
@@ -128,7 +128,6 @@ Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, c
   return std::optional<Image>(std::move(picture));
 }
 
-/// Draws the upper and the lower half of a box in turn, where the whole does not fit into memory.
 Status GpuRaster::draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture,
                               RasterCounts& counts) {
   const int middle = box.top + (tiles_of(box).down / 2) * tile_side;

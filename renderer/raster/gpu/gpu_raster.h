@@ -1,4 +1,5 @@
-// Strands drawn by compute shaders of OpenGL 4.5: the same stages as Raster's, and the same picture but for rounding.
+// The rasterizer of strands on a GPU, by compute shaders of OpenGL 4.5: the stages of Raster, and the same picture up
+// to rounding.
 #pragma once
 
 #include <map>
@@ -16,8 +17,8 @@ namespace pelage {
 
 enum class Stage;
 
-/// A rasterizer that belongs to the thread of its GL. It submits a box at once: only reading the picture waits for the
-/// GPU. It draws the same scene with the same bits each time.
+/// Belongs to the thread of its GL. All stages of a box are submitted before it waits for the GPU. The same scene has
+/// the same bits each time.
 class GpuRaster {
  public:
   /// Builds the stages that draw light; the others are built when they are first needed. The GL outlives this object.
@@ -26,9 +27,9 @@ class GpuRaster {
   static Result<std::unique_ptr<GpuRaster>> create(const Gl& gl, std::size_t max_bytes = ~std::size_t{0});
   ~GpuRaster();
 
-  /// Returns whether these strands of a model can be drawn: both fit into buffers of this GL.
+  /// Returns whether a model with these strands can be drawn: both fit into buffers of this GL.
   bool can_draw(const FurModel& model, const GrownFur& fur) const;
-  /// Returns how many pixels a box that is drawn at once may have.
+  /// Returns the largest number of pixels that a box drawn at once may have.
   int box_pixels() const;
 
   /// Draws a box as Raster::draw_box and Raster::darken_box do. Fails with unavailable if a shader cannot be built or
@@ -39,20 +40,21 @@ class GpuRaster {
   /// draw_box does.
   Result<std::optional<Image>> draw_picture(const RasterScene& scene, const Encoding& encoding);
 
-  /// Drops what was sent of all scenes. Call it after any of them is gone.
+  /// Frees what was sent of all scenes. Call it whenever the fur of one is destroyed.
   void forget();
 
-  /// Adds the milliseconds of each stage to `times` from now on, for measurements; null stops it.
+  /// From now on adds the milliseconds of each stage to `times`, for benchmarks. Null turns that off.
   void measure(std::map<Stage, double>* times);
-  /// Returns whether the GL was reset: it draws nothing more.
+  /// Returns whether the GL was reset; nothing more can be drawn then.
   bool lost() const { return lost_; }
 
  private:
   GpuRaster(const Gl& gl, std::size_t max_bytes);
-  /// Draws a box on the GPU, up to its rows of pixels, and encodes them if `encoding` is given. Returns false if there
-  /// is no room for it.
+  /// Draws a box on the GPU up to its rows of pixels, and encodes them if `encoding` is given. Returns false if its
+  /// buffers would get too large.
   Result<bool> draw_rows(const RasterScene& scene, const PixelBox& box, RasterCounts& counts,
                          const Encoding* encoding = nullptr);
+  /// Draws the upper and the lower half of a box one after the other, if the whole does not fit into memory.
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
 
   struct Held;

@@ -1,12 +1,12 @@
 #version 450 core
-// Darkens what shows the ground: renderer/raster/ground-inl.h. Darkness is found at some places of a tile, a few pixels
-// apart: it is as smooth as the grid's cells.
+// Darkens the pixels that show the ground: renderer/raster/ground-inl.h. Darkness is computed at positions `apart` pixels
+// apart and interpolated: it varies no faster than the grid's cells.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"
 #include "scene.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // black, and what gets through
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // a: transmittance
 layout(std430, binding = sky_storage) readonly buffer Sky { float sky[]; };
 #include "../../shaders/shared/strand.glsl"
 #include "lights.glsl"

@@ -13,12 +13,12 @@ layout(std430, binding = strand_points_storage) readonly buffer StrandPoints { u
 layout(std430, binding = lit_points_storage) readonly buffer LitPoints { vec4 lit_points[]; };
 layout(std430, binding = knots_storage) buffer Knots { uvec2 knots[]; };
 
-// Light along a strand: knots have the light of the same height.
+// Light along a strand, interpolated between the points of its lit strand; a knot takes the light at its own height.
 struct LightAlong {
-  uint points;  // the first of the lit strand
-  int count;
-  float first, step;  // of the points, at the first knot and from knot to knot
-  vec3 factor;        // on colours
+  uint points;  // index of the lit strand's first point
+  int count;    // number of its points
+  float first, step;  // position among the points of the first knot, and from knot to knot
+  vec3 factor;        // on the colours of the knots
 };
 
 LightAlong light_along(Part part, uint strand, uint lit) {
@@ -33,17 +33,18 @@ LightAlong light_along(Part part, uint strand, uint lit) {
                     factor);
 }
 
-// The points end one beyond the tip: what is taller gets more light than the tip.
+// Returns the position of a knot among the points. It ends one beyond the tip: the tip of a taller strand gets more light
+// than that of the lit strand.
 float place_of(LightAlong light, int knot) {
   return clamp(light.first + float(knot) * light.step, 0.0, float(light.count));
 }
-// Of the one beyond the tip: by how much the tip has more light than the point before it.
+// Returns the light of a point. The point after the tip holds how much more light the tip has than the point before it.
 vec3 light_of(LightAlong light, int point) {
   if (point < light.count) return lit_points[light.points + uint(point)].rgb;
   uint tip = light.points + uint(light.count - 1);
   return lit_points[tip].rgb - lit_points[tip - 1u].rgb;
 }
-// How much of a point's light is sent at a place that is no further than one from it; the tip's stays beyond it.
+// Returns the weight of a point's light at a position at most one away from it; that of the tip stays 1 beyond it.
 float share_of(LightAlong light, int point, float place) {
   float after = place - float(point);
   return after > 0.0 && point + 1 == light.count ? 1.0 : max(1.0 - abs(after), 0.0);
@@ -53,17 +54,17 @@ vec3 colour_of(Part part, uint strand, LightAlong light, int knot) {
   return (unpacked_colour(colour_word(part, strand, knot)) + over_black) * light.factor;
 }
 
-// A piece of a strand between two drawn knots: PieceLight of renderer/raster/shared_light-inl.h.
+// The light at both ends of the segment between two drawn knots: PieceLight of renderer/raster/shared_light-inl.h.
 struct PieceLight {
   float begin_place, end_place;
   vec3 begin_colour, end_colour;
-  int low;               // a point
-  vec3 mean, next_mean;  // of it, and of the one after it
+  int low;               // the current point
+  vec3 mean, next_mean;  // its mean weight, and that of the next point
   vec3 at_begin, at_end;
-  vec3 all, wanted, tilt;  // of all points: means, and how the begin differs, as wanted and as it is
+  vec3 all, wanted, tilt;  // sums: of mean weights; of how the begin's weight differs, before and after the clamp
 };
 
-// Gives both ends the light of the point `low`.
+// Adds the light of the point `low` to both ends, and goes on to the next point.
 void next_point(inout PieceLight piece, LightAlong light) {
   vec3 wanted = 0.5 * (piece.begin_colour * share_of(light, piece.low, piece.begin_place) -
                      piece.end_colour * share_of(light, piece.low, piece.end_place));
@@ -79,9 +80,9 @@ void next_point(inout PieceLight piece, LightAlong light) {
   ++piece.low;
 }
 
-// Light that is the same at all points is the same at both ends.
+// Makes light that is the same at all points also the same at both ends.
 void even_out(inout PieceLight piece) {
-  vec3 missing = piece.wanted - piece.tilt;  // at the begin
+  vec3 missing = piece.wanted - piece.tilt;  // at the begin, over all points
   vec3 from_end = clamp(missing / max(piece.all - piece.tilt, 1e-12), 0.0, 1.0) * piece.at_end;
   vec3 from_begin = clamp(-missing / max(piece.all + piece.tilt, 1e-12), 0.0, 1.0) * piece.at_begin;
   piece.at_begin += from_end - from_begin;
@@ -108,7 +109,7 @@ PieceLight piece_light(Part part, uint strand, LightAlong light, int begin, int 
   bool ends_beyond = piece.low == light.count;
   if (!ends_beyond) next_point(piece, light);
   even_out(piece);
-  if (ends_beyond) next_point(piece, light);  // what tips gain is no light that all points have
+  if (ends_beyond) next_point(piece, light);  // the gain beyond the tip is not light that all points have
   return piece;
 }
 
@@ -117,7 +118,7 @@ int number_of(uint knot, int segments) {
 }
 
 void keep_light(uint knot, vec3 before, vec3 after) {
-  const float largest = 65504.0;  // of half floats
+  const float largest = 65504.0;  // largest half float
   vec3 kept = clamp(0.5 * (before + after), is_coloured ? 0.0 : -largest, largest);
   float along = unpackHalf2x16(knots[3 * knot + 2].y).y;
   knots[3 * knot + 2] = uvec2(packHalf2x16(kept.rg), packHalf2x16(vec2(kept.b, along)));

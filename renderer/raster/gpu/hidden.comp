@@ -1,5 +1,6 @@
 #version 450 core
-// Each block's number becomes the furthest around it; 0 where that reaches out of the box (SkinPixels::hidden).
+// Finds for each block of pixels 1 / the furthest distance in the blocks around it; 0 if those reach out of the box
+// (SkinPixels::hidden).
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -7,7 +8,7 @@ layout(std430, binding = 0) readonly buffer Blocks { float blocks[]; };
 layout(std430, binding = 1) writeonly buffer Hidden { float hidden[]; };
 
 void main() {
-  const int around = 2;
+  const int around = 2;  // blocks
   ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = 4 * tiles;
   if (any(greaterThanEqual(at, size))) return;
   float furthest = 3.4e38;

@@ -1,5 +1,5 @@
 #version 450 core
-// Finds how far the strands of each part go that face the camera.
+// Finds the last kept strand of each part: Part::last.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"

@@ -1,8 +1,8 @@
-// The strand of a lane: keep_strands of renderer/raster/cull.cpp.
+// The strand of a lane, and whether it is kept: keep_strands of renderer/raster/cull.cpp.
 struct KeptStrand {
   uint part, strand;
   bool there;     // it is kept
-  float widened;  // by what it stands for
+  float widened;  // factor on its width
 };
 
 KeptStrand kept_strand(uint group, uint lane) {
@@ -13,6 +13,6 @@ KeptStrand kept_strand(uint group, uint lane) {
   kept.there = kept.strand < part.kept &&
                dot(root_normal(part, min(kept.strand, part.count - 1)), part.back) >= part.min_facing;
   float left = part.exact < float(part.count) ? min((part.exact - float(kept.strand)) / (0.125 * part.exact), 1.0) : 1.0;
-  kept.widened = part.whole * max(left, 1e-6);  // the last one may be all but left out
+  kept.widened = part.whole * max(left, 1e-6);  // above 0: the last strand may have faded to nothing
   return kept;
 }

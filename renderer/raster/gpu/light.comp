@@ -26,8 +26,8 @@ vec3 field_at_root(uint root) {
 #include "lights.glsl"
 #include "near_cells.glsl"
 layout(std430, binding = near_storage) readonly buffer NearCells {
-  uint near_total[2];  // of all cells, low word first
-  uint near_cells[];   // two in a word
+  uint near_total[2];  // sum of all cells, low word first
+  uint near_cells[];   // two cells in a word
 };
 float near_mean;
 float near_count(vec3 cell) {
@@ -42,13 +42,13 @@ Shine painted_shine(float painted) {
                (1.0 + water_sharpens * wetter) / (1.0 + water_sharpens * wetness));
 }
 
-// 1 for a coat no higher than a cell, 0 from two and a half cells on.
+// Returns 1 for a coat no higher than a cell, falling to 0 at two and a half cells.
 float thinness(StrandDepth depth) {
   float height = dot(depth.tip - depth.root, depth.normal) / max(depth.reach, 0.01);
   return 1.0 - smoothstep(1.0 * grid_cell, 2.5 * grid_cell, height);
 }
 
-// What a strand's points share.
+// What all points of a strand share.
 struct LitStrand {
   StrandDepth depth;
   vec3 ambient;

@@ -1,5 +1,6 @@
 #version 450 core
-// Light of eyes, where it gets through the strands; the skin beside an eye's edge still gets the rest.
+// Adds the light of eyes, weighted by the transmittance of the strands in front. At an eye's edge part of the pixel is
+// left to the skin.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"
@@ -7,7 +8,7 @@
 #include "shown.glsl"
 #include "eye_shading.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // rgb: what is shown; a: transmittance
 
 // Returns the part of an eye's light that comes from the scene's lights.
 vec3 direct_light(EyeHit hit) {

@@ -1,4 +1,4 @@
-// Points of a strand that are lit: LitKnots of renderer/raster/strand_light-inl.h.
+// The knots of a strand that are lit: LitKnots of renderer/raster/strand_light-inl.h.
 const int max_points = 16;
 
 struct LitKnots {
@@ -14,7 +14,7 @@ int lit_knot(LitKnots lit, int segments, int point) {
   return lit.first + point * (segments - lit.first) / (lit.count - 1);
 }
 
-// pack_colour, undone.
+// unpack_colour of renderer/strands/strand_set.h.
 vec3 unpacked_colour(uint word) {
   vec3 share = vec3(word & 1023u, word >> 10 & 1023u, word >> 20 & 1023u) * (1.0 / 1023.0);
   return 4.0 * share * share;

@@ -1,6 +1,6 @@
 #version 450 core
-// What each light crosses up to the middle of each cell: LightCells::look_back, a cell a lane. Near a cell along the ray
-// itself, from there on what has come through.
+// Finds what each light crosses up to the middle of each cell: LightCells::look_back, a cell a lane. Sums the cells along
+// the ray itself near the cell, and adds what sweep.comp found from there on.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -10,7 +10,7 @@ layout(std430, binding = within_storage) readonly buffer Within { uint within[];
 layout(std430, binding = through_storage) readonly buffer Through { uint through[]; };
 layout(std430, binding = crossed_storage) writeonly buffer CrossedCells { uint crossed_cells[]; };
 
-// To 6 bits, in steps of 1/64 strand at least: coarse of renderer/raster/cell_rows-inl.h.
+// Rounds to 6 bits, but to steps of at least 1/64 strand: coarse of renderer/raster/cell_rows-inl.h.
 float coarse(float number) {
   const float step = crossed_one / 64.0;
   if (number < crossed_one) return floor(number / step + 0.5) * step;

@@ -1,5 +1,5 @@
 #version 450 core
-// Finds the strands that are lit: those whose light a drawn strand uses. Writes the number of points of each.
+// Finds the strands whose light a drawn strand takes, and writes how many points of each are lit.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"
@@ -7,7 +7,8 @@
 #include "lit_knots.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = strand_knots_storage) readonly buffer StrandKnots { uint first_knots[]; };
-layout(std430, binding = strand_points_storage) writeonly buffer StrandPoints { uint first_points[]; };  // counts, here
+// Here the number of lit points of each strand; a scan turns them into first points.
+layout(std430, binding = strand_points_storage) writeonly buffer StrandPoints { uint first_points[]; };
 
 void main() {
   if (group_number() * strand_group >= strand_count) return;

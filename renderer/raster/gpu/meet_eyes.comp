@@ -1,5 +1,5 @@
 #version 450 core
-// Finds which eye each pixel shows, if one is no further away than the skin.
+// Finds the nearest eye in each pixel, if it is no further away than the skin.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"

@@ -1,6 +1,7 @@
-// The model's own colour: renderer/optics/colours-inl.h.
-layout(std430, binding = corners_storage) readonly buffer Corners { uint corners[]; };  // FurCorner: a whole number among floats
-layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[]; };  // width, height, first of each level; texels
+// The model's own colour: own_colour of renderer/raster/skin_light-inl.h, image_colour of renderer/optics/colours-inl.h.
+layout(std430, binding = corners_storage) readonly buffer Corners { uint corners[]; };  // FurCorner; `image` is an int among floats
+// Width, height and first texel of each mip level, then the texels.
+layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[]; };
 
 float corner_float(uint at) { return uintBitsToFloat(corners[at]); }
 
@@ -18,7 +19,7 @@ vec3 linear_texel(uint word) {
 int wrapped(int at, int side) { return at < 0 ? at + side : at < side ? at : at - side; }
 
 // Returns the colour at uv (v up), interpolated between four texels of the mipmap level that is nearest to the pixel's
-// size; `pixel` is a share of the picture's side.
+// size. `pixel`: that size as a share of the image's side.
 vec3 image_colour(vec3 uv, float pixel) {
   if (uv.z < -0.5) return vec3(1.0);
   float largest = float(max(texels[0], texels[1])), lod = clamp(log2(pixel * largest) + 0.5, 0.0, float(texel_levels - 1));
@@ -36,7 +37,7 @@ vec3 image_colour(vec3 uv, float pixel) {
   return sum;
 }
 
-// `pixel` is the size of one there, sizes, and `area` twice that of the piece.
+// Returns the model's own colour. `pixel` is the size of a pixel there, sizes, and `area` twice the triangle's area.
 vec3 model_colour(PieceCorners at, float pixel, float area) {
   if (!model_colours) return frame.skin.rgb;
   vec3 colour = max(vec3(mixed_corner(at, 7), mixed_corner(at, 8), mixed_corner(at, 9)), 0.0);

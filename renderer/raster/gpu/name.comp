@@ -1,16 +1,16 @@
 #version 450 core
-// Replaces the segment that covers most of a pixel by its strand: the strand's number from 1 on, the position along it,
-// and its coat. Pixels where skin or an eye shows more get none.
+// Replaces the segment that covers most of a pixel by its strand, for RasterOutput::strand: the strand's number from 1,
+// the position along it, and its coat. Pixels where skin or an eye covers more get 0.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "plan.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // knot, where on the segment, how much
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // knot | knot_bit, position along the segment, coverage
 layout(std430, binding = 1) readonly buffer Ends { float ends[]; };
 layout(std430, binding = strand_knots_storage) readonly buffer StrandKnots { uint first_knots[]; };
 layout(std430, binding = knots_storage) readonly buffer Knots { uvec2 knots[]; };
 
-// The lane of the strand that has a knot.
+// Returns the lane of the strand to which a knot belongs.
 uint lane_of(uint knot) {
   uint low = 0, length = strand_count;
   for (int bits = 0; bits < 32 && length > 0; ++bits) {

@@ -1,5 +1,5 @@
 #version 450 core
-// Adds single strands of parts that are near to small cells: renderer/raster/near_cells.cpp, a strand a lane.
+// Adds the strands of the parts near the camera to the near cells: renderer/raster/near_cells.cpp, a strand a lane.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "fur.glsl"
@@ -7,8 +7,8 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = points_storage) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = near_storage) buffer NearCells {
-  uint near_total[2];  // of all cells, low word first
-  uint near_cells[];   // two in a word
+  uint near_total[2];  // sum of all cells, low word first
+  uint near_cells[];   // two cells in a word
 };
 
 shared uint sum_of_group;

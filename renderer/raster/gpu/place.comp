@@ -1,5 +1,6 @@
 #version 450 core
-// Places strands on the picture: first counts the knots that each is drawn with, then writes them.
+// Places strands on the picture: renderer/raster/place-inl.h, a strand a lane. The first pass counts the knots that each
+// is drawn with, the second writes them.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"
@@ -11,12 +12,14 @@
 #include "strand.glsl"
 layout(local_size_x = 64) in;
 
-layout(std430, binding = hidden_storage) readonly buffer Hidden { float hidden[]; };       // of each block of pixels
-layout(std430, binding = strand_knots_storage) buffer StrandKnots { uint first_knots[]; };  // of each lane; counts first
-layout(std430, binding = knots_storage) buffer Knots { uvec2 knots[]; };                     // three of each
+layout(std430, binding = hidden_storage) readonly buffer Hidden { float hidden[]; };  // for each block of pixels: SkinPixels::hidden
+// For each lane: the number of its knots in the first pass, its first knot in the second.
+layout(std430, binding = strand_knots_storage) buffer StrandKnots { uint first_knots[]; };
+// Three for each knot: position; 1 / distance, half width; light (rgb) and position along the strand as half floats.
+layout(std430, binding = knots_storage) buffer Knots { uvec2 knots[]; };
 uniform bool writing;
 
-// Whether a strand touches the box and may show in it: seen_lanes of renderer/raster/place-inl.h.
+// Returns whether a strand touches the box and may be visible in it: seen_lanes of renderer/raster/place-inl.h.
 bool is_seen(Part part, KeptStrand kept, PlacedStrand placed, float wider) {
   float beside = drawn_edge + (wider - 1.0) * placed.widest;
   if (any(lessThanEqual(placed.high, vec2(box.xy) - beside)) || any(greaterThanEqual(placed.low, vec2(box.zw) + beside)))
@@ -34,9 +37,9 @@ bool is_seen(Part part, KeptStrand kept, PlacedStrand placed, float wider) {
 
 // How a strand is drawn.
 struct DrawnStrand {
-  int first, deep;  // its first knot, and the last one that only gaps between strands show
-  int count;        // segments that are drawn
-  float packing;
+  int first, deep;  // first knot drawn; knots before `deep` are visible only through gaps between strands
+  int count;        // number of segments that are drawn
+  float packing;    // of KeptLane in renderer/raster/place-inl.h
 };
 
 DrawnStrand drawn_strand(Part part, KeptStrand kept, PlacedStrand placed, bool from_root) {
@@ -57,8 +60,8 @@ int knot_number(DrawnStrand drawn, int segments, int at) {
   return drawn.first + int(float(at) * step + 0.01);
 }
 
-// Returns a knot as it is drawn. Strands do not intersect each other: packed_half of renderer/raster/place-inl.h. Deep
-// knots are wider, but not so wide that they would show beside the fur above them.
+// Returns a knot as it is drawn, widened for packing (packed_half of renderer/raster/place-inl.h). Deep knots are wider,
+// but not so wide that they would be visible beside the fur above them.
 Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, int number) {
   Knot knot = knot_of(part, kept.strand, number, kept.widened);
   float thin = knot.thickness, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
@@ -74,7 +77,8 @@ vec2 rounded_tip(Knot tip, Knot before, float wider) {
   return tip.at + more * (tip.at - before.at);
 }
 
-// Turns of a curl that are too small to be drawn cover as much when what is drawn of them is wider.
+// Returns the half width of a knot, wider if the turns of a curl are too small to be drawn, so that the coverage stays the
+// same. `more`: length of the curl over what is drawn of it.
 float wider_for_curls(float thickness, float more, float step) {
   return more < 1.1 ? thickness : min(thickness * more, thickness + min(step, 1.0));
 }
@@ -128,6 +132,6 @@ void main() {
     first_knots[lane] = uint(drawn.count) + 1;
     return;
   }
-  drawn.count = int(first_knots[lane + 1] - first_knots[lane]) - 1;  // as it was counted, whatever a driver made of that
+  drawn.count = int(first_knots[lane + 1] - first_knots[lane]) - 1;  // as counted, even if this pass rounds differently
   write_strand(part, kept, placed, drawn, first_knots[lane]);
 }

@@ -1,26 +1,27 @@
-// Which strands a frame may keep of which parts; strand_plan.h mirrors it. Strands lie in groups of one part.
+// The plan of a box: which strands of which parts it may keep, in groups of strands of one part. strand_plan.h mirrors the
+// layout.
 struct Part {
-  vec3 back;         // from the middle of its skin to the camera, unit
-  float min_facing;  // cosine to it of a root's normal from which on its strand is kept
-  uint points, words;  // in the pools: first point, first word of its colours
-  uint count;          // strands, of which
-  uint kept;           // the first so many may be drawn
-  float exact, whole;  // how many are kept, how much wider each is
-  uint first;          // lane of its first strand
-  uint number;         // of its first strand in the whole coat
-  int segments;
-  bool is_curve, has_mean;
-  uint last;  // strands that face the camera, with all before the last of them; found by keep.comp
-  uint lit_of;
-  float own_colour;
-  float wider, packing;
-  float crowding;
-  float coat;  // as pictures name it
+  vec3 back;           // direction from the middle of its skin to the camera, unit
+  float min_facing;    // smallest cosine between a root's normal and `back` of a strand that is kept
+  uint points, words;  // in the pools: index of its first point, and of the first word of its colours
+  uint count;          // number of strands
+  uint kept;           // only the first `kept` strands may be drawn
+  float exact, whole;  // of StrandCull (renderer/raster/cull.h)
+  uint first;          // lane of its first strand, over all groups
+  uint number;         // strands of all parts before it
+  int segments;        // of each strand
+  bool is_curve, has_mean;  // its strands are curves; they have a factor to the mean strand's colour (to_mean)
+  uint last;           // 1 + the last kept strand, which keep.comp finds; 0 if there is none
+  uint lit_of;         // strands in a group of which one is lit
+  float own_colour;    // share of a strand's colour that is its own; the rest is the mean's
+  float wider, packing;  // of GrownPart
+  float crowding;        // of GrownPart
+  float coat;            // coat_number of renderer/raster/raster_scene.h
   float unused[2];
 };
 
 layout(std430, binding = plan_storage) buffer Plan {
-  uvec2 groups[max_strand_groups];  // part, first strand in it
+  uvec2 groups[max_strand_groups];  // index of the part, first strand of the group in that part
   Part parts[];
 };
 

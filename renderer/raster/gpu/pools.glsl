@@ -1,5 +1,5 @@
-// Strands of all parts as they have grown (renderer/strands/strand_set.h): of each part its points, and in words one after
-// the other colours, neighbours, roots and what leads to the mean.
+// The strands of all parts (renderer/strands/strand_set.h). Each part has its points in one buffer, and in the other its
+// colours, neighbours, roots and to_mean, one after the other.
 layout(std430, binding = points_storage) readonly buffer Points { vec4 pool_points[]; };
 layout(std430, binding = words_storage) readonly buffer Words { uint pool_words[]; };
 
@@ -20,7 +20,7 @@ vec3 root_normal(Part part, uint strand) {
 float root_reach(Part part, uint strand) { return root_number(root_at(part, strand), 4); }
 uint to_mean_word(Part part, uint strand) { return pool_words[root_at(part, part.count) + strand]; }
 
-// The strand whose light a strand has: lit_strand of renderer/raster/kernels.h.
+// Returns the strand whose light a strand takes: lit_strand of renderer/raster/kernels.h.
 uint lit_strand(Part part, uint strand, uint own) {
   uint lit = strand;
   while (lit >= own) lit = neighbour_of(part, lit);

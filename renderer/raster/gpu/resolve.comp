@@ -1,6 +1,6 @@
 #version 450 core
-// Reorders pixels from tile by tile to row by row, and turns transmittance into alpha. The totals of what was found
-// come before the pixels.
+// Reorders pixels from tile by tile to row by row, and turns transmittance into alpha. The Totals of BoxStages come before
+// the pixels.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;

@@ -1,9 +1,10 @@
 #version 450 core
-// Exclusive prefix sums (Blelloch 1990): of each run of numbers, then of the runs' sums, then the one added to the other.
+// Exclusive prefix sums (Blelloch 1990): within each run of numbers, then over the sums of the runs, which are then added
+// to the runs.
 layout(local_size_x = 256) in;
 layout(std430, binding = 0) buffer Numbers { uint numbers[]; };
-layout(std430, binding = 1) buffer Sums { uint sums[]; };  // of each run, then of all
-uniform int stage;  // 0: within runs; 1: of the runs' sums, by one group; 2: adds those
+layout(std430, binding = 1) buffer Sums { uint sums[]; };  // sum of each run, then of all numbers
+uniform int stage;  // 0: within runs; 1: over the sums of the runs, by one group; 2: adds these to the runs
 uniform uint count;
 
 const uint run = 1024;

@@ -1,15 +1,16 @@
-// What every stage knows of the scene (renderer/raster/raster_scene.h). Layout std140; scene_block.h mirrors it.
+// The uniforms of the scene that every stage reads (renderer/raster/raster_scene.h), and functions on them. Layout std140;
+// scene_block.h mirrors it.
 layout(std140, binding = raster_binding) uniform RasterBlock {
   vec3 camera_position;
-  float camera_scale;  // pixels of a size at distance 1
+  float camera_scale;  // pixels that a length of 1 size covers at distance 1
   vec3 camera_right;
-  float oversampling;
+  float oversampling;  // pixels of the picture along a side of a shown pixel
   vec3 camera_up;
-  float over_view;
+  float over_view;  // factor from a distance to the length that the picture's longer side spans there
   vec3 camera_forward;
   float wetness;  // of the coat
   vec2 camera_middle;
-  ivec2 tiles;  // across and down the box
+  ivec2 tiles;  // number of tiles across and down the box
   ivec4 box;    // left, top, right, bottom, pixels
   vec3 grid_low;
   float grid_cell;
@@ -24,11 +25,11 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   uint key_furthest;
   int key_shift;
   uint triangle_count;
-  uint strand_count;  // that may be kept, in whole groups of strand_group
+  uint strand_count;  // strands of the plan, in whole groups of strand_group
   uint knot_room;
   uint entry_room;
   uint lit_point_room;
-  uint texel_levels;  // of the model's pictures; 0 for none
+  uint texel_levels;  // mip levels of the model's images; 0 for none
   bool model_colours;
   int eye_count;
   float ground_height;
@@ -38,27 +39,27 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   vec2 sky_low;
   ivec2 sky_size;
   int eye_steps;
-  vec4 light_widths[max_lights];  // radius, or the tangent of half the angle of a far one; 1 for a far one
-  ivec4 eye_boxes[max_eyes];      // pixels that an eye may touch
+  vec4 light_widths[max_lights];  // x: radius, or the tangent of a directional light's half angle; y: 1 if directional, else 0
+  ivec4 eye_boxes[max_eyes];      // pixels that the eye may cover: left, top, right, bottom
 };
 
-// A knot of a strand on the picture.
+// A knot of a strand, projected to the picture.
 struct Knot {
   vec2 at;          // pixels
-  float inverse;    // one over the distance along the view; 0 for what is too near to be drawn
-  float thickness;  // half of it, pixels
+  float inverse;    // 1 / distance along the view; 0 if too near to be drawn
+  float thickness;  // half of the strand's width, pixels
 };
 
-// A place on a piece of the skin.
+// A position on a triangle of the model.
 struct PieceCorners {
   uint piece;
-  float b, c;  // shares of the second and the third corner
+  float b, c;  // barycentrics of the second and the third corner
 };
 
-const uint strand_group = 64;  // of strands of one part
-const uint root_words = 9;  // StrandRoot, FurCorner
-const uint corner_words = 15;
-const uint knot_bit = 0x40000000;  // of numbers of knots that go as floats
+const uint strand_group = 64;  // strands of one part in a work group
+const uint root_words = 9;     // size of a StrandRoot
+const uint corner_words = 15;  // size of a FurCorner
+const uint knot_bit = 0x40000000;  // set in knot numbers that are stored as a float's bits, so that none is a denormal
 
 // Returns the ray through a position of the picture; its component along the view is 1.
 vec3 ray_through(vec2 pixel) {
@@ -66,11 +67,11 @@ vec3 ray_through(vec2 pixel) {
   return camera_forward + off.x * camera_right - off.y * camera_up;
 }
 
-// In a dispatch of rows of groups, of strand_group lanes each.
+// Index of this work group, in a dispatch of several rows of groups; and of this lane, with strand_group lanes in a group.
 uint group_number() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint lane_number() { return group_number() * strand_group + gl_LocalInvocationIndex; }
 
-// Pixels lie tile by tile, in a tile row by row. From the corner of the box:
+// Returns the index of a pixel of the box, relative to its corner. Pixels lie tile by tile, in a tile row by row.
 uint pixel_index(ivec2 at) {
   uvec2 pixel = uvec2(at), tile = pixel / tile_side, off = pixel % tile_side;
   return (tile.y * uint(tiles.x) + tile.x) * tile_pixels + off.y * tile_side + off.x;

@@ -1,4 +1,4 @@
-// Uniforms that all stages share: renderer/raster/gpu/scene.glsl, laid out as std140 wants it.
+// The uniforms that all stages share: RasterBlock of scene.glsl, which describes the members, in the layout std140.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-/// How much stages may write.
+/// How many knots, lit points and tile entries the buffers have room for.
 struct StageRooms {
   std::uint32_t knots = 0, lit_points = 0, entries = 0;
   bool operator==(const StageRooms&) const = default;
@@ -50,7 +50,7 @@ struct SceneBlock {
 };
 static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights + max_eyes));
 
-/// `strands` that may be kept.
+/// Returns the block of a box. `strands`: StrandPlan::strands.
 SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms);
 
 }  // namespace pelage

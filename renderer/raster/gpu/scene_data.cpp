@@ -17,7 +17,7 @@ void SceneData::send_eyes(const EyeOptics& optics) {
   if (!optics.tissues) return;
   eyes.send(std::span<const EyeBlock>(&optics.block, 1));
   if (tissues.bytes() < optics.tissues->words.size())
-    tissues.send(std::span<const std::int32_t>(optics.tissues->words));  // the same of all eyes
+    tissues.send(std::span<const std::int32_t>(optics.tissues->words));  // the tissue is the same for all eyes
   caustics.send(optics.caustics);
 }
 

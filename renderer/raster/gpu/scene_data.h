@@ -1,4 +1,4 @@
-// What all stages of a box read: its scene on the GPU, sent where it has changed.
+// A scene on the GPU, which all stages of a box read. Parts are sent again if they have changed.
 #pragma once
 
 #include "renderer/gl/handles.h"
@@ -11,7 +11,7 @@
 
 namespace pelage {
 
-/// A uniform block.
+/// The buffer of a uniform block.
 class Uniforms {
  public:
   explicit Uniforms(const Gl& gl) : gl_(gl), buffer_(gl) {}
@@ -27,7 +27,7 @@ class Uniforms {
   Buffer buffer_;
 };
 
-/// A box that is drawn.
+/// A box of a scene's picture that is being drawn.
 struct DrawnBox {
   const RasterScene& scene;
   const PixelBox& pixels;
@@ -55,9 +55,9 @@ class SceneData {
         skin_(gl),
         scene_(gl) {}
 
-  /// The strands of a scene, before a plan is made of them.
+  /// Sends the strands of a scene. Call it before the plan is made, which refers to them.
   void send_strands(const RasterScene& scene) { strands_changed_ = pool.update(scene.parts) || strands_changed_; }
-  /// All else.
+  /// Sends everything else but the plan and the rooms.
   void send(const DrawnBox& box);
   void send_plan(const StrandPlan& strands);
   void send_rooms(const DrawnBox& box, const StageRooms& rooms) {
@@ -70,14 +70,14 @@ class SceneData {
   GpuModel model;
   FurCells cells;
   Storage plan, azimuthal, eyes, tissues, caustics;
-  Storage drawn;  // whether each tile is
+  Storage drawn;  // for each tile of the box, 1 if it is to be drawn, else 0
 
  private:
   void send_azimuthal(const AzimuthalFit& fit);
   void send_eyes(const EyeOptics& optics);
 
   Uniforms frame_, scattering_, skin_, scene_;
-  bool strands_changed_ = true;  // since all else was sent
+  bool strands_changed_ = true;  // since the last send()
 };
 
 }  // namespace pelage

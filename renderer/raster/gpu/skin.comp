@@ -1,16 +1,16 @@
 #version 450 core
 // Finds which triangle of the skin is nearest in each pixel of the box: renderer/raster/skin.cpp, several lanes for
-// each triangle. The first pass finds one over the distance, the second the first triangle at that distance.
+// each triangle. The first pass finds 1 / distance, the second the first triangle at that distance.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 layout(local_size_x = 64) in;
-layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };  // place and normal of each
+layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };  // position and normal of each
 layout(std430, binding = 1) readonly buffer Triangles { uint triangles[]; };
-layout(std430, binding = 2) buffer SkinPixels { uint skin_pixels[]; };  // of each pixel bits of one over the distance, piece
-uniform bool naming;
-uniform uint lanes_a_triangle;  // in which its rows lie in turns
+layout(std430, binding = 2) buffer SkinPixels { uint skin_pixels[]; };  // for each pixel: bits of 1 / distance (0 for none), triangle
+uniform bool naming;  // second pass
+uniform uint lanes_a_triangle;  // the rows of a triangle are dealt out to them in turn
 
-// A corner on the picture, in double: those of near triangles lie millions of pixels away.
+// A corner projected to the picture. In double precision, because those of near triangles lie millions of pixels away.
 struct FlatCorner {
   dvec2 at;
   double inverse;
@@ -34,7 +34,7 @@ void meet(ivec2 pixel, float found, uint piece) {
 }
 
 void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ivec2 columns, uint piece) {
-  const double overlap = 1e-3lf;  // pixels: neighbours overlap, so that none is missed between two
+  const double overlap = 1e-3lf;  // pixels by which neighbouring triangles overlap, so that no pixel is missed between them
   dvec2 from[3] = dvec2[3](b.at, c.at, a.at), to[3] = dvec2[3](c.at, a.at, b.at);
   dvec3 inverses = dvec3(a.inverse, b.inverse, c.inverse), at, across;
   double low = double(columns.x), high = double(columns.y);

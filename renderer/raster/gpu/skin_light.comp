@@ -1,15 +1,16 @@
 #version 450 core
-// Light of the skin, where it gets through the strands: renderer/raster/skin_light-inl.h, a pixel a lane.
+// Adds the light of the skin, weighted by the transmittance in front of it: renderer/raster/skin_light-inl.h, a pixel a
+// lane.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "../../shaders/dialect.glsl"
 #include "scene.glsl"
 #include "shown.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // what is shown, and what gets through
+layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // rgb: what is shown; a: transmittance
 layout(std430, binding = skin_pixels_storage) readonly buffer SkinPixels { uint skin_pixels[]; };
-layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // place and normal of each
-layout(std430, binding = looks_storage) readonly buffer Looks { float looks[]; };           // SkinLook of each corner
+layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // position and normal of each
+layout(std430, binding = looks_storage) readonly buffer Looks { float looks[]; };           // SkinLook of each corner of each triangle
 
 #ifdef SHOWN_FIELD
 #include "field.glsl"

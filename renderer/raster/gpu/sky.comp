@@ -1,6 +1,6 @@
 #version 450 core
-// How much of the sky each place of the ground sees: sky_over_ground of renderer/raster/sky_over_ground.cpp, a place a
-// lane.
+// Finds how much of the sky is hidden from each position of the ground's map: sky_over_ground of
+// renderer/raster/sky_over_ground.cpp, a position a lane.
 #include "../../shaders/constants.glsl"
 #include "scene.glsl"
 #include "columns.glsl"
@@ -11,7 +11,8 @@ layout(std430, binding = columns_storage) readonly buffer ColumnWords {
 };
 layout(std430, binding = sky_storage) writeonly buffer Sky { float sky[]; };
 
-// Returns direction i of a set that samples a matt sky evenly: a spiral on the disc (Vogel 1979), lifted to the sphere.
+// Returns direction i of a set of cosine-weighted samples of a uniform sky: a spiral on the disc (Vogel 1979), lifted to
+// the hemisphere.
 vec3 sky_way(int i) {
   float square = (float(i) + 0.5) / float(sky_ways), angle = 2.399963 * float(i);
   return vec3(sqrt(square) * cos(angle), sqrt(1.0 - square), sqrt(square) * sin(angle));

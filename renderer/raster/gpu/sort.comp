@@ -5,7 +5,7 @@
 layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; };
 layout(std430, binding = 1) coherent buffer Entries { uvec2 entries[]; };
-layout(std430, binding = 2) coherent buffer Others { uvec2 others[]; };  // used on the way
+layout(std430, binding = 2) coherent buffer Others { uvec2 others[]; };  // scratch memory
 uniform uint entry_room;
 
 const uint run = 2048;
@@ -52,7 +52,7 @@ uint count_before(uint first, uint end, uvec2 entry, bool in_others) {
   return low - first;
 }
 
-// Runs of `size` entries become runs of twice as many, in the other buffer.
+// Merges runs of `size` entries into runs of twice as many, which it writes to the other buffer.
 void merge_runs(uint first, uint end, uint size, bool in_others) {
   for (uint i = first + gl_LocalInvocationIndex; i < end; i += 256) {
     uint own = (i - first) / size, pair = first + own / 2 * 2 * size, other = first + (own ^ 1u) * size;

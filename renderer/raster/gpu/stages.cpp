@@ -78,7 +78,7 @@ StageSource source_of(Stage stage) {
   return {"", nullptr};
 }
 
-/// The name that a shader has for what is shown; none for light.
+/// Returns the name by which shaders select an output; empty for light.
 std::string name_of(RasterOutput shown) {
   switch (shown) {
     case RasterOutput::light: return {};
@@ -98,7 +98,8 @@ std::string name_of(RasterOutput shown) {
   return {};
 }
 
-/// Lines for those of the names of what is shown that a source asks for.
+/// Returns the #define lines for an output, but only of names that the source contains, so that a stage has no more
+/// variants than it needs.
 std::string defines_of(std::string_view source, RasterOutput shown) {
   std::string defines;
   const auto add = [&](const std::string& name) {
@@ -130,7 +131,7 @@ const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_l
 }
 
 void Stages::run(std::size_t groups) const {
-  constexpr std::size_t across = 32768;  // GL promises 65535
+  constexpr std::size_t across = 32768;  // work groups in a row; GL guarantees 65535
   if (groups == 0) return;
   run({std::min(groups, across), (groups + across - 1) / across});
 }
@@ -145,7 +146,7 @@ void Stages::run(glm::ivec2 groups) const {
   gl_.Finish();
   GLuint64 nanoseconds = 0;
   gl_.GetQueryObjectui64v(timer_.id(), GL_QUERY_RESULT, &nanoseconds);
-  // llvmpipe's clock does not run while it computes.
+  // A software GL is timed on the CPU, because llvmpipe's timer does not run while it computes.
   (*times_)[current_] += gl_.is_software() ? passed.milliseconds() : 1e-6 * static_cast<double>(nanoseconds);
 }
 

@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-/// What a stage reads and writes: binding of a storage buffer, and the buffer.
+/// A buffer that a stage reads or writes, and its binding.
 struct StageStorage {
   int binding;
   const Storage* storage;
@@ -52,7 +52,7 @@ enum class Stage {
 
 /// Milliseconds of each stage on the GPU.
 using StageTimes = std::map<Stage, double>;
-/// As its file is called.
+/// Returns the name of a stage's shader file, without its extension.
 const char* name_of(Stage stage);
 
 class Stages {
@@ -62,14 +62,13 @@ class Stages {
   /// Makes a stage current, with its storage, in the variant for `shown` if it depends on that. Returns null if the
   /// stage cannot be built: `failure` says why.
   const Program* begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage);
-  /// Runs the current stage with that many groups, in one row or in several rows. What it wrote is visible to the next
-  /// stage.
+  /// Runs the current stage with that many work groups. What it writes is visible to later stages.
   void run(std::size_t groups) const;
   void run(glm::ivec2 groups) const;
 
   const Status& failure() const { return failure_; }
 
-  /// Adds what each run takes, and waits for it, for who measures; null for no more.
+  /// Where given, each run waits for the GPU and adds its milliseconds to `times`; for benchmarks. Null turns that off.
   void measure(StageTimes* times) { times_ = times; }
 
  private:

@@ -1,4 +1,4 @@
-// Arrays on the GPU, which stages read and write.
+// Storage buffers on the GPU, which stages read and write.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@ namespace pelage {
 
 inline constexpr std::size_t word_bytes = 4;
 
-/// A buffer that grows.
+/// A storage buffer that only grows.
 class Storage {
  public:
-  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) { reserve(least); }  // a stage may read what has nothing
+  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) { reserve(least); }  // never empty, so that it can be bound
 
   GLuint id() const { return buffer_.id(); }
   std::size_t bytes() const { return bytes_; }
 
-  /// Room for so many bytes at least; what was in it may be lost.
+  /// Makes room for at least so many bytes. The contents are lost if the buffer grows.
   void reserve(std::size_t bytes) {
     if (bytes <= bytes_) return;
     bytes_ = bytes;
     gl_->NamedBufferData(buffer_.id(), static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
   }
-  /// All of it becomes these.
+  /// Writes these values from the start on; the rest keeps its contents unless the buffer grows.
   template <class T>
   void send(std::span<const T> values) {
     reserve(values.size_bytes());

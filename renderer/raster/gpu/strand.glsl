@@ -1,4 +1,4 @@
-// Where strands lie on the picture: renderer/raster/place-inl.h, a strand a lane.
+// Projects strands onto the picture: renderer/raster/place-inl.h, a strand a lane.
 
 Knot knot_of(Part part, uint strand, int number, float widened) {
   vec4 point = point_of(part, strand, number);
@@ -12,14 +12,14 @@ Knot knot_of(Part part, uint strand, int number, float widened) {
   return knot;
 }
 
-// Where a strand lies on the picture.
+// Extent of a strand on the picture.
 struct PlacedStrand {
-  vec2 low, high;
-  float way;      // pixels along the strand
-  float reach;    // pixels from its root to its tip, as the eye sees it
-  float longest;  // of its segments, pixels
-  float widest;   // half of it, pixels
-  float size;     // its length, sizes
+  vec2 low, high; // its bounding box, pixels
+  float way;      // length along the strand, pixels
+  float reach;    // distance from its root to its tip on the picture, pixels
+  float longest;  // length of its longest segment, pixels
+  float widest;   // largest half width, pixels
+  float size;     // length along the strand, sizes
   vec3 root, tip;
 };
 
@@ -52,10 +52,10 @@ PlacedStrand place_strand(Part part, uint strand, float widened) {
   return placed;
 }
 
-// What says how deep in the fur an eye sees a strand.
+// What determines how deep in the fur a strand is visible.
 struct StrandDepth {
   vec3 root, tip, normal;
-  float reach, over;  // of the fur that it stands in, over nominal_length
+  float reach, over;  // StrandRoot::reach; length of the fur around the strand over nominal_length
 };
 
 StrandDepth strand_depth(Part part, uint strand, vec3 root, vec3 tip, float way) {
@@ -76,7 +76,7 @@ float depth_above(float height) {
   return frame.depth_above[slice / 4][slice % 4];
 }
 
-// Returns the last knot that is completely hidden by the strands in front of it; 0 if there is none.
+// Returns the last knot that is hidden because at least seen_depth strands lie in front of it; 0 for none.
 int hidden_knot(Part part, StrandDepth strand) {
   vec3 to_camera = unit(camera_position - strand.root), along = unit(strand.tip - strand.root);
   float facing = dot(strand.normal, to_camera);

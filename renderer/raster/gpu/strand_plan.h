@@ -1,4 +1,4 @@
-// Which strands a box may show, for stages to read: renderer/raster/gpu/plan.glsl.
+// The plan of a box: which strands of which parts it may show, as the stages read it (plan.glsl).
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace pelage {
 
-inline constexpr std::uint32_t strand_group = 64;  // strands of one part that stand together in the plan
+inline constexpr std::uint32_t strand_group = 64;  // strands of one part that a work group handles together
 
-/// As plan.glsl has it.
+/// Part of plan.glsl, which describes the members.
 struct PlannedPart {
   glm::vec3 back{0};
   float min_facing = 0;
@@ -32,10 +32,10 @@ struct PlannedPart {
 static_assert(sizeof(PlannedPart) == 96);
 
 struct StrandPlan {
-  std::vector<glm::uvec2> groups;  // part of the plan, first strand in it
+  std::vector<glm::uvec2> groups;  // index of the part in `parts`, first strand of the group in that part
   std::vector<PlannedPart> parts;
 
-  /// In whole groups.
+  /// Returns the number of strands, counting each group as full.
   std::uint32_t strands() const { return static_cast<std::uint32_t>(groups.size()) * strand_group; }
 };
 

@@ -12,7 +12,7 @@ std::size_t words_of(const StrandSet& set) {
          set.to_mean.size();
 }
 
-/// Room for what a stroke may add.
+/// Returns `count` with room for what strokes may add.
 std::size_t with_room(std::size_t count) { return count + count / 8 + 16; }
 
 }  // namespace
@@ -62,7 +62,7 @@ void StrandPool::send(const GrownPart& part, Place& place) {
     to += bytes / sizeof(std::uint32_t);
   };
   append(set.colours), append(set.neighbour);
-  to = &words[set.colours.size() + set.count()];  // curves have no neighbours
+  to = &words[set.colours.size() + set.count()];  // skip the neighbours, which curves do not have
   append(set.roots), append(set.to_mean);
   points_.send_at(place.at.points * sizeof(StrandPoint), std::span<const StrandPoint>(set.points));
   words_.send_at(place.at.words * sizeof(std::uint32_t), std::span<const std::uint32_t>(words));

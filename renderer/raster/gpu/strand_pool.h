@@ -1,4 +1,4 @@
-// Strands as they have grown, on the GPU: sent where a part is another.
+// The strands of all parts on the GPU, as they have grown. Parts that have changed are sent again.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,32 @@
 
 namespace pelage {
 
-/// Where a part's strands lie: renderer/raster/gpu/pools.glsl.
+/// Where a part's strands lie in the pools (pools.glsl).
 struct PooledStrands {
-  std::uint32_t points = 0, words = 0;  // the first of each
+  std::uint32_t points = 0, words = 0;  // index of the first point, and of the first word
 };
 
 class StrandPool {
  public:
   explicit StrandPool(const Gl& gl) : points_(gl), words_(gl) {}
 
-  /// Sends the parts that have changed. Returns whether there were any.
+  /// Sends the parts that have changed. Returns whether any had.
   bool update(std::span<const GrownPart> parts);
-  /// Of that number.
+  /// Returns where the strands of that part lie.
   PooledStrands at(std::size_t part) const { return places_[part].at; }
   const Storage& points() const { return points_; }
   const Storage& words() const { return words_; }
-  /// Returns the bytes of the larger buffer for all of these parts.
+  /// Returns the bytes of the larger of the two buffers for these parts.
   static std::size_t bytes_for(std::span<const GrownPart> parts);
 
  private:
   struct Place {
-    std::weak_ptr<const StrandSet> strands;  // that are there
+    std::weak_ptr<const StrandSet> strands;  // the strands that were sent
     PooledStrands at;
     std::size_t point_room = 0, word_room = 0;
   };
 
-  /// Gives each part a place of its own, with some room to grow.
+  /// Assigns each part its range of the buffers, with some room to grow.
   void divide(std::span<const GrownPart> parts);
   void send(const GrownPart& part, Place& place);
 

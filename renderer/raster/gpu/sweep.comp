@@ -1,6 +1,6 @@
 #version 450 core
-// Finds what each light crosses up to the far side of each cell: LightCells::sweep and follow_near, one group for each
-// light. Light advances from wave to wave; within a wave no cell reads another.
+// Finds what each light crosses up to the far side of each cell: LightCells::sweep and follow_near, one work group for
+// each light. The cells are done in waves, nearest to the light first; within a wave no cell reads another.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -8,10 +8,10 @@
 const int lanes = 1024;
 layout(local_size_x = lanes) in;
 layout(std430, binding = within_storage) readonly buffer Within { uint within[]; };
-layout(std430, binding = through_storage) coherent buffer Through { uint through[]; };  // a light after another
+layout(std430, binding = through_storage) coherent buffer Through { uint through[]; };  // all cells of a light, then those of the next
 
-// Adds what comes through the cells before a cell. `from`: for each axis, whether light enters from a neighbouring
-// cell.
+// Writes what the light crosses up to a cell's far side: its own crossing plus that of its neighbours on the light's side.
+// `from`: for each axis, whether light enters from a neighbouring cell.
 void follow(uint light, ivec3 cell, bvec3 from) {
   vec3 way = to_light(light, cell), size = abs(way);
   int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;

@@ -1,5 +1,5 @@
-// Triangles of the model in equal parts that are small beside cells.
-layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // place and normal of each
+// Divides triangles of the model into equal parts that are small compared to the grid's cells.
+layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // position and normal of each
 layout(std430, binding = triangles_storage) readonly buffer Triangles { uint triangles[]; };
 
 vec3 corner_place(uint triangle, uint k) {
@@ -8,7 +8,7 @@ vec3 corner_place(uint triangle, uint k) {
 }
 
 struct TriangleParts {
-  vec3 a, u, v;  // a corner, and ways along the sides of a part
+  vec3 a, u, v;  // corner a, and the sides of a part in the directions from a to b and from b to c
   uint count;
 };
 
@@ -20,7 +20,7 @@ TriangleParts parts_of(vec3 a, vec3 b, vec3 c, float longest) {
   return TriangleParts(a, (b - a) / float(along), (c - b) / float(along), along * along);
 }
 
-// Parts lie in rows from the corner on, each with two more than the one before.
+// Returns the middle of a part. Parts lie in rows from corner a on; each row has two more than the one before.
 vec3 middle_of(TriangleParts parts, uint part) {
   uint row = uint(sqrt(float(part)));
   row -= uint(row * row > part);

@@ -1,5 +1,5 @@
 #version 450 core
-// What each light crosses within each cell: LightCells::find_local, a cell a lane.
+// Finds what each light crosses within each cell: LightCells::find_local, a cell a lane.
 #include "../../shaders/constants.glsl"
 #include "../../shaders/frame.glsl"
 #include "scene.glsl"
@@ -7,8 +7,9 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = cell_sums_storage) readonly buffer CellSums { uint cell_sums[]; };
 layout(std430, binding = body_sums_storage) readonly buffer BodySums { uint body_sums[]; };
-layout(std430, binding = within_storage) writeonly buffer Within { uint within[]; };  // a light after another
+layout(std430, binding = within_storage) writeonly buffer Within { uint within[]; };  // all cells of a light, then those of the next
 
+// Returns a signed 64-bit sum as a float.
 float sum_of(uint at) {
   uint low = cell_sums[at], high = cell_sums[at + 1];
   bool negative = int(high) < 0;

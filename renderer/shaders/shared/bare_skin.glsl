@@ -1,11 +1,11 @@
-// Bare skin: regions with a look of their own (protocol/commands/creature.h), and what is painted bare. Reads the blocks
-// `frame` and `bare_skin`.
+// The shading of bare skin: regions with a look of their own (protocol/commands/creature.h), and skin that is painted
+// bare. Reads the blocks `frame` and `bare_skin`.
 
-// All regions at a place, each over those before it and over what is bare without them. `pixel` is the size of one there.
+// Blends all regions at a position over `bare`, each over those before it. `pixel` is the size of a pixel there.
 FUNCTION Bare bare_over(Bare bare, Vec3 place, Vec3 normal, Real pixel) {
   for (Index i = 0; i < bare_skin.count.x; ++i) {
     Vec3 apart = place - Vec3(bare_skin.balls[i]);
-    if (!any_lane(dot(apart, apart) <= bare_skin.balls[i].w)) continue;  // so that most of the body costs little
+    if (!any_lane(dot(apart, apart) <= bare_skin.balls[i].w)) continue;  // skips most of the body cheaply
     SkinEntry region = bare_skin.regions[i];
     Real share = bare_share(region, place, normal, pixel);
     bare.share = 1.0f - (1.0f - bare.share) * (1.0f - share);
@@ -21,7 +21,7 @@ FUNCTION Bare bare_over(Bare bare, Vec3 place, Vec3 normal, Real pixel) {
   return bare;
 }
 
-// What the surroundings send along a mirrored ray: a soft sky over a darker ground.
+// Returns the environment's light along the mirrored view ray: a soft sky over a darker ground.
 FUNCTION Vec3 mirrored_sky(Vec3 normal, Vec3 to_camera, Real f0, Real roughness) {
   Real facing = max(dot(normal, to_camera), 0.0f);
   Vec3 way = 2.0f * facing * normal - to_camera;
@@ -29,7 +29,7 @@ FUNCTION Vec3 mirrored_sky(Vec3 normal, Vec3 to_camera, Real f0, Real roughness)
   return frame.weights.x * environment_light(way) * (sky * schlick(f0, max(1.0f - roughness - f0, 0.0f), facing));
 }
 
-// What it sends to the camera of light of radiance 1 from there.
+// Returns the light that bare skin sends to the camera, for a light of radiance 1 from a direction.
 FUNCTION Vec3 light_on_skin(Bare bare, SkinSurface surface, Vec3 to_light) {
   Vec3 wrap = bare.scatter * Vec3(0.45f, 0.20f, 0.14f), cosine = Vec3(dot(surface.normal, to_light));
   Vec3 wrapped = max((cosine + wrap) / (Vec3(1.0f) + wrap), 0.0f);
@@ -39,7 +39,7 @@ FUNCTION Vec3 light_on_skin(Bare bare, SkinSurface surface, Vec3 to_light) {
   return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
 }
 
-// The same of the light from all around.
+// Returns the same for light from the environment.
 FUNCTION Vec3 sky_on_skin(Bare bare, SkinSurface surface) {
   Vec3 sum = frame.weights.x * surface.open * surface.colour * environment_light(surface.normal);
   Vec3 dry = mirrored_sky(surface.normal, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);

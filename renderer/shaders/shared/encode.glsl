@@ -1,7 +1,7 @@
-// From premultiplied linear light to straight sRGB: exposure, tone map and background, as `encoding` has them
-// (renderer/finish/encode.h).
+// Encodes premultiplied linear light as straight sRGB: exposure, tone mapping and background, with the settings in
+// `encoding` (renderer/finish/encode.h).
 
-// A shoulder and a toe (Narkowicz 2015, a fit of the ACES curve), scaled so that .18 stays about .18.
+// Tone maps with a shoulder and a toe (Narkowicz 2015, a fit of the ACES curve), scaled so that .18 stays about .18.
 FUNCTION Real film(Real light) {
   Real x = min(light, 1e4f) * 0.72f;
   return clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
@@ -12,7 +12,8 @@ FUNCTION Real to_srgb(Real linear) {
   return select(linear < 0.0031308f, 12.92f * linear, high);
 }
 
-// A sheet of paper, lit from above: darker towards the top and the corners. Linear. `x`, `y`: pixels.
+// Returns the linear colour of a sheet of paper, lit from above: darker towards the top and the corners. `x`, `y`:
+// pixels.
 FUNCTION Vec3 studio_sheet(Real x, float y) {
   Real across = x * (1.0f / float(encoding.width));
   float down = y / float(encoding.height), down_off = down - 0.55f;
@@ -24,13 +25,14 @@ FUNCTION Vec3 studio_sheet(Real x, float y) {
 
 FUNCTION Real fraction_of(Real x) { return x - floor(x); }
 
-// Within half a step of a channel, so that the gradient has no bands: interleaved gradient noise (Jimenez 2014).
+// Returns noise within half a step of a channel, which avoids bands in the gradient: interleaved gradient noise
+// (Jimenez 2014).
 FUNCTION Real dither(Real x, float y) {
   Real noise = fraction_of(52.9829189f * fraction_of(floor(x) * 0.06711056f + floor(y) * 0.00583715f));
   return (noise - 0.5f) * (0.98f / float(encoding.largest));
 }
 
-// Colour and opacity of a pixel with that light.
+// Returns the colour and opacity of a pixel with that light.
 FUNCTION Vec4 encoded(Real x, float y, Vec3 light, Real coverage) {
   Real alpha = clamp(coverage, 0.0f, 1.0f);
   Mask seen = alpha > 0.0f;

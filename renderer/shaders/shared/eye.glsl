@@ -1,8 +1,8 @@
-// An eye: where rays meet its ball, cornea and lids, and what light comes back. All places are in the eye's frame.
-// After iris.glsl, whose names it reads, and two more of the includer's: eye_viewer, the camera in the eye's frame,
-// radii, and surroundings, the colour around the head.
+// An eye: where rays hit its ball, cornea and lids, and the light that they send back. All positions are in the eye's
+// frame, in radii. Include it after iris.glsl, whose names it reads. The includer also defines eye_viewer, the camera
+// in the eye's frame, and surroundings, the colour around the head.
 
-// The white: vessels redden it away from the iris, and light wraps around it, red the furthest.
+// Returns the colour of the white of the eye, which vessels redden away from the iris.
 FUNCTION Vec3 sclera_colour(EyeView view, Vec3 place) {
   Real back = acos(clamp(place.z, -1.0f, 1.0f)) - asin(clamp(eye.up.w, 0.0f, 1.0f));
   Vec4 tissue = tissue_texel(turn_of(place.x, place.y), clamp(back * (1.0f / 1.2f), 0.0f, 1.0f),
@@ -28,7 +28,7 @@ FUNCTION Vec3 sclera_light(EyeView view, Vec3 place, Vec3 normal) {
   return sclera_colour(view, place) * sum;
 }
 
-// What the head's surroundings send along a reflected ray: a soft sky, a darker ground, and fur beside the eye.
+// Returns the environment's light along a reflected ray: a soft sky, a darker ground, and fur beside the eye.
 FUNCTION Vec3 surroundings_along(Vec3 way, Vec3 place) {
   Real height = eye.right.y * way.x + eye.up.y * way.y + eye.forward.y * way.z;
   Vec3 facing = eye.lid_right.w == 0.0f ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(eye.lid_facing);
@@ -37,7 +37,7 @@ FUNCTION Vec3 surroundings_along(Vec3 way, Vec3 place) {
   return Vec3(surroundings) * (share * past_lids(place, way));
 }
 
-// Unpolarised Fresnel reflectance, as in renderer/eye/optics.cpp.
+// Returns the Fresnel reflectance of unpolarised light, as in renderer/eye/optics.cpp.
 FUNCTION Real eye_reflectance(Real cosine) {
   float index = eye.position.w, square = index * index;
   Real c = clamp(cosine, 0.0f, 1.0f), inside = sqrt(max(square - 1.0f + c * c, 0.0f)), sum = inside + c;
@@ -45,7 +45,8 @@ FUNCTION Real eye_reflectance(Real cosine) {
   return select(sum <= 1e-6f, 0.0f, 0.5f * (across * across + along * along));
 }
 
-// The tear film: every light is a soft disc whose size wetness sets; its energy stays.
+// Returns the reflections in the tear film. Every light is a soft disc, whose size depends on wetness and whose energy
+// does not.
 FUNCTION Vec3 light_in_tear_film(EyeView view, Vec3 place, Vec3 normal) {
   float wetness = eye.sclera.w;
   float disc = 0.5f + wetness * (0.11f - 0.5f);  // radians
@@ -62,7 +63,7 @@ FUNCTION Vec3 light_in_tear_film(EyeView view, Vec3 place, Vec3 normal) {
   return sum * (eye_reflectance(-cosine) * (0.35f + 0.65f * wetness));
 }
 
-// How near the edge of the lids a place is, where they are moist.
+// Returns how close a position is to the moist edge of the lids: 1 at the edge.
 FUNCTION Real lid_margin(Vec3 normal) { return 1.0f - smoothstep(0.02f, 0.14f, -lid_opening(normal)); }
 
 FUNCTION Vec3 lid_colour(Real margin) {
@@ -84,7 +85,7 @@ FUNCTION Vec3 lid_light(EyeView view, Vec3 place) {
   return sum;
 }
 
-// 1 on the cornea, 0 on the white.
+// Returns 1 on the cornea and 0 on the white, with a soft edge.
 FUNCTION Real cornea_share(EyeView view, Vec3 place) {
   float radius = eye.up.w;
   Real soft = max(0.04f * radius, view.pixel);
@@ -92,7 +93,7 @@ FUNCTION Real cornea_share(EyeView view, Vec3 place) {
   return select(place.z > 0.0f, 1.0f - smoothstep(radius - soft, radius + soft, off), 0.0f);
 }
 
-// Of ball and cornea; it never turns away from the ray.
+// Returns the normal of ball and cornea, bent to be front-facing where it is not.
 FUNCTION Vec3 eyeball_normal(EyeView view, Vec3 place, Real cornea) {
   Vec3 bulged = unit_or_zero(place - Vec3(0.0f, 0.0f, eye.cornea.x));
   Vec3 normal = unit_or_zero(mix(unit_or_zero(place), bulged, cornea));
@@ -108,18 +109,18 @@ FUNCTION Vec3 eyeball_light(EyeView view, Vec3 place) {
   if (any_lane(cornea > 0.0f)) seen = mix(seen, iris_light(view, place, normal), cornea);
   Real kept = 1.0f - eye_reflectance(-dot(view.along, normal));
   Real opening = lid_opening(unit_or_zero(place));
-  Real shaded = mix(0.30f, 1.0f, smoothstep(0.0f, 0.30f, opening));  // by lids and lashes close by
+  Real shaded = mix(0.30f, 1.0f, smoothstep(0.0f, 0.30f, opening));  // shadow of lids and lashes
   return shaded * (seen * kept + light_in_tear_film(view, place, normal));
 }
 
-// Where rays enter a ball.
+// Where rays enter a sphere.
 struct BallHit {
   Vec3 place;
-  Real covered;  // share of the pixel, softened over one pixel
+  Real covered;  // share of the pixel, [0, 1]; the edge is one pixel wide
 };
 
-// Of a ball on the axis. Taken from a place of the ray close by, so that nothing is lost far from the eye; where it
-// misses by less than a pixel, the place on the silhouette.
+// Intersects a sphere with its centre on the axis. It starts at `close_by`, a position on the ray near the eye, to keep
+// precision far from the eye. Where the ray misses by less than a pixel, the hit is on the silhouette.
 FUNCTION BallHit enter_ball(Vec3 close_by, Vec3 along, Real pixel, float centre, float radius) {
   Vec3 middle = Vec3(0.0f, 0.0f, centre), off = close_by - middle, nearest = off - along * dot(off, along);
   Real square = dot(nearest, nearest), inner = radius * radius - square;
@@ -131,31 +132,31 @@ FUNCTION BallHit enter_ball(Vec3 close_by, Vec3 along, Real pixel, float centre,
   return ball;
 }
 
-// What rays meet of an eye.
+// The hit of rays on an eye.
 struct EyeHit {
   Mask there;
-  Vec3 ball, lid;      // places
-  Vec3 along;          // of the ray, unit
-  Real pixel;          // its size at the eye, radii
-  Real open, covered;  // share of the ball that is seen, share of the pixel
-  Real shut;           // share of that which lids hide
-  Vec3 nearest;        // of the two places
+  Vec3 ball, lid;      // positions
+  Vec3 along;          // direction of the ray, unit
+  Real pixel;          // size of a pixel at the eye, radii
+  Real open, covered;  // shares of the pixel that the ball covers, and the eye with its lids
+  Real shut;           // share of that which lids cover
+  Vec3 nearest;        // the nearer one of the two positions
 };
 
-// How far a ray goes until it is past the nearer of two opposite sides of a box.
+// Returns the distance at which a ray has passed the nearer of two opposite sides of a box.
 FUNCTION Real way_to_sides(Real along, float from, float high, float low) {
   Real to = select(along > 0.0f, low - from, high - from);
   return select(abs(along) > 1e-9f, to / along, -1e30f);
 }
 
-// How far rays go until they enter the box around an eye, where the shader takes the size of a pixel.
+// Returns the distance at which rays enter the eye's bounding box, where the shader takes the size of a pixel.
 FUNCTION Real way_to_box(Vec3 along) {
   float side = 1.02f * float(lid_radius), top = 1.02f * max(float(lid_radius), eye.cornea.x + eye.cornea.y);
   return max(way_to_sides(along.x, eye_viewer.x, side, -side),
              max(way_to_sides(along.y, eye_viewer.y, side, -side), way_to_sides(along.z, eye_viewer.z, top, -side)));
 }
 
-// `way` is in the eye's frame, of any length; `pixel_angle` of one pixel.
+// Intersects an eye. `way`: direction in the eye's frame, of any length; `pixel_angle`: angle of a pixel.
 FUNCTION EyeHit meet_eye(Vec3 way, float pixel_angle) {
   EyeHit hit;
   hit.along = unit(way);
@@ -176,7 +177,7 @@ FUNCTION EyeHit meet_eye(Vec3 way, float pixel_angle) {
   }
   hit.covered = mix(hit.open, lid.covered, hit.shut);
   hit.nearest = select(hit.shut > 0.5f, hit.lid, hit.ball);
-  // Nor behind the camera, nor around it.
+  // Ignores eyes behind or around the camera.
   hit.there = both(hit.covered > 0.0f, dot(hit.nearest - from, hit.along) > 0.0f);
   return hit;
 }
@@ -188,7 +189,7 @@ FUNCTION EyeView eye_view(EyeHit hit) {
   return view;
 }
 
-// Light of what is met; more than a half float holds would mix badly on the GPU.
+// Returns the light of the hit, clamped because values beyond half float would blend badly on the GPU.
 FUNCTION Vec3 eye_light(EyeHit hit) {
   EyeView view = eye_view(hit);
   Mask ball = both(hit.there, both(hit.shut < 1.0f, hit.open > 0.0f)), lid = both(hit.there, hit.shut > 0.0f);
@@ -198,9 +199,9 @@ FUNCTION Vec3 eye_light(EyeHit hit) {
   return clamp(light, 0.0f, 6e4f);
 }
 
-// The surface of what is met.
+// The surface at a hit.
 struct EyeSurface {
-  Vec3 place, normal, albedo;  // in the world
+  Vec3 place, normal, albedo;  // in world space
 };
 
 FUNCTION EyeSurface eye_surface(EyeHit hit) {

@@ -1,16 +1,16 @@
-// What fur and body let through, by the cells of a grid. The grid is the includer's: grid_low, grid_cell, grid_size, and
-// crossed_cell, the numbers of a cell of a light.
+// The transmittance of fur and body, from the cells of a grid. The includer defines the grid: grid_low, grid_cell,
+// grid_size, and crossed_cell, which reads a cell's values for a light.
 
-// Where a place lies among the cells of the grid.
+// The eight cells around a position, with their trilinear weights.
 struct GridCells {
-  Real first;  // number of the lowest of eight, a whole one
+  Real first;  // index of the lowest of the eight cells, an integer
   Real weight[8];
 };
 
-// Light that a fibre or a place of the skin sends to the camera.
+// The light that a fibre or the skin sends to the camera.
 struct SentLight {
   Vec3 ambient, direct;
-  Vec3 unshadowed;  // `direct` as if nothing stopped it; where it is asked for
+  Vec3 unshadowed;  // `direct` without shadows; only if requested
 };
 
 FUNCTION GridCells grid_cells(Vec3 place) {
@@ -41,13 +41,13 @@ FUNCTION Crossing crossed_at(Index light, GridCells cells) {
   return crossed;
 }
 
-// The same off the skin: as a place's own cell holds what lies below it too.
+// Returns the cells at a distance from the skin, because a position's own cell also contains what lies below the skin.
 FUNCTION GridCells cells_off_skin(Vec3 place, Vec3 normal) {
   float off_skin = 0.25f;  // cells
   return grid_cells(place + normal * (off_skin * grid_cell));
 }
 
-// Of a light, what gets past strands that each stop so much of it, and past the body.
+// Returns the transmittance of strands, each of which stops a share `stopped` of the light, and of the body.
 FUNCTION Vec3 let_through(Crossing crossed, Vec3 stopped) {
   return Vec3(exp2(-1.442695f * mul_add(crossed.strands, stopped.x, crossed.body)),
               exp2(-1.442695f * mul_add(crossed.strands, stopped.y, crossed.body)),

@@ -1,8 +1,8 @@
-// How much darker the ground behind a model is for the light that is missing there. Reads what grid_shadow.glsl does, and of
-// the scene ground_height, ground_contact, ground_shadow, light_radius, is_far_light and disc_tap, and the map of the sky over
-// the ground: sky_low, sky_cell, sky_size and the read sky_hidden_at.
+// The shadow of a model on the ground. Reads the same as grid_shadow.glsl; of the scene ground_height, ground_contact,
+// ground_shadow, light_radius, is_far_light and disc_tap; and the map of sky occlusion over the ground: sky_low,
+// sky_cell, sky_size and the function sky_hidden_at.
 
-// Of the map, between its four nearest places.
+// Reads the map bilinearly: share of the sky that is occluded, 0 outside of the map.
 FUNCTION Real sky_hidden(Vec3 place) {
   if (sky_size.x == 0) return Real(0.0f);
   Real x = (place.x - sky_low.x) * (1.0f / sky_cell), y = (place.z - sky_low.y) * (1.0f / sky_cell);
@@ -16,13 +16,13 @@ FUNCTION Real sky_hidden(Vec3 place) {
   return select(inside, mix(above, below, down), 0.0f);
 }
 
-// Where the way from a place to a light comes into the grid, if it does: what it crosses is known there.
+// Where the path from a position to a light enters the grid, if it does: what it crosses from there on is known.
 struct GridEntry {
   Vec3 place;
   Mask there;
 };
 
-// From where to where a way lies between two planes.
+// The range of distances at which a path lies between planes.
 struct WayBetween {
   Real begin, end;
 };
@@ -48,7 +48,7 @@ FUNCTION GridEntry grid_entry(Vec3 from, Vec3 way) {
   return entry;
 }
 
-// Share of a light that gets to a place of the ground past fur of that darkness and the body.
+// Returns the share of a light that reaches a position on the ground past the body and strands that stop `stopped`.
 FUNCTION Real light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
   GridEntry entry = grid_entry(place, to_light);
   if (!any_lane(entry.there)) return Real(1.0f);
@@ -56,14 +56,14 @@ FUNCTION Real light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
   return select(entry.there, luminance(let_through(crossed, stopped)), 1.0f);
 }
 
-// The same of all of a light that is wide, by taps over its disc. Its radius is in sizes; of a far one it is the tangent of
-// half its angle.
+// Returns the same for a light with a size, by samples of its disc. Its radius is in sizes; that of a directional light
+// is the tangent of half its angle.
 FUNCTION Real wide_light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
   float radius = light_radius(light);
   if (!(radius > 0.0f)) return light_past(light, place, to_light, stopped);
   Real spread = Real(radius);
   if (!is_far_light(light)) spread = spread / max(length(Vec3(frame.lights[light].position) - place), 1e-3f);
-  Vec3 across = unit(cross(to_light, Vec3(1.0f, 0.0f, 0.0f))), up = cross(across, to_light);  // it is above
+  Vec3 across = unit(cross(to_light, Vec3(1.0f, 0.0f, 0.0f))), up = cross(across, to_light);  // the light is above
   Real sum = Real(0.0f);
   for (int tap = 0; tap < ground_light_taps; ++tap) {
     Vec3 off = disc_tap(tap).x * across + disc_tap(tap).y * up;
@@ -72,7 +72,7 @@ FUNCTION Real wide_light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopp
   return sum * (1.0f / float(ground_light_taps));
 }
 
-// Share of the ground's light that is missing at a place, as the tracer adds it up.
+// Returns the share of the ground's light that is occluded at a position, summed as the tracer does.
 FUNCTION Real light_missing(Vec3 place) {
   Vec3 crossed = Vec3(frame.ramp_root) * Vec3(frame.colour_above[0]), stopped = stopped_by_strand(crossed, 1.0f);
   Real whole = Real(frame.weights.x), missing = frame.weights.x * ground_contact * sky_hidden(place);
@@ -86,7 +86,7 @@ FUNCTION Real light_missing(Vec3 place) {
   return clamp(missing / max(whole, 1e-6f), 0.0f, 1.0f);
 }
 
-// How dark the ground is where rays from the camera meet it: it fades away from the middle.
+// Returns how dark the ground is where rays from the camera hit it; the shadow fades out away from the middle.
 FUNCTION Real ground_dark(Vec3 way) {
   float faded_from = 1.0f, faded_to = 3.5f;  // sizes from the middle
   Real distance = (ground_height - camera_position.y) / min(way.y, -1e-9f);

@@ -1,11 +1,11 @@
-// What is seen through the cornea of an eye: the iris behind it, marched or flat, and what lids let through to it. All
-// places are in the eye's frame. Reads `eye`, an EyeEntry, and eye_steps into its iris, by eye_lights of the lights of
-// light.glsl; tissue_of_level and caustic_at are the includer's.
+// The iris seen through the cornea, ray marched or flat, and the light that lids let through to it. All positions are
+// in the eye's frame. Reads `eye` (an EyeEntry), eye_steps (steps of the march into the iris) and eye_lights (number of
+// lights). The includer defines tissue_of_level and caustic_at.
 
-// An eye as some rays meet it.
+// The rays that look at an eye.
 struct EyeView {
-  Vec3 along;  // of the rays, unit
-  Real pixel;  // its size at the eye, radii
+  Vec3 along;  // direction, unit
+  Real pixel;  // size of a pixel at the eye, radii
 };
 
 FUNCTION Vec3 in_eye_frame(Vec3 v) {
@@ -15,7 +15,7 @@ FUNCTION Vec3 out_of_eye_frame(Vec3 v) {
   return Vec3(eye.right) * v.x + Vec3(eye.up) * v.y + Vec3(eye.forward) * v.z;
 }
 
-// What a light brings to a place of the eye.
+// Returns the light that arrives at a position of the eye.
 FUNCTION Arriving light_on_eye(int i, Vec3 place) {
   Vec3 in_world = Vec3(eye.position) + out_of_eye_frame(place) * eye.right.w;
   Arriving light = light_at(Index(i), in_world);
@@ -23,7 +23,7 @@ FUNCTION Arriving light_on_eye(int i, Vec3 place) {
   return light;
 }
 
-// The angle to the edge of the lids, above 0 where they are open.
+// Returns the angle from a direction to the edge of the lids, radians; above 0 where the lids are open.
 FUNCTION Real lid_opening(Vec3 direction) {
   if (eye.lid_right.w == 0.0f) return Real(10.0f);
   Real across = dot(Vec3(eye.lid_right), direction), up = dot(Vec3(eye.lid_up), direction);
@@ -34,7 +34,7 @@ FUNCTION Real lid_opening(Vec3 direction) {
   return min(eye.lid_up.w * narrowing - y, y + eye.lid_facing.w * narrowing);
 }
 
-// Share of the light from a direction that the lids let through to a place under them.
+// Returns the share of the light from a direction that gets past the lids to a position under them.
 FUNCTION Real past_lids(Vec3 place, Vec3 to_light) {
   if (eye.lid_right.w == 0.0f) return Real(1.0f);
   Real along = dot(place, to_light), apart = float(lid_radius) * float(lid_radius) - dot(place, place);
@@ -47,14 +47,14 @@ FUNCTION Real open_sky(Vec3 place) {
   return mix(0.22f, 1.0f, smoothstep(-0.05f, 0.55f, lid_opening(unit_or_zero(place))));
 }
 
-// Into an index of 1 or more light always goes.
+// Returns the refracted direction. There is no total reflection, because the index inside is at least 1.
 FUNCTION Vec3 refracted(Vec3 along, Vec3 normal) {
   float eta = 1.0f / eye.position.w;
   Real cosine = clamp(-dot(along, normal), 0.0f, 1.0f);
   return along * eta + (eta * cosine - sqrt(max(1.0f - eta * eta * (1.0f - cosine * cosine), 0.0f))) * normal;
 }
 
-// Of the map of tissue (renderer/eye/iris_map.h). `pixel_rows`: rows of the map that a pixel covers.
+// Reads the tissue map (renderer/eye/iris_map.h). `pixel_rows`: rows of the map that a pixel covers.
 FUNCTION Vec4 tissue_texel(Real around, Real along, Real pixel_rows) {
   float last = float(iris_map_levels - 1);
   Real lod = clamp(log2(max(pixel_rows, 1.0f)), 0.0f, last), finer = floor(lod);
@@ -63,7 +63,7 @@ FUNCTION Vec4 tissue_texel(Real around, Real along, Real pixel_rows) {
   return mix(fine, tissue_of_level(min(finer + 1.0f, last), around, along), lod - finer);
 }
 
-// Around the axis in turns, from the fibres' own beginning.
+// Returns the angle around the axis in turns, relative to the rotation of the fibres.
 FUNCTION Real turn_of(Real x, Real y) { return atan2(y, x) * 0.15915494f + eye.inner.w; }
 
 FUNCTION Vec4 iris_tissue(EyeView view, Vec2 at, Real edge) {
@@ -72,20 +72,21 @@ FUNCTION Vec4 iris_tissue(EyeView view, Vec2 at, Real edge) {
   return tissue_texel(turn_of(at.x, at.y), along, view.pixel * float(iris_map_height) / room);
 }
 
-// In texels, of a place on one axis.
+// Returns the position on one axis of a caustic map, in texels.
 FUNCTION Real caustic_place(Real turned) {
   float texels = float(caustic_texels);
   return clamp((turned * (0.5f / eye.up.w) + 0.5f) * texels - 0.5f, 0.0f, texels - 1.0f);
 }
 
-// Even between four texels, the left upper one of which is given, of the angle's map or of one so many above it.
+// Reads a caustic map bilinearly; `texel` is the upper left one of four texels. `above`: 0 for the angle's map, 1 for
+// that of the next angle.
 FUNCTION Real caustic_of_angle(Real texel, int above, Real px, Real py) {
   int first = above * caustic_texels * caustic_texels, below = first + caustic_texels;
   return mix(mix(caustic_at(texel, first), caustic_at(texel, first + 1), px),
              mix(caustic_at(texel, below), caustic_at(texel, below + 1), px), py);
 }
 
-// Irradiance on the iris at a place, over that of a surface which faces the light.
+// Returns the irradiance on the iris at a position, over that of a surface that faces the light.
 FUNCTION Real caustic(Vec2 at, Vec3 to_light) {
   float last_angle = float(caustic_angles - 1), texels = float(caustic_texels);
   Real angle = acos(clamp(to_light.z, -1.0f, 1.0f)) * (last_angle / float(caustic_reach));
@@ -100,17 +101,18 @@ FUNCTION Real caustic(Vec2 at, Vec3 to_light) {
   return select(angle < last_angle, share, 0.0f);
 }
 
-// Distance from the axis to the pupil's edge in the direction of a place on the iris.
+// Returns the distance from the axis to the pupil's edge in the direction of a position on the iris.
 FUNCTION Real pupil_edge(Vec2 at) {
   float width = max(eye.pupil.x * eye.up.w, 1e-4f), height = max(eye.pupil.y * eye.up.w, 1e-4f);
   if (eye.pupil.z < 0.5f) return Real(width);
   Vec2 way = at * (1.0f / sqrt(max(at.x * at.x + at.y * at.y, 1e-12f)));
   Real a = abs(way.x) * (1.0f / width), b = way.y * way.y * (1.0f / (height * height));
   Real almond = 2.0f / (a + sqrt(a * a + 4.0f * b));  // |x| / w + (y / h)^2 = 1
-  return 0.5f * (almond + 1.0f / sqrt(a * a + b));    // half way to an ellipse
+  return 0.5f * (almond + 1.0f / sqrt(a * a + b));    // mean with an ellipse
 }
 
-// Light that tissue sends back by the angle, over what it does to light that turns round (Henyey and Greenstein).
+// Returns the phase function of tissue (Henyey and Greenstein), relative to its value for light that is scattered
+// straight back.
 FUNCTION Real scattered_by_tissue(Real cosine) {
   float g = 0.2f, turned = 1.0f + g;
   Real share = turned * turned / (1.0f + g * g - 2.0f * g * cosine);
@@ -119,10 +121,10 @@ FUNCTION Real scattered_by_tissue(Real cosine) {
 
 struct IrisLight {
   Vec3 arriving[max_lights];  // irradiance on the iris
-  Real rising[max_lights];    // cosine of the light inside
+  Real rising[max_lights];    // cosine of the refracted light to the axis
   Real scattered[max_lights];
   Vec3 sky;
-  Vec3 whole;  // of all lights and the sky
+  Vec3 whole;  // sum of all lights and the sky
 };
 
 FUNCTION IrisLight light_on_iris(Vec3 surface, Vec3 normal, Vec3 inside, Vec2 at) {
@@ -143,16 +145,15 @@ FUNCTION IrisLight light_on_iris(Vec3 surface, Vec3 normal, Vec3 inside, Vec2 at
 
 FUNCTION Vec3 tissue_colour(Vec4 tissue) { return mix(Vec3(eye.iris), Vec3(eye.inner), tissue.z); }
 
-// A flat or once shifted iris: all of its light comes from one place.
+// Shades a flat iris: all of its light comes from one position.
 FUNCTION Vec3 flat_iris(EyeView view, Vec2 at, Vec3 arriving) {
   Real edge = pupil_edge(at), soft = max(view.pixel, 0.01f);
   Vec4 tissue = iris_tissue(view, at, edge);
   return arriving * tissue_colour(tissue) * (tissue.x * 1.5f * smoothstep(-soft, soft, length(at) - edge));
 }
 
-// What a step through tissue sends back of the light that falls on it, over what thick tissue does: scattered once,
-// with the light's way in from above the step and through it, and the ray's way through it. Steps of any size add up
-// to 1.
+// Returns the light that a step through tissue sends back by single scattering, relative to thick tissue: attenuated on
+// the light's path to the step and inside it, and on the ray's path inside it. Steps of any size add up to 1.
 FUNCTION Real sent_back(Real above, Real thick, Real slant, Real rising) {
   Real over = 1.0f / rising;
   return exp(-above * over) * (1.0f - exp(-thick * (slant + over)));
@@ -160,7 +161,7 @@ FUNCTION Real sent_back(Real above, Real thick, Real slant, Real rising) {
 
 // One step of a march through the iris.
 struct IrisStep {
-  Real below, above, thick;  // height of the tissue over the step, optical depth above it and in it
+  Real below, above, thick;  // height of the tissue above the step, optical depth above it and in it
   Real slant;
 };
 
@@ -174,7 +175,7 @@ FUNCTION Vec3 light_of_step(In(IrisLight) lights, IrisStep part, Vec4 tissue) {
   return light * mix(colour, colour * colour, clamp(part.below, 0.0f, 1.0f)) * (tissue.x * 1.5f);
 }
 
-// `depth` of its middle and `share` of the whole march are over the height of the relief.
+// Returns a step; `depth` of its middle and its thickness `share` are relative to the height of the relief.
 FUNCTION IrisStep iris_step(Real relief, float depth, float share, Real slant) {
   float density = 7.0f;  // optical depth of the whole relief
   IrisStep part;
@@ -185,8 +186,8 @@ FUNCTION IrisStep iris_step(Real relief, float depth, float share, Real slant) {
   return part;
 }
 
-// Subsurface texture mapping (Francois et al. 2006): ray marching through the iris. Height says where tissue is; it
-// scatters once, and what lies deeper is darker and more saturated. Below it is the pigment.
+// Ray marches through the iris: subsurface texture mapping (Francois et al. 2006). The height map says where tissue is.
+// Tissue scatters once; deeper tissue is darker and more saturated. Below it is the pigment.
 FUNCTION Vec3 marched_iris(EyeView view, Vec2 top, Vec2 bottom, Real slant, In(IrisLight) lights) {
   float share = 1.0f / float(eye_steps);
   Vec3 sum = Vec3(0.0f);
@@ -207,10 +208,10 @@ FUNCTION Vec3 marched_iris(EyeView view, Vec2 top, Vec2 bottom, Real slant, In(I
   return sum + lights.whole * colour * colour * (0.25f * passed * seen);
 }
 
-// Where the ray that enters the cornea at a place meets the plane of the iris.
+// Where the ray that enters the cornea at a position hits the plane of the iris.
 struct BehindCornea {
-  Vec3 inside;  // its way, unit
-  Real over;    // way over depth
+  Vec3 inside;  // direction inside, unit
+  Real over;    // path length over depth
   Vec2 bottom;
 };
 
@@ -224,7 +225,7 @@ FUNCTION BehindCornea behind_cornea(EyeView view, Vec3 place, Vec3 normal) {
   return behind;
 }
 
-// What is seen through the cornea at a place on it.
+// Returns the light that comes through the cornea at a position on it.
 FUNCTION Vec3 iris_light(EyeView view, Vec3 place, Vec3 normal) {
   float radius = eye.up.w;
   BehindCornea behind = behind_cornea(view, place, normal);
@@ -232,7 +233,7 @@ FUNCTION Vec3 iris_light(EyeView view, Vec3 place, Vec3 normal) {
   Vec2 bottom = behind.bottom, top = bottom - Vec2(inside.x, inside.y) * (eye.cornea.w * behind.over);
   Real reach = length(bottom), wall = Real(0.0f);
   bottom = bottom * min(1.0f, radius / max(reach, 1e-6f));
-  if (eye_steps > 0) wall = smoothstep(0.97f, 1.04f, reach * (1.0f / radius));  // side of the chamber
+  if (eye_steps > 0) wall = smoothstep(0.97f, 1.04f, reach * (1.0f / radius));  // side wall of the eye's chamber
   IrisLight lights = light_on_iris(place, normal, inside, bottom);
   Vec3 seen;
   if (eye_steps <= 1) {

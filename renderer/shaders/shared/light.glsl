@@ -1,7 +1,7 @@
-// Light on fur: what arrives, and what gets through. Reads the block `frame`; far_lights and white_surroundings are the
-// includer's.
+// Light on fur: the light that arrives, and the share that fur transmits. Reads the block `frame`; the includer defines
+// far_lights and white_surroundings.
 
-// What lies between a place and a light: how many strands, and the optical depth of the body.
+// What lies between a position and a light: number of strands, and optical depth of the body.
 struct Crossing {
   Real strands, body;
 };
@@ -14,7 +14,7 @@ FUNCTION Arriving light_at(Index i, Vec3 place) {
   if (far_lights) return arriving;
   Vec3 apart = Vec3(light.position) - place;
   Real square = max(dot(apart, apart), float(min_light_square));
-  if (light.direction.w > 0.5f) {  // it stands somewhere
+  if (light.direction.w > 0.5f) {  // not a directional light
     arriving.to_light = apart * (1.0f / sqrt(square));
     arriving.radiance = arriving.radiance * min(1.0f / square, float(max_light_falloff));
   }
@@ -24,18 +24,19 @@ FUNCTION Arriving light_at(Index i, Vec3 place) {
   return arriving;
 }
 
-// Share of the light that a strand of that colour stops, by `part` of its thickness. Light that passes pale fur keeps its
-// colour and much of its strength: t_c = t^(1 - f_c) (science.md 4), with t = exp(-2) past a black strand.
+// Returns the share of the light that a strand of that colour stops, for `part` of its thickness. Light that passes
+// pale fur keeps its colour and much of its strength: t_c = t^(1 - f_c) (science.md 4), with t = exp(-2) past a black
+// strand.
 FUNCTION Vec3 stopped_by_strand(Vec3 colour, float part) {
   float black = -2.0f * 1.442695f * part * frame.exponents.w;
   return Vec3(1.0f) - exp2(black * (Vec3(1.0f) - 0.82f * sqrt(clamp(colour, 0.0f, 1.0f))));
 }
 
-// Share of the light from all around that gets to a height: g of GPU fur eq 1, with s where nothing better is known.
-// Where the self-shadow knows the fur above, it takes the place of s; both together would darken the same fur twice.
-// From a direction at the angle x to the normal it crosses `above` tan x strands and is weighed by cos x. The mean of
-// exp(-a tan x) over the half sphere falls by pi/2 a at first and as 2 over the square of a at last; this is within .01.
-// `stopped` is by .6 of a strand's thickness.
+// Returns the share of ambient light that reaches a height: g of GPU fur eq 1. Without self-shadow it depends on s
+// alone. With self-shadow the strands above are known and take the place of s; both together would darken the same fur
+// twice. A ray at the angle x to the normal crosses `above` tan x strands and is weighted by cos x. The mean of exp(-a
+// tan x) over the hemisphere falls by pi/2 a for small a and as 2 / a^2 for large a; this fit is within .01. `stopped`
+// is for .6 of a strand's thickness.
 FUNCTION Vec3 ambient_share(Real height, Real above, Vec3 stopped) {
   Vec3 a = above * stopped, one = Vec3(1.0f);
   Vec3 reached = (one + a) / (one + a * (Vec3(2.5707963f) + a * (Vec3(1.21f) + a * 0.5f)));
@@ -43,7 +44,7 @@ FUNCTION Vec3 ambient_share(Real height, Real above, Vec3 stopped) {
   return mix(Vec3(frame.weights.w), one, open);
 }
 
-// Light from all around on a surface with that normal; 1 for a white surrounding.
+// Returns the environment's irradiance over pi on a surface with that normal; 1 for a white environment.
 FUNCTION Vec3 environment_light(Vec3 n) {
   if (white_surroundings) return Vec3(1.0f);
   Vec3 sum = 0.28209479f * Vec3(frame.environment[0]);

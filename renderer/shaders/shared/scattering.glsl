@@ -1,6 +1,6 @@
-// Every shading model (science.md 4) on one strand, as renderer/shading has them in double. Reads the block `scattering`;
-// azimuthal_light is the includer's: the average over the fibre's width of Ap Np of R, TT, TRT and the rest, weighed by
-// what each is worth along the fibre.
+// All shading models (science.md 4) for one strand; renderer/shading has them in double precision. Reads the block
+// `scattering`. The includer defines azimuthal_light: the sum over R, TT, TRT and the residual of Ap Np averaged over
+// the fibre's width, weighted by their longitudinal terms.
 
 FUNCTION Vec3 scatter_kajiya(Fibre s, Vec3 to_light) {
   Real diffuse = sine_power(dot(s.tangent, to_light), scattering.exponents.x);
@@ -9,7 +9,7 @@ FUNCTION Vec3 scatter_kajiya(Fibre s, Vec3 to_light) {
   return scattering.weights.x * diffuse * s.colour + Vec3(s.shine.weight * scattering.weights.y * specular);
 }
 
-// The cosine to the mirror direction by its sine, which keeps its digits where the cosine is near 1.
+// The cosine to the mirror direction is computed from its sine, for precision where it is close to 1.
 FUNCTION Vec3 scatter_kajiya_kay(Fibre s, Vec3 to_light) {
   Real along_light = dot(s.tangent, to_light), along_view = dot(s.tangent, s.to_camera);
   Real sine_light = sine_to(along_light), sine_view = sine_to(along_view);
@@ -31,7 +31,7 @@ FUNCTION Vec3 scatter_scheuermann(Fibre s, Vec3 to_light) {
          Vec3(s.shine.weight * scattering.weights.y * first);
 }
 
-// Of R, TT, TRT and the rest.
+// Returns the longitudinal terms of R, TT, TRT and the residual.
 FUNCTION Vec4 longitudinal_lobes(Real sine_light, FibreEye eye) {
   return Vec4(longitudinal_lobe(sine_light, eye, scattering.tilt_sine.x, scattering.tilt_cosine.x,
                                 scattering.over_variance.x, scattering.normaliser.x),
@@ -66,7 +66,7 @@ FUNCTION FibreEye fibre_eye(Fibre s) {
   return eye;
 }
 
-// The two fibre models, once.
+// Single scattering of the two fibre models.
 FUNCTION Vec3 scatter_fibre(Fibre s, FibreEye eye, Vec3 to_light, bool marschner) {
   Real sine_light = clamp(-dot(s.tangent, to_light), -1.0f, 1.0f), azimuth = azimuth_between(s.tangent, eye.aside, to_light);
   if (marschner) {
@@ -77,16 +77,17 @@ FUNCTION Vec3 scatter_fibre(Fibre s, FibreEye eye, Vec3 to_light, bool marschner
   return 3.14159265f * azimuthal_light(longitudinal_lobes(sine_light, eye), azimuth, eye.cosine, eye.absorption);
 }
 
-// What a bundle sends back after many fibres. The fibre models scatter once; without the rest, pale fur turns grey and
-// red fur brown (dual scattering in spirit; science.md 4).
+// Returns the light that leaves a bundle of fibres after multiple scattering. The fibre models scatter once; without
+// this term pale fur turns grey and red fur brown (dual scattering in spirit; science.md 4).
 FUNCTION Vec3 scatter_again(Fibre s, Vec3 to_light) {
   return 0.55f * scattering.weights.x * sine_to(dot(s.tangent, to_light)) * s.colour;
 }
 
-// `once` and what follows it.
+// Returns single scattering `once` plus multiple scattering.
 FUNCTION Vec3 scatter_bundle(Fibre s, Vec3 to_light, Vec3 once) { return 0.6f * once + scatter_again(s, to_light); }
 
-// Light scattered to the camera for light of radiance 1, without shadow, B and ambient. `eye` is read by fibre models.
+// Returns the light scattered to the camera for light of radiance 1, without shadow, light_behind and ambient light.
+// Only fibre models read `eye`.
 FUNCTION Vec3 scatter(int model, Fibre s, FibreEye eye, Vec3 to_light) {
   if (scatters_fibres(model)) return scatter_bundle(s, to_light, scatter_fibre(s, eye, to_light, model == model_marschner));
   if (model == model_scheuermann) return scatter_scheuermann(s, to_light);

@@ -1,26 +1,26 @@
-// Skin as light finds it. SkinEntry, a region of the block of bare skin, is the includer's, and point_in_cell: a point of
-// [0, 1]^3 in each cell of whole numbers.
+// The surface of bare skin. The includer defines SkinEntry, a region in the block of bare skin, and point_in_cell,
+// which gives a point in [0, 1]^3 for each integer cell.
 
 struct Bare {
   Vec3 colour;
   Real shine, roughness, wetness, bump_height, bump_size, scatter;
-  Real share;  // of what is seen here that is bare
+  Real share;  // share of the surface here that is bare, [0, 1]
 };
 
-// Skin as the light finds it: normals of the relief, and of the wet film that partly fills it.
+// Skin for shading: the normals of its relief, and of the wet film that partly fills the relief.
 struct SkinSurface {
   Vec3 to_camera, normal, film, colour;
-  Real open;  // 0 in the depth of a crease
+  Real open;  // factor on light: 1, less in creases
   Real dry_roughness, wet_roughness;
 };
 
-// Domed cells with creases between them.
+// Relief of domed cells with creases between them.
 struct Leather {
-  Vec3 slope;    // in cells
-  Real creased;  // how far the crease is left behind, 0 at its bottom
+  Vec3 slope;    // gradient of the height, in cells
+  Real creased;  // 0 at the bottom of a crease, 1 outside
 };
 
-// Skin that is painted bare: of the scene's colour. It ends where fur has about half of its length.
+// Returns skin that is painted bare, in the given colour. It fades out where fur has about half of its length.
 FUNCTION Bare painted_bare(Vec3 colour, Real painted, Real wetness) {
   Bare bare;
   bare.colour = colour;
@@ -32,8 +32,8 @@ FUNCTION Bare painted_bare(Vec3 colour, Real painted, Real wetness) {
   return bare;
 }
 
-// The colour ends where fur has about half of its length, or within two pixels where that is sharper, and within twice the
-// region's radii where that is smaller than pixels.
+// Returns the share of a region's look at a position. It fades out over half of the softness, where fur has about half
+// of its length, but over at least two pixels; of regions smaller than a pixel, within twice their radii.
 FUNCTION Real bare_share(SkinEntry region, Vec3 place, Vec3 normal, Real pixel) {
   Vec3 apart = place - Vec3(region.centre);
   Real off = length(Vec3(dot(Vec3(region.across), apart), dot(Vec3(region.up), apart), dot(Vec3(region.along), apart)));
@@ -42,7 +42,7 @@ FUNCTION Real bare_share(SkinEntry region, Vec3 place, Vec3 normal, Real pixel) 
          smoothstep(region.facing.w, region.along.w, dot(normal, Vec3(region.facing)));
 }
 
-// Creases lie where the two nearest points are as near (Worley 1996).
+// Returns the relief at a position. Creases lie where the two nearest points are equally near (Worley 1996).
 FUNCTION Leather leather(Vec3 at) {
   Vec3 middle = floor(at), first = Vec3(9.0f), second = Vec3(9.0f);
   for (int k = 0; k < 27; ++k) {
@@ -62,14 +62,14 @@ FUNCTION Leather leather(Vec3 at) {
   return relief;
 }
 
-// Schlick's share of what is mirrored, from f0 up to f0 + rise.
+// Returns Schlick's reflectance, from f0 up to f0 + rise.
 FUNCTION Real schlick(Real f0, Real rise, Real facing) {
   Real away = 1.0f - facing, square = away * away;
   return f0 + rise * square * square * away;
 }
 
-// Blinn's highlight, its energy the same at any width, and Schlick's reflectance. A light is not a point, so that no
-// highlight is narrower than that of roughness 0.15.
+// Returns Blinn's highlight, with the same energy at any width, times Schlick's reflectance. Lights are not points, so
+// no highlight is narrower than at roughness 0.15.
 FUNCTION Real skin_highlight(Vec3 normal, Vec3 to_light, Vec3 to_camera, Real f0, Real roughness) {
   Vec3 between = unit_or_zero(to_light + to_camera);
   Real rough = max(roughness, 0.15f), alpha = rough * rough, exponent = 2.0f / (alpha * alpha) - 2.0f;
@@ -80,7 +80,7 @@ FUNCTION Real skin_highlight(Vec3 normal, Vec3 to_light, Vec3 to_camera, Real f0
 
 FUNCTION SkinSurface skin_surface(Bare bare, Vec3 place, Vec3 normal, Vec3 to_camera, Real pixel) {
   Real size = max(bare.bump_size, 1e-4f);
-  Real seen = smoothstep(3.0f, 8.0f, size / max(pixel, 1e-9f));  // cells of a pixel would sparkle: they widen highlights
+  Real seen = smoothstep(3.0f, 8.0f, size / max(pixel, 1e-9f));  // small cells would sparkle; they widen highlights
   Real whole_height = min(bare.bump_height / size, 4.0f), steep = seen * whole_height;
   Leather relief;
   relief.slope = Vec3(0.0f);
@@ -88,7 +88,7 @@ FUNCTION SkinSurface skin_surface(Bare bare, Vec3 place, Vec3 normal, Vec3 to_ca
   if (any_lane(steep > 0.0f)) relief = leather(place * (1.0f / size));
   Vec3 slope = relief.slope - dot(relief.slope, normal) * normal;
   Real uneven = 1.0f - 0.7f * bare.wetness, lost = whole_height - steep;
-  float film_roughness = 0.28f;  // of the wet film: glints, not sparks
+  float film_roughness = 0.28f;  // of the wet film; lower values sparkle
   SkinSurface surface;
   surface.to_camera = to_camera;
   surface.normal = unit_or_zero(normal - steep * slope);

@@ -1,16 +1,16 @@
-// Light of the skin between strands. Reads what grid_shadow.glsl does; grid_there says whether anything stands in the way
-// of light.
+// Lighting of the skin between strands. Reads the same as grid_shadow.glsl; grid_there tells whether anything occludes
+// light.
 
-// The skin where it is seen.
+// A visible position on the skin.
 struct SkinPlace {
   Vec3 place, normal, to_camera;
-  Vec3 colour;  // of what no fur hides
-  Vec3 under;   // under fur
+  Vec3 colour;  // colour where no fur grows
+  Vec3 under;   // colour under fur
   Real grown, bare, wetness;
-  Real pixel;  // size of one that is seen there, sizes
+  Real pixel;  // size of a pixel there, sizes
 };
 
-// What of the skin grows fur, and what is bare.
+// The look of skin with fur, and of bare skin.
 struct SkinLooks {
   Vec3 furred;  // colour
   Bare bare;

@@ -1,13 +1,16 @@
-// Light that a fibre of the fur sends to the camera. Of the includer: near_there, near_cell, near_mean, over_view and
-// near_count, what single strands are known by near the camera; shading_model and light_count of the frame.
+// The light that a fibre of the fur sends to the camera. The includer defines near_there, near_cell, near_mean,
+// over_view and near_count, which tell about single strands near the camera, and the frame's shading_model and
+// light_count.
 
-// How much single strands count at a place for the picture, [0, 1]: it shows little across from near.
+// Returns the weight of single strands at a position, [0, 1]: above 0 close to the camera, where the picture is less
+// than near_no_view wide.
 FUNCTION Real nearness(Vec3 place) {
   Real view = dot(place - Vec3(camera_position), Vec3(camera_forward)) * over_view;
   return 1.0f - smoothstep(float(near_whole_view), float(near_no_view), view);
 }
 
-// Strands that light crosses in near cells on its last way to a fibre.
+// Returns the strands that light crosses in near cells just before it reaches a fibre, less the mean of an entry, which
+// other cells share.
 FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
   Vec3 at = place * (1.0f / near_cell);
   Real sum = Real(0.0f);
@@ -16,7 +19,7 @@ FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
   return strands_crossed(own * float(1.0f / near_one), Real(1.0f), tangent, to_light);
 }
 
-// The strands to a light: near a fibre single ones, from where their cells end what the grid has.
+// Returns the strands to a light: single strands near a fibre, and beyond the near cells those of the grid.
 FUNCTION Real with_near(Index light, Fibre fibre, Vec3 to_light, Real near, Real crossed) {
   float way = near_cell * float(near_cell_steps);
   GridCells beyond = cells_off_skin(fibre.place + to_light * way, fibre.normal);
@@ -24,7 +27,8 @@ FUNCTION Real with_near(Index light, Fibre fibre, Vec3 to_light, Real near, Real
   return mix(crossed, max(single + crossed_at(light, beyond).strands, 0.0f), near);
 }
 
-// `thin`: share of the coat that lies within a few cells of the grid, which sees it too thick, [0, 1].
+// `thin`: share of the coat that lies within a few cells of the grid, where the grid overestimates its thickness, [0,
+// 1].
 FUNCTION SentLight strand_light(Fibre fibre, Real thin, Vec3 ambient, bool unshadowed) {
   Vec3 stopped = stopped_by_strand(fibre.crossed, 1.0f);
   SentLight sum;

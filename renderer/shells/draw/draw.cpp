@@ -7,7 +7,7 @@ namespace pelage {
 void set_draw_state(const Gl& gl, const RenderTarget& target) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
   gl.Viewport(0, 0, target.width(), target.height());
-  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);  // rows from the top, depth as reversed floats want it
+  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);  // rows from the top; depth in [0, 1], as reversed depth needs
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_GEQUAL);
   gl.Disable(GL_CULL_FACE);

@@ -1,4 +1,4 @@
-// What all passes that draw the model set before they draw.
+// GL state and draw calls that all passes over the model share.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace pelage {
 
-/// Binds the target; depth is reversed, rows come from the top, nothing is culled.
+/// Binds the target and sets reversed depth, rows from the top and no face culling.
 void set_draw_state(const Gl& gl, const RenderTarget& target);
-/// Clears the colour to `colour` and the depth to far away.
+/// Clears the colour to `colour` and the depth, if there is one, to infinitely far.
 void clear_target(const Gl& gl, const RenderTarget& target, const std::array<float, 4>& colour);
 void draw_list(const Gl& gl, const ModelBuffers::DrawList& list);
 

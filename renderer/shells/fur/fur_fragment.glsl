@@ -1,4 +1,4 @@
-// A fragment of a shell. Its includer has light_on, which says how a fibre is lit.
+// The fragment shader of a shell. The including file defines light_on, which lights a fibre.
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "base_colour.glsl"
@@ -27,10 +27,10 @@ flat in vec3 over;
 in float density_share;
 in float length_share;
 
-const int steps = 2;  // of the texture inside a shell's slab where every shell is drawn
+const int steps = 2;  // texture samples inside a shell's slab where every shell is drawn
 
 #ifdef PAINT_COLOUR
-const float mean_level = 7.0;  // whose texels hold the mean of many strands
+const float mean_level = 7.0;  // mip level whose texels hold the mean of many strands
 
 float lightness_over(vec3 strand, vec3 mean) {
   return clamp(luminance(strand) / max(luminance(mean), 1e-4), 0.5, 1.6);
@@ -39,7 +39,7 @@ float lightness_over(vec3 strand, vec3 mean) {
 
 vec3 light_on(Fibre fibre, vec4 open);
 
-// Premultiplied.
+// Returns the premultiplied light of a slab.
 vec4 lit(Slab slab, vec3 normal) {
   float share = 1.0 / slab.opacity;
   float height = slab.height * share;

@@ -19,11 +19,11 @@ extern const char* const skin_frag;
 
 namespace {
 
-// Fur behind dense fur of something nearer is hidden by a coarse depth of it, written further away by a part of the
-// fur's length over the cosine of the view, so that the shells of one coat do not hide each other. Without it the
-// body's outer shells would cover an ear's fringe; with a whole length they shine through thin rims.
+// A coarse depth of dense fur hides fur further behind. It is written further away than it is, by a share of the fur's
+// length over the cosine of the view, so that the shells of one coat do not hide each other. Without it, the body's
+// outer shells would cover an ear's fringe; with a whole length they would show through thin rims.
 constexpr int solid_shells = 4;
-constexpr float solid_push = 0.25f;
+constexpr float solid_push = 0.25f;  // lengths of the fur
 
 }  // namespace
 
@@ -62,8 +62,8 @@ void FurPass::draw_skin(const Gl& gl, const FurDrawing& drawing) {
 
 namespace {
 
-/// How a shell is drawn: the number of shells, how often it may be halved, and the side, 1 or -1, from which the ray
-/// enters its slab. A program of fur_vertex.glsl has to be in use.
+/// How a shell is drawn: the number of shells, how often that may be halved, and the side from which the ray enters its
+/// slab: 1 from outside, -1 from inside. A program of fur_vertex.glsl has to be in use.
 struct ShellDrawing {
   int shells, max_lod, side;
 
@@ -71,7 +71,7 @@ struct ShellDrawing {
     if (list.count == 0) return;
     program.set("shell_count", shells);
     program.set("shell", shell);
-    program.set("max_shell_lod", max_lod);  // is there with SHELL_LOD alone
+    program.set("max_shell_lod", max_lod);  // exists only with SHELL_LOD
     program.set("shell_side", side);
     draw_list(gl, list);
   }

@@ -1,4 +1,4 @@
-// A vertex of a shell. Its includer writes main().
+// The vertex shader of a shell. The including file defines main().
 #include "frame.glsl"
 #include "lean.glsl"
 
@@ -10,7 +10,7 @@ layout(location = 4) in vec3 tile_axis;
 layout(location = 5) in vec3 image_uv;  // u, v, image (-1 for none)
 layout(location = 6) in vec3 colour;
 layout(location = 7) in vec3 groom;     // direction (tangent, bitangent), length
-layout(location = 8) in float weight;   // of the patch that the piece belongs to
+layout(location = 8) in float weight;   // share of the optical depth that this triangle's patch of fur draws
 layout(location = 15) in vec3 shading_normal;  // split at creases; fur grows along `normal`
 layout(location = 9) in float shell_lod;  // how often the number of shells may be halved
 #ifdef PATTERN
@@ -21,20 +21,20 @@ layout(location = 10) in vec4 variation;  // factor on length, addition to incli
 
 uniform int shell_count;
 uniform int shell;
-uniform int shell_side;   // 1 on front-facing triangles, -1 on those back-facing
+uniform int shell_side;   // 1 for front-facing triangles, -1 for back-facing ones
 #ifdef SHELL_LOD
 uniform int max_shell_lod;  // 0: every shell is drawn everywhere
 #endif
-uniform float push;       // how much further from the camera the depth is written, in lengths of the fur
+uniform float push;       // how much further from the camera the depth is written, lengths of the fur
 
 #ifdef SHELL_LOD
-out float slab_middle, slab_thickness;  // over the height of the fur
+out float slab_middle, slab_thickness;  // of the shell's slab, relative to the height of the fur
 #include "shell_lod.glsl"
 #endif
 
 out vec3 place;
 #ifdef SHADOW_MAPS
-out vec4 open_place;      // as in skin.vert, or above the hull
+out vec4 open_place;      // as in skin.vert, but at the shell's height if that is above the hull
 #endif
 #ifdef PATTERN
 out vec3 root;           // where the strand leaves the skin: patterns are anchored there
@@ -46,22 +46,22 @@ out float tuft_length;   // of the fur, sizes
 #endif
 out vec3 fibre_normal;
 out vec3 fibre_tangent;
-out vec2 tile;           // place on the tile at the slab's middle, in tiles
-out float level;         // mip level for the size of a pixel here
-out vec2 pixel_speed;    // of a strand on the picture as it rises, pixels for a unit of height
-out float max_crossing; // length of tile_per_height in slab.glsl at most
-out float slant;         // path through a slab over its thickness, as the strands see it
+out vec2 tile;           // position on the sample tile at the slab's middle, tiles
+out float level;         // mip level of the slices for the size of a pixel here
+out vec2 pixel_speed;    // movement of a strand on the picture for a unit of height, pixels
+out float max_crossing; // largest length of tile_per_height (slab.glsl)
+out float slant;         // length of the ray's path through a slab over its thickness, relative to the strands
 out vec3 tile_u;
 out vec3 base_uv;
 out vec3 base_colour;
-flat out vec3 over;      // colour of the fur above this shell over the colour in it
-out float density_share; // of the optical depth that this piece draws
-out float length_share;  // of the fur, over nominal_length
+flat out vec3 over;      // colour of the fur above this shell divided by the colour in it
+out float density_share; // share of the optical depth that this triangle draws
+out float length_share;  // length of the fur over nominal_length
 
-// Fur of no length is no fur, or it would lie as a fog on bare skin.
+// Fades out fur of almost no length, which would otherwise lie like fog on bare skin.
 float grown(float fur_length) { return smoothstep(0.0, 0.002, fur_length); }
 
-// Answers the height of the shell over that of the fur.
+// Writes all outputs of the vertex. Returns the height of the shell over that of the fur.
 float place_vertex() {
 #ifdef SHELL_LOD
   float slab_end = slab_begin(shell + 1, shell_lod);
@@ -92,18 +92,18 @@ float place_vertex() {
   fibre_normal = shading_normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);
 
-  // Along the ray, a unit of height moves the root that it crosses by what the ray moves less what the strand leans. On
-  // flat skin: enough for the slant, and slab.glsl knows better where the ray goes.
+  // For a unit of height, the root of the strand that the ray crosses moves by the ray's movement less the strand's lean.
+  // This takes the skin as flat, which is enough for the slant; slab.glsl follows the ray more exactly.
   vec3 to_camera = normalize(frame.viewpoint.xyz - place);
   float facing = dot(to_camera, shading_normal);
-  float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // one sign for all of a triangle
+  float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // the same sign over a whole triangle
   float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
   vec3 crossing = (to_camera - facing * shading_normal) * (up_speed / rising) - across_speed * lean;
   vec3 tile_v = cross(shading_normal, tile_axis);
   vec2 sideways = vec2(dot(crossing, tile_axis), dot(crossing, tile_v));
   tile = tile_uv * frame.tile.x;
   float lateral = length(sideways) / nominal_length;
-  // What lies on its side is met by its length: a ray across the lean crosses more than it moves past.
+  // A leaning strand offers its length to a ray across the lean, which then crosses more strands.
   float aside = dot(cross(lean, to_camera), shading_normal) * across_speed / (rising * nominal_length);
   slant = sqrt(1.0 + lateral * lateral + aside * aside);
   float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);

@@ -1,5 +1,5 @@
 #version 450 core
-// The baseline that GPU fur starts from (eq 1): light at the vertices.
+// The baseline of GPU fur (eq 1): light is computed at the vertices.
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "fur_vertex.glsl"
@@ -7,7 +7,7 @@
 out vec3 vertex_light;   // for fur of colour 1
 
 void main() {
-  const float grey = 0.4;  // fur lets light through by its colour, which the vertices do not know
+  const float grey = 0.4;  // transmittance depends on the fur's colour, which is not known at vertices
   float s = place_vertex();
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;

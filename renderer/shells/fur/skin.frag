@@ -27,7 +27,7 @@ in vec4 varied;
 
 layout(location = 0) out vec4 result;
 
-/// 1 where fur rises out of the face, 0 where it turns over in a fold and grows into the body, where no shell is seen.
+/// Returns 1 where fur rises out of the triangle's visible side, 0 in a fold where it grows into the body and no shell shows.
 float rising_from_face() {
   vec3 across = cross(dFdx(place), dFdy(place));
   across = dot(across, frame.viewpoint.xyz - place) < 0.0 ? -across : across;
@@ -35,10 +35,9 @@ float rising_from_face() {
   return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
 }
 
-// Skin without fur is lit as a matt surface; regions of bare skin have a look of their own.
-// Under fur lies an undercoat: the colour of the roots in the light that gets there. The inner side
-// of an open model shows no fur, nor does a fold where it grows into the body: they are lit as a matt surface of the
-// fur's mean colour.
+// Skin without fur is lit as a matt surface; regions of bare skin have their own shading. Under fur lies an undercoat: the
+// colour of the roots in the light that reaches them. The inner side of an open model shows no fur, and neither does a fold
+// where fur grows into the body: both are lit as a matt surface of the fur's mean colour.
 void main() {
   vec3 normal = normalize(skin_normal);
   if (!gl_FrontFacing) normal = -normal;

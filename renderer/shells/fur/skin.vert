@@ -23,7 +23,7 @@ out vec4 varied;
 layout(location = 2) in vec3 tangent;
 out vec3 fur_offset;  // from the root to the hull of the fur
 #ifdef SHADOW_MAPS
-out vec4 open_place;  // where light that the rest of the body lets through comes to the fur, on its hull; the hull's height
+out vec4 open_place;  // xyz: hull position, where light that passes the rest of the body reaches the fur; w: height of the hull
 #endif
 
 void main() {

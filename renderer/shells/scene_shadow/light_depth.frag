@@ -4,6 +4,6 @@ in vec3 place;
 uniform vec3 axis;
 uniform float offset;
 
-layout(location = 0) out float depth;  // linear, sizes
+layout(location = 0) out float depth;  // linear depth of the skin or the hull, sizes
 
 void main() { depth = dot(axis, place) + offset; }

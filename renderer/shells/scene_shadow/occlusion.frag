@@ -12,8 +12,8 @@ layout(binding = depth_maps_unit) uniform sampler2D light_depth;
 
 layout(location = 0) out vec2 occluded;
 
-// The inverted occlusion map: 1 where skin that faces the light lies deeper than what the light sees (GPU fur 4). Then the
-// depth of what the light sees.
+// The inverted occlusion map (GPU fur 4): 1 where skin that faces the light is occluded, and the depth of its occluder; else
+// 0.
 void main() {
   if (dot(skin_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
   float depth = dot(axis, place) + offset;

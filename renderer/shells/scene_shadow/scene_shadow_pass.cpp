@@ -16,7 +16,7 @@ extern const char* const shadow_width_frag;
 namespace {
 
 constexpr auto bias = static_cast<float>(cast_bias);
-constexpr float nowhere = 1e4f;  // depth where the light sees nothing, sizes
+constexpr float nowhere = 1e4f;  // depth where no skin is visible from the light, sizes
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Shadow that one part of the body casts on another (GPU fur 4): depth map, inverted occlusion map, shadow-width map.
+// Draws the maps for shadows that one part of the body casts on another (GPU fur 4): depth map, inverted occlusion map,
+// shadow-width map.
 #pragma once
 
 #include <string>
@@ -10,8 +11,7 @@
 
 namespace pelage {
 
-/// Where the three maps are drawn, one light after the other. Depth and occlusion are of the maps' size; that of the
-/// widths divides it.
+/// Targets of the three maps of a light. Depth and occlusion have the same size, a multiple of the width map's.
 struct SceneShadowTargets {
   const RenderTarget &depth, &occlusion, &width;  // R32F with depth buffer, RG32F, RG32F
 };
@@ -20,9 +20,10 @@ class SceneShadowPass {
  public:
   explicit SceneShadowPass(const Gl& gl);
 
+  /// Returns why programs could not be built; "" if all were.
   std::string failure() const { return depth_.log() + hull_.log() + occlusion_.log() + width_.log(); }
 
-  /// The frame block of the light's view and the model's vertex array are bound.
+  /// Draws the three maps. The frame block of the light's view and the model's vertex array have to be bound.
   void draw(const Gl& gl, const ModelBuffers::DrawList& triangles, const LightView& light,
             const SceneShadowTargets& targets) const;
 

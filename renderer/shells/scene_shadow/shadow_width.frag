@@ -1,10 +1,10 @@
 #version 450 core
 #include "constants.glsl"
-// The shadow-width map: the inverted occlusion map reduced. Sampling it linearly enlarges it again, and the grey near an
-// edge stands for the distance to it (GPU fur 4).
+// The shadow-width map (GPU fur 4): the inverted occlusion map, reduced. Linear sampling enlarges it again; intermediate
+// values near an edge then stand for the distance to the edge.
 layout(binding = width_maps_unit) uniform sampler2D occlusion;
 
-uniform int ratio;  // texels of the occlusion map along a side of one of this
+uniform int ratio;  // texels of the occlusion map along a side of a texel of this map
 
 layout(location = 0) out vec2 width;
 

@@ -8,11 +8,11 @@ in float density_share;
 in vec3 tile_u;
 #endif
 
-const int steps = 2;  // inside each shell
+const int steps = 2;  // texture samples inside each shell's slab
 
 layout(location = 0) out float kept;
 
-// What one shell lets through on the way from the light; blending multiplies the shells.
+// The transmittance of one shell along the ray from the light; blending multiplies those of all shells.
 void main() {
   look_around();
   if (dot(fibre_normal, frame.viewpoint.xyz - place) <= 0.0) discard;

@@ -1,4 +1,5 @@
-// Shadow maps of the shells (GPU fur 3.1): for each boundary between shells, the share of light that got there.
+// Draws the shadow maps of the shells (GPU fur 3.1): for each boundary between shells, the transmittance from the light
+// to it.
 #pragma once
 
 #include <map>
@@ -11,18 +12,18 @@
 
 namespace pelage {
 
-inline constexpr int shadow_boundaries = shadow_shells + 1;  // the skin first, the open air last
+inline constexpr int shadow_boundaries = shadow_shells + 1;  // from the skin to above the last shell
 
 class ShellShadowPass {
  public:
   explicit ShellShadowPass(const Gl& gl);
 
-  /// "" when the programs of all variants so far were built.
+  /// Returns why programs could not be built; "" if those of all variants so far were.
   std::string failure() const { return failure_; }
 
-  /// Writes shadow_boundaries slices of `maps` (R16F) from `first_slice` on. The frame block of the light's view, the
-  /// model's vertex array, the coat's textures and what the variant reads (#define lines: PATTERN, TUFTS) are bound.
-  /// `target` is R16F with depth and of the maps' size.
+  /// Writes shadow_boundaries slices of the texture array `maps` (R16F) from `first_slice` on. The frame block of the
+  /// light's view, the model's vertex array, the coat's textures and what the variant (#define lines: PATTERN, TUFTS)
+  /// reads have to be bound. `target` is R16F with depth, of the maps' size.
   void draw(const Gl& gl, const std::string& variant, const ModelBuffers::DrawList& triangles,
             const RenderTarget& target, GLuint maps, int first_slice);
 

@@ -1,6 +1,6 @@
 #version 450 core
-// Blends the sorted list of each pixel from the camera inwards. Fragments at one depth, as those of patches that overlap,
-// are a mixture: their opacities combine and their colours weigh by opacity, whatever their order.
+// Blends the sorted list of each pixel front to back. Fragments at the same depth, as of overlapping patches, are mixed so
+// that their order does not count: their opacities combine, and their colours are weighted by opacity.
 #include "fragment_lists.glsl"
 
 layout(location = 0) out vec4 result;  // premultiplied

@@ -1,7 +1,7 @@
 #version 450 core
-// One round of natural merge sort (Knuth 5.2.4) over the list of each pixel: runs that are in order are merged two by
-// two. A fragment's depth is near over distance, so that the nearest one has the largest bits. One flat loop, of at
-// most two and a half steps for each fragment: what one draw may walk over is bounded.
+// One round of natural merge sort (Knuth 5.2.4) over the list of each pixel: merges runs that are in order two by two. A
+// fragment's depth is near / distance, so that the nearest one has the largest bits. It is a single loop of at most two
+// and a half steps for each fragment, because the steps of one draw are bounded (max_steps).
 #include "fragment_lists.glsl"
 
 void main() {
@@ -9,10 +9,10 @@ void main() {
   uint first = lists.firsts[pixel];
   if (first == 0u || (first & in_order) != 0u) return;
 
-  uint head = 0u, last = 0u;               // of what this round has put in order
-  uint a = first, b = 0u, rest = 0u;       // two runs, and what follows them
+  uint head = 0u, last = 0u;               // first and last fragment of the list that this round writes
+  uint a = first, b = 0u, rest = 0u;       // the next fragments of the two runs, and of what follows them
   uvec2 at_a = links[a - 1u], at_b = uvec2(0u);
-  uint scan = a;                           // looks for the end of the first run
+  uint scan = a;                           // searches for the end of the first run
   uvec2 at_scan = at_a;
   bool merging = false;
   uint rounds = 0u, step = 0u;

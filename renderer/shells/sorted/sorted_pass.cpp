@@ -56,7 +56,7 @@ bool FragmentLists::possible(const Gl& gl) {
 
 FragmentLists::FragmentLists(const Gl& gl, std::size_t bytes) : firsts_(gl), links_(gl), colours_(gl) {
   const auto block = static_cast<std::size_t>(std::max(limit(gl, GL_MAX_SHADER_STORAGE_BLOCK_SIZE), 1));
-  constexpr std::size_t max = 1u << 30;  // places must leave the bit that marks a sorted list
+  constexpr std::size_t max = 1u << 30;  // indices must leave the bit that marks a sorted list (in_order)
   capacity_ = static_cast<std::uint32_t>(
       std::clamp<std::size_t>(std::min(bytes / fragment_bytes, block / colour_bytes), 1, max));
   const auto reserve = [&](const Buffer& buffer, std::size_t size) {
@@ -102,7 +102,7 @@ namespace {
 
 constexpr int max_rounds = 32;          // each halves the number of runs
 constexpr double guessed_cover = 0.25;  // share of a picture's pixels that fur covers
-constexpr double cautious = 0.8;        // of the room is used by areas as full as their neighbours
+constexpr double cautious = 0.8;        // share of the room that the parts of a cut area should use
 
 Status impossible() {
   return failure(Code::invalid, "this server's GL cannot keep lists of fragments", "/quality/order", "shells");

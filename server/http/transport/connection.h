@@ -9,10 +9,10 @@
 
 namespace pelage {
 
-/// A client's socket, with the bytes that came on it and that nobody has read yet. The socket is closed with it.
+/// A client's socket, with the received bytes that nobody has read yet. Its destructor closes the socket.
 class Connection {
  public:
-  /// Takes the socket over. `address` and `port` are the client's.
+  /// Takes ownership of the socket. `address` and `port` are the client's.
   Connection(int socket, std::string address, int port);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -24,10 +24,10 @@ class Connection {
 
   std::string_view unread() const { return std::string_view(received_).substr(read_); }
   void append(const char* bytes, std::size_t size) { received_.append(bytes, size); }
-  /// Copies the first `size` unread bytes at most, and counts them as read.
+  /// Copies up to `size` unread bytes, marks them as read and returns their number.
   std::size_t take(char* to, std::size_t size);
 
-  int requests = 0;  // that were answered
+  int requests = 0;  // number of requests served, with the present one
 
  private:
   const int socket_;
@@ -37,11 +37,11 @@ class Connection {
   std::size_t read_ = 0;
 };
 
-/// The size of the first request's head in `bytes`, with the empty line that ends it; none while that has not come.
-/// Bytes before `searched` are known to hold no end.
+/// Returns the size of the first request's head in `bytes`, with the empty line that ends it; none while that line is
+/// missing. The first `searched` bytes are known not to have it.
 std::optional<std::size_t> head_size(std::string_view bytes, std::size_t searched = 0);
 
-/// Method and target of a head's first line, as they came; empty where it has none.
+/// Method and target of a request's first line, verbatim; empty if the line is malformed.
 struct RequestLine {
   std::string method, target;
 };
@@ -54,11 +54,11 @@ struct Exchange {
 
   const Connection& connection;
   RequestLine line;
-  std::chrono::steady_clock::time_point begin;  // its head was whole
-  int status = 0;                               // of the answer; 0 where none was sent
-  std::size_t bytes = 0;                        // of the answer, with its head
-  std::string id;                               // what the answer and the log call it by; the handlers set it
-  std::string problem;                          // why it was refused or failed; the handlers set it
+  std::chrono::steady_clock::time_point begin;  // when its head was complete
+  int status = 0;                               // HTTP status of the answer; 0 if none was sent
+  std::size_t bytes = 0;                        // size of the answer, with its head
+  std::string id;                               // id in the answer and in the log; set by the handlers
+  std::string problem;                          // why it was refused or failed; empty if it was not
 };
 
 }  // namespace pelage

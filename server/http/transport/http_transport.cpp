@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-/// cpp-httplib leaves `progress` of a request to clients; here it carries the exchange to the handlers.
+/// Carries the exchange to the handlers in `progress` of a request, which cpp-httplib uses in its client only.
 struct ExchangeCarrier {
   Exchange* exchange;
   bool operator()(std::uint64_t, std::uint64_t) const { return true; }
@@ -65,7 +65,7 @@ bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock:
   bool stays = false;
   const Status served = caught([&] {
     Exchange exchange(connection, begin);
-    // What handlers throw is answered elsewhere; this comes from handlers that throw while their answer is being sent.
+    // Catches what handlers throw while their answer is being sent; answer_failures answers what they throw before.
     const Status answered = caught([&] { return stays = answer_one(connection, exchange), Status{}; });
     if (!answered.ok()) exchange.problem = answered.message;
     hooks_.ended(exchange);

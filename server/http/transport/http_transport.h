@@ -1,4 +1,4 @@
-// cpp-httplib's server behind a reception of our own.
+// cpp-httplib's server with connections that are managed by Reception.
 #pragma once
 
 #include <httplib.h>
@@ -12,22 +12,23 @@
 
 namespace pelage {
 
-/// Routes, parses and answers as cpp-httplib does, which by itself gives each connection a thread for as long as it
-/// lives: 128 idle clients lock all others out.
+/// Parses, routes and answers requests by cpp-httplib, but gives threads to requests only. cpp-httplib itself gives
+/// each connection a thread for as long as it lives: 128 idle clients would lock all others out.
 class HttpTransport : public httplib::Server {
  public:
   struct Hooks {
-    /// Before the handlers of a request, whose head is parsed.
+    /// Called after the head of a request is parsed, before its handlers.
     std::function<void(const httplib::Request&, Exchange&)> begun;
-    /// The whole answer to a request that reaches no handler: 408, 431 or 503.
+    /// Returns the whole answer to a request that reaches no handler: 408, 431 or 503.
     std::function<std::string(Exchange&, int http_status)> refusal;
-    /// After each answer, on any thread.
+    /// Called after each answer, on any thread.
     std::function<void(const Exchange&)> ended;
     /// Returns whether a GET or HEAD of a path, without its query, may take the reserved worker.
     std::function<bool(const std::string& path)> is_probe;
   };
 
-  /// Serves a socket that is bound until stop_serving() and what runs then has ended; false when it failed.
+  /// Serves the bound socket until stop_serving() is called and running requests have ended. Returns false if the
+  /// socket failed.
   bool serve(const ReceptionLimits& limits, Hooks hooks);
   /// Thread-safe; may come before serve().
   void stop_serving();
@@ -41,7 +42,7 @@ class HttpTransport : public httplib::Server {
   Hooks hooks_;
   std::mutex mutex_;
   bool stopped_ = false;
-  Reception* reception_ = nullptr;  // while it runs
+  Reception* reception_ = nullptr;  // null unless serve() is running
 };
 
 /// The exchange that a request of a handler belongs to; null for a request whose head was malformed.

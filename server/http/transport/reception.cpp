@@ -19,8 +19,8 @@ namespace pelage {
 namespace {
 
 constexpr int check_milliseconds = 100;         // how often timeouts are checked
-constexpr std::size_t block_bytes = 16 * 1024;  // that are received at once
-constexpr int no_room_microseconds = 10'000;    // pause where the machine gives no socket
+constexpr std::size_t block_bytes = 16 * 1024;  // received by one call of recv()
+constexpr int no_room_microseconds = 10'000;    // pause when the system has no free socket
 
 int or_throw(int descriptor) {
   if (descriptor < 0) throw std::system_error(errno, std::generic_category());
@@ -87,7 +87,7 @@ void Reception::handle_events(int wait_milliseconds) {
   std::array<epoll_event, 64> events{};
   const int count = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), wait_milliseconds);
   now_ = Clock::now();
-  for (int k = 0; k < count; ++k) {  // none where a signal came
+  for (int k = 0; k < count; ++k) {  // -1 events after a signal
     const int socket = events[static_cast<std::size_t>(k)].data.fd;
     if (eventfd_t times = 0; socket == wake_) eventfd_read(wake_, &times);
     if (socket == listening_) accept_all();
@@ -95,7 +95,7 @@ void Reception::handle_events(int wait_milliseconds) {
   }
 }
 
-/// Runs an action on a connection. Without memory for it that connection ends, and the others stay.
+/// Runs an action on a connection. If it runs out of memory, only that connection is closed.
 void Reception::or_drop(int socket, void (Reception::*action)(Entries::iterator)) {
   try {
     (this->*action)(entries_.find(socket));
@@ -109,7 +109,7 @@ void Reception::accept_all() {
   }
 }
 
-/// False when no client waits any more, or the machine has no room for one.
+/// Accepts one client. Returns false if none is waiting, the system has no free socket or the listening socket failed.
 bool Reception::accept_one() {
   sockaddr_storage peer{};
   socklen_t size = sizeof peer;
@@ -118,7 +118,7 @@ bool Reception::accept_one() {
     if (client_left_early(errno)) return true;
     if (machine_is_full(errno)) {
       if (!make_room()) usleep(no_room_microseconds);
-      return false;  // epoll says again who waits
+      return false;  // epoll reports a waiting client again
     }
     failed_ = errno != EAGAIN && errno != EWOULDBLOCK;
     return false;
@@ -128,13 +128,13 @@ bool Reception::accept_one() {
     if (entries_.size() >= limits_.connections && !make_room()) return true;
     entries_[socket] = {std::move(connection), State::waiting, now_};
     watch(socket);
-  } catch (const std::bad_alloc&) {  // it is closed
+  } catch (const std::bad_alloc&) {  // the client is not served
   }
   return true;
 }
 
-/// Ends the connection that has done nothing for longest, of those that sent no part of a request if there are any.
-/// False when all have a request.
+/// Closes the connection that has been idle longest, preferably one that has sent no part of a request. Returns false
+/// if all are being served.
 bool Reception::make_room() {
   const auto rank = [](const Entry& entry) {
     return std::make_pair(entry.state == State::waiting && !entry.connection->unread().empty(), entry.since);
@@ -156,7 +156,7 @@ void Reception::receive(Entries::iterator entry) {
   const ssize_t size = recv(socket, block.data(), block.size(), MSG_DONTWAIT);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return;
   if (size <= 0) return drop(entry);
-  if (held.state == State::closing) return;  // nobody reads it
+  if (held.state == State::closing) return;  // the bytes are dropped
   if (held.connection->unread().empty()) held.since = now_;
   held.connection->append(block.data(), static_cast<std::size_t>(size));
   begin_if_whole(entry);
@@ -186,7 +186,8 @@ void Reception::refuse(Entries::iterator entry, int http_status) {
   begin_closing(entry);
 }
 
-/// Closes once the client has closed too: a socket that is closed with bytes unread takes the answer from its client.
+/// Ends sending, and closes once the client has closed too: closing a socket with unread bytes sends a reset, which can
+/// discard the answer before the client has read it.
 void Reception::begin_closing(Entries::iterator entry) {
   entry->second.state = State::closing;
   entry->second.since = now_;
@@ -233,7 +234,7 @@ void Reception::check_timeouts() {
     if (entry->second.state != State::served)
       or_drop(entry->first, &Reception::check_timeout);
     else if (out_of_time)
-      shutdown(entry->first, SHUT_RDWR);  // its bytes are the worker's
+      shutdown(entry->first, SHUT_RDWR);  // only the worker may use the connection
   }
 }
 
@@ -253,7 +254,7 @@ void Reception::begin_stopping() {
   stopping_ = true;
   stopping_since_ = now_;
   unwatch(listening_);
-  shutdown(listening_, SHUT_RDWR);  // whoever comes now is refused at once
+  shutdown(listening_, SHUT_RDWR);  // new clients are refused at once
   for (auto next = entries_.begin(); next != entries_.end();) {
     const auto entry = next++;
     if (entry->second.state == State::waiting) drop(entry);

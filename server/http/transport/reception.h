@@ -1,4 +1,4 @@
-// One thread holds the connections of all clients.
+// One thread that holds the connections of all clients and passes complete requests to workers.
 #pragma once
 
 #include <atomic>
@@ -20,35 +20,36 @@ namespace pelage {
 struct ReceptionLimits {
   using Milliseconds = std::chrono::milliseconds;
   int workers = 128;
-  std::size_t waiting_requests = 256;    // that wait for a worker
-  std::size_t connections = 512;         // beyond it the one that is idle longest is closed
-  std::size_t head_bytes = 32 * 1024;    // of a request's first line and headers
+  std::size_t waiting_requests = 256;    // limit of the requests that wait for a worker
+  std::size_t connections = 512;         // limit; beyond it the longest idle connection is closed
+  std::size_t head_bytes = 32 * 1024;    // limit of a request's first line and headers
   Milliseconds head_timeout{10'000};     // from the first byte of a head to its last
-  Milliseconds idle_timeout{60'000};     // without a request
+  Milliseconds idle_timeout{60'000};     // of a connection without a request
   Milliseconds linger_timeout{1'000};    // for a client to read the last answer
-  Milliseconds stopping_timeout{8'000};  // for requests that run when the server stops; then their clients are cut off
+  Milliseconds stopping_timeout{8'000};  // for requests that run when the server stops; then they are disconnected
 };
 
-/// Idle and slow clients take memory here and no thread: a connection takes a worker once the head of a request is
-/// complete, and comes back after the answer. One more worker is reserved for urgent requests.
+/// Idle and slow clients take memory here but no thread: a connection gets a worker once the head of a request is
+/// complete, and returns here after the answer. One more worker is reserved for urgent requests.
 class Reception {
  public:
   struct Calls {
-    /// Answers one request, whose head is whole, on a worker's thread. False: the connection ends. Throws nothing.
+    /// Answers one request, whose head is complete, on a worker's thread. Returns false to end the connection. Must not
+    /// throw.
     std::function<bool(Connection&, std::chrono::steady_clock::time_point head_was_whole)> serve;
-    /// The bytes of an answer for a request that reaches no worker: 408 (its head was too slow), 431 (too large) or 503
-    /// (too many wait).
+    /// Returns the bytes of the answer to a request that reaches no worker: 408 (its head was too slow), 431 (its head
+    /// is too large) or 503 (too many requests wait).
     std::function<std::string(const Connection&, int http_status)> refusal;
     std::function<bool(const RequestLine&)> urgent;
   };
 
-  /// Takes connections of a socket that listens, which stays the caller's. Throws std::system_error when the machine
-  /// has no room for a thread or a file.
+  /// Accepts connections of a listening socket, which the caller owns. Throws std::system_error if the system is out of
+  /// threads or file descriptors.
   Reception(int listening, const ReceptionLimits& limits, Calls calls);
   ~Reception();
 
-  /// Serves on this thread until stop() is called and what runs then has ended. Returns false when the listening socket
-  /// failed.
+  /// Serves on this thread until stop() is called and running requests have ended. Returns false if the listening
+  /// socket failed.
   bool run();
   /// Thread-safe; may come before run().
   void stop();
@@ -57,10 +58,10 @@ class Reception {
   enum class State { waiting, served, closing };
   using Clock = std::chrono::steady_clock;
   struct Entry {
-    std::unique_ptr<Connection> connection;  // while it is served the worker's alone, but for its socket
+    std::unique_ptr<Connection> connection;  // while served, only the worker may use it, except its socket
     State state = State::waiting;
-    Clock::time_point since;   // of the state; of a head, when its first byte came
-    std::size_t searched = 0;  // unread bytes that hold no end of a head
+    Clock::time_point since;   // start of the state; for a head, arrival of its first byte
+    std::size_t searched = 0;  // unread bytes known not to hold the end of a head
   };
   using Entries = std::map<int, Entry>;  // by socket
 
@@ -92,8 +93,8 @@ class Reception {
   bool stopping_ = false, failed_ = false;
   std::atomic<bool> stop_asked_{false};
   std::mutex mutex_;
-  std::vector<std::pair<int, bool>> returned_;  // sockets from workers, and whether they stay
-  std::unique_ptr<Workers> workers_;            // ends before all that its tasks use
+  std::vector<std::pair<int, bool>> returned_;  // sockets back from workers; true if the connection stays
+  std::unique_ptr<Workers> workers_;            // declared last: ends before what its tasks use
 };
 
 }  // namespace pelage

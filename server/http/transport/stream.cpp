@@ -71,7 +71,7 @@ void ConnectionStream::get_remote_ip_and_port(std::string& address, int& port) c
   port = connection_.port();
 }
 
-/// The server asks for nothing of its own side.
+/// Returns no address: the server does not use its own.
 void ConnectionStream::get_local_ip_and_port(std::string& address, int& port) const {
   address.clear();
   port = -1;

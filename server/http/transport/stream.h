@@ -1,4 +1,4 @@
-// What cpp-httplib reads requests from and writes answers to.
+// The stream from which cpp-httplib reads a request and to which it writes the answer.
 #pragma once
 
 #include <httplib.h>
@@ -10,23 +10,23 @@
 
 namespace pelage {
 
-/// A connection while one request is served. Waits for a client that stands still 5 s, and for one that is slow 30 s in
-/// all, and a second more for each 8 KiB.
+/// A connection while one request is served. One wait for the client may take 5 s, and all waits together 30 s and a
+/// second more for each 8 kB that are transferred.
 class ConnectionStream : public httplib::Stream {
  public:
   ConnectionStream(Connection& connection, Exchange& exchange) : connection_(connection), exchange_(exchange) {}
 
   bool is_readable() const override;
   bool is_writable() const override;
-  /// -1 when nothing came in time, 0 at the end.
+  /// Returns -1 for a timeout or an error, and 0 at the end.
   ssize_t read(char* to, std::size_t size) override;
-  /// All of it, or -1.
+  /// Writes all bytes and returns `size`, or returns -1.
   ssize_t write(const char* from, std::size_t size) override;
   void get_remote_ip_and_port(std::string& address, int& port) const override;
   void get_local_ip_and_port(std::string& address, int& port) const override;
   socket_t socket() const override { return connection_.socket(); }
 
-  /// Returns whether a write has failed, after which nothing can follow.
+  /// Returns whether a write has failed; nothing more can be sent then.
   bool broken() const { return broken_; }
 
  private:

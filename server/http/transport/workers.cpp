@@ -30,7 +30,7 @@ bool Workers::give(Task task, bool urgent) {
 void Workers::call_last(std::vector<Idle*>& idle) {
   if (idle.empty()) return;
   idle.back()->is_called = true;
-  idle.back()->called.notify_one();  // under the lock: it lives no longer than its thread waits
+  idle.back()->called.notify_one();  // under the lock: `Idle` is destroyed when its thread wakes
   idle.pop_back();
 }
 

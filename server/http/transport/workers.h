@@ -12,34 +12,34 @@
 namespace pelage {
 
 /// Threads that run tasks in the order that they came, urgent ones first. One more thread is reserved for urgent tasks,
-/// so that these run while all others are busy. Of the waiting threads the one that worked last works next: each thread
-/// keeps some freed memory for itself, so that as few threads as possible should work. Thread-safe.
+/// so that these run while all others are busy. The thread that became idle last gets the next task: the allocator
+/// caches freed memory for each thread, so as few threads as possible should work. Thread-safe.
 class Workers {
  public:
-  using Task = std::function<void()>;  // throws nothing
+  using Task = std::function<void()>;  // must not throw
 
-  /// Starts `threads` threads and the reserved one; fewer where the machine has no more (one at least, or
-  /// std::system_error). Up to `max_waiting` tasks of each kind wait.
+  /// Starts `threads` threads and the reserved one; fewer if the system has no more. Throws std::system_error unless at
+  /// least one starts besides the reserved one. Up to `max_waiting` urgent and `max_waiting` other tasks wait.
   Workers(int threads, std::size_t max_waiting);
-  /// Runs what waits, and ends the threads.
+  /// Runs the waiting tasks, and ends the threads.
   ~Workers();
 
-  /// False when as many tasks wait already as may.
+  /// Adds a task to the queue. Returns false if `max_waiting` tasks of its kind wait already.
   [[nodiscard]] bool give(Task task, bool urgent);
 
  private:
-  /// A thread that waits.
+  /// An idle thread.
   struct Idle {
     std::condition_variable called;
     bool is_called = false;
   };
 
   void work(bool kept);
-  /// Returns whether a thread has something to do, or to end.
+  /// Returns whether a thread has a task or should end. `kept` is true for the reserved thread.
   bool has_work(bool kept) const { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); }
-  /// Wakes the last of the waiting threads. The lock is held.
+  /// Wakes the thread that became idle last. The caller holds the lock.
   static void call_last(std::vector<Idle*>& idle);
-  /// The next task; an empty one at the end.
+  /// Waits for the next task and returns it; an empty one at the end.
   Task next(bool kept);
   void end();
 

@@ -15,7 +15,8 @@ in float level, slant, density_share, length_share;
 
 layout(location = 0) out vec4 result;
 
-// What a text book does with the same fur: one place in each shell, both textures trilinear, light on every fragment.
+// The textbook way to draw the same fur: one sample per shell, trilinear lookups in both textures, light on every
+// fragment.
 void main() {
   float height = (float(shell) + 0.5) / float(shell_count);
   vec3 uv = vec3(tile, floor(height * float(slice_count)));

@@ -1,8 +1,8 @@
-"""A furry torus by us and by Blender Cycles: how alike the pictures are, and CPU seconds at equal noise.
+"""Compares a furry torus rendered by us and by Blender Cycles: how alike the pictures are, and CPU seconds at equal noise.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/peers/compare_cycles.py FOLDER [SIZE [MAX_SAMPLES [TRUTH_SAMPLES]]]
 
-Keeps scene, pictures (ours_*.exr, cycles_*.exr, both truths as JPEG) and times in FOLDER. Exits with 77 where there is no
+Writes scene, pictures (ours_*.exr, cycles_*.exr, both truths as JPEG) and times to FOLDER. Exits with 77 if there is no
 blender.
 """
 import os
@@ -25,7 +25,7 @@ def main(arguments):
     script = str(pathlib.Path(__file__).with_name("cycles.py"))
     cycles = [blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", str(folder)]
     counts = [str(4 ** i) for i in range(16) if 4 ** i <= int(maximum)]
-    # The Python inside blender looks for its library by the first python3 of PATH: let it be blender's neighbour.
+    # The Python inside blender finds its library by the first python3 in PATH, which has to be the one beside blender.
     path = os.pathsep.join([str(pathlib.Path(blender).parent), os.environ["PATH"]])
     quiet = {"check": True, "stdout": subprocess.DEVNULL, "env": {**os.environ, "PATH": path}}
     subprocess.run(bench + ["write", str(folder), "--size", size, "--passes", maximum, "--truth", truth], check=True)

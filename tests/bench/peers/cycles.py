@@ -1,13 +1,13 @@
-"""The scene of bench_peer_scene in Blender Cycles: same strands, skin, light, environment, camera and fibre.
+"""Renders the scene of bench_peer_scene in Blender Cycles: the same strands, skin, light, environment, camera and fibre.
 
 usage: blender --background --factory-startup --python cycles.py -- FOLDER SAMPLES[,SAMPLES...] [SEED [NAME]]
 
-Writes FOLDER/cycles_N.exr for each count of samples and adds a line to FOLDER/cycles.txt: samples, wall and CPU seconds of
-the whole render, the making of Cycles' scene and index included. With NAME it writes cycles_NAME.exr and no line.
+Writes FOLDER/cycles_N.exr for each number of samples and adds a line to FOLDER/cycles.txt: samples, wall-clock and CPU seconds of
+the whole render, including building Cycles' scene and index. With NAME it writes cycles_NAME.exr and no line.
 
-Cycles takes a fibre by Chiang 2016's numbers as they are: absorption per radius, both roughnesses and the tilt; a light by
-its irradiance, pi times what a white matt surface that faces it returns. The coordinates are ours: a camera is given by
-its axes, and even light has no up.
+Cycles takes the fibre parameters of Chiang 2016 unchanged: absorption per radius, both roughnesses and the tilt. It takes a
+light by its irradiance, pi times what a white matt surface that faces it returns. Coordinates are ours: the camera is given
+by its axes, and a uniform environment has no up.
 """
 import json
 import math
@@ -36,7 +36,7 @@ def strand_points(folder, scene):
 
 
 def line_mesh(numbers, points):
-    """Strands as lines of a mesh, root first, with radius and sigma_a at each vertex."""
+    """Makes a mesh of lines from the strands, root first, with radius and sigma_a at each vertex."""
     first = numpy.arange(len(numbers)).reshape(-1, points)[:, :-1].reshape(-1)
     edges = numpy.stack([first, first + 1], axis=1)
     lines = mesh_object("lines", numbers[:, :3].tolist(), edges.tolist(), [])
@@ -49,7 +49,7 @@ def line_mesh(numbers, points):
 
 
 def grow_hair(lines, material):
-    """Blender 3.4 lets no script add hair curves: nodes make them of the lines."""
+    """Turns the lines into hair curves with geometry nodes, because scripts cannot add hair curves in Blender 3.4."""
     group = bpy.data.node_groups.new("hair", "GeometryNodeTree")
     group.inputs.new("NodeSocketGeometry", "Geometry")
     group.outputs.new("NodeSocketGeometry", "Geometry")
@@ -151,7 +151,7 @@ def set_render(scene):
     cycles.pixel_filter_type, cycles.filter_width, cycles.blur_glossy = "BOX", 1, 0
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
     cycles.caustics_reflective = cycles.caustics_refractive = True
-    bounces = scene["bounces"] - 1  # theirs count from the second place that scatters
+    bounces = scene["bounces"] - 1  # Cycles does not count the first scattering event
     cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = bounces
 
 

@@ -1,4 +1,4 @@
-// Random tools and random fur for properties that hold for all of them.
+// Makes random tools and random fur, for properties that hold for all of them.
 #pragma once
 
 #include "base/random.h"
@@ -8,15 +8,16 @@
 
 namespace pelage::testing_commands {
 
-/// The first commands of `Command` are the tools; the last two of them, map and retarget, need more than a surface.
+/// Number of tools to test. The first commands of `Command` are the tools; the last two of them, map and retarget, need
+/// more than a surface.
 inline constexpr std::size_t tool_count = Tools::count - 2;
 
-/// The tool of this number, with its defaults.
+/// Returns the tool with this index in `Command`, with its defaults.
 Command empty_tool(std::size_t tool);
 
-/// Makes commands on one model. `ordinary` numbers lie well inside their ranges; `extreme` ones are often at an end.
+/// How far numbers go: `ordinary` ones lie well inside their ranges, `extreme` ones are often at an end.
 enum class Numbers { ordinary, extreme };
-/// Whether strokes have a view, and with it pixel radii and the screen shape.
+/// Whether strokes may have a view, and with it pixel radii and the screen shape.
 enum class Views { none, some };
 
 class CommandMaker {
@@ -24,10 +25,10 @@ class CommandMaker {
   CommandMaker(std::uint64_t seed, const Surface& surface, Numbers numbers, Views views = Views::some)
       : random_(seed), surface_(surface), numbers_(numbers), views_(views) {}
 
-  /// Any tool, or the one of this number in `Command`.
+  /// Returns a random tool, or the one with this index in `Command`.
   Command command() { return command(below(tool_count)); }
   Command command(std::size_t tool);
-  /// Fur in which every field has been changed at some vertices, the mask among them.
+  /// Returns fur in which every field, including the mask, has been changed at some vertices.
   FieldSet fields();
   Coat coat();
 
@@ -41,16 +42,16 @@ class CommandMaker {
   }
 
   glm::dvec3 cube();
-  glm::dvec3 point();  // model coordinates, most near the surface
+  glm::dvec3 point();  // model coordinates, mostly near the surface
   glm::dvec3 heading();
-  /// A length of `sizes` in the units.
+  /// Converts a length in model sizes to the units.
   double in_units(double sizes, Units units) const;
   Units units() { return chance(0.5) ? Units::relative : Units::world; }
   View view();
   Brush brush();
   Stroke stroke();
   std::vector<Field> some_fields();
-  /// Brush, and a stroke or a flood.
+  /// Returns a tool with a brush, and a stroke or a flood.
   template <class Tool>
   Tool brushed();
   template <class Tool>
@@ -82,7 +83,7 @@ class CommandMaker {
   Views views_;
 };
 
-/// Takes the brush's strength and the tool's own away.
+/// Sets the strength of the brush and the tool's own strength to 0.
 void weaken(Command& command);
 
 }  // namespace pelage::testing_commands

@@ -1,5 +1,6 @@
-// Strokes that cancel, folds, opposite neighbours, keys that nothing leads to, ten thousand passes, brushes of no size
-// and of any: finite fur inside its ranges, and what each of them should leave.
+// Extreme strokes and models: strokes that cancel, folds, opposite neighbours, keys that cannot be reached, ten
+// thousand passes, brushes of no size and of any size. Fur stays finite and in range, and each case has the effect that
+// it should have.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void expect_in_range(const FieldSet& fields) {
   }
 }
 
-/// Two triangles that share an edge and fold back on each other, all but flat against one another.
+/// Two triangles that share an edge and are folded almost flat onto each other.
 Surface folded() {
   RawModel raw;
   raw.positions = {{0, 0, 0}, {0, 0, 1}, {1, 1e-4, 0.5}, {1, -1e-4, 0.5}};
@@ -50,7 +51,7 @@ Surface folded() {
   return surface_of(raw);
 }
 
-/// Two balls that nothing joins.
+/// Two separate balls.
 Surface two_balls() {
   RawModel raw = make_builtin({Builtin::sphere, 200});
   const std::size_t count = raw.positions.size();
@@ -81,7 +82,7 @@ TEST(Extremes, AStrokeThereAndBackLeavesFiniteFurThatLeansBack) {
   const FieldSet combed = after(comb, sphere, before);
   expect_in_range(combed);
   const std::uint32_t front = testing_shapes::vertex_towards(sphere, {0, 0, 1});
-  EXPECT_LT(lean_of(sphere, combed.at(front), front).x, -0.1);  // the last dabs count most
+  EXPECT_LT(lean_of(sphere, combed.at(front), front).x, -0.1);  // the last dabs weigh most
 }
 
 TEST(Extremes, OppositeNeighboursSmoothToATuftOrKeepTheirInclination) {
@@ -156,7 +157,7 @@ TEST(Extremes, KeysOfTheLeastWidthTakeTheNearestOnesValue) {
   EXPECT_NEAR(static_cast<double>(short_ones) / static_cast<double>(spread.size()), 0.5, 0.1);
 }
 
-// A value that is the same everywhere has nothing to be smoothed.
+// A value that is the same everywhere is not changed by smoothing.
 TEST(Extremes, TenThousandPassesKeepWhatIsEven) {
   const Surface sphere = make_surface(Builtin::sphere, 500);
   FieldSet before = first_groom(sphere.mesh(), {});

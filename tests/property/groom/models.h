@@ -1,4 +1,4 @@
-// Random models: built-ins of random sizes and dents, a lone triangle, soups and bodies in many parts.
+// Random models: built-ins of random sizes and dents, a lone triangle, triangle soups and models of many parts.
 #pragma once
 
 #include "base/random.h"
@@ -7,18 +7,18 @@
 
 namespace pelage::testing_models {
 
-/// A built-in of random kind and size whose vertices are moved by up to 1 % of its size, so that no two ways on it are
-/// equally long. Closed, but for the plane.
+/// A built-in of random kind and size, whose vertices are moved by up to 1 % of its size so that no two paths on it
+/// have the same length. Closed, except for the plane.
 RawModel dented_builtin(Random& random);
 RawModel lone_triangle(Random& random);
-/// Triangles that share nothing, 1 to 30.
+/// 1 to 30 triangles that share no vertices.
 RawModel soup(Random& random);
-/// Spheres of random places and sizes, 2 to 4.
+/// 2 to 4 spheres of random positions and sizes.
 RawModel many_parts(Random& random);
-/// Any of the above.
+/// One of the above.
 RawModel any_model(Random& random);
 
-/// Ready for grooming.
+/// Prepares the model for grooming.
 Surface surface_of(const RawModel& raw);
 
 }  // namespace pelage::testing_models

@@ -48,7 +48,7 @@ class Mover {
       if (auto* surface = std::get_if<SurfaceSample>(&sample.place)) move(*surface);
     }
   }
-  /// The same triangle, whose corners may come in another order.
+  /// Keeps the triangle; its corners may come in another order.
   void move(SurfaceSample& place) const {
     const glm::dvec3 before = place.barycentric;
     const glm::uvec3 old_corners = from_.triangles[place.triangle], corners = to_.triangles[place.triangle];

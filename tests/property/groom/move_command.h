@@ -1,4 +1,4 @@
-// The same tool for a model that has been moved.
+// Moves a tool along with a model that has been moved.
 #pragma once
 
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace pelage::testing_commands {
 
-/// A turn or a mirror image, a scale and a shift, in this order.
+/// An orthogonal transform, then a scale, then a shift.
 struct Motion {
-  glm::dmat3 turn{1};  // orthogonal
+  glm::dmat3 turn{1};  // a rotation, perhaps with a mirror image
   double scale = 1;
   glm::dvec3 shift{0};
 
   glm::dvec3 place(glm::dvec3 p) const { return scale * (turn * p) + shift; }
 };
 
-/// Places, directions and lengths of a tool without views, moved from one model to the other. Relative lengths become
-/// lengths in the model's own unit first, since a turned model has another box.
-/// Both have the same triangles in the same order; `places` holds the other number of each vertex.
+/// Moves positions, directions and lengths of a tool without views from one model to the other. Relative lengths are
+/// first converted to the model's own unit, since a turned model has another bounding box.
+/// Both models have the same triangles in the same order; `places[v]` is the new index of vertex `v`.
 Command moved(const Command& command, const Motion& motion, const Surface& from, const Surface& to,
               const std::vector<std::uint32_t>& places);
 
-/// Other numbers for the vertices that a mask lists.
+/// Renumbers the vertices that a mask lists: `places[v]` is the new index of `v`.
 void renumber_vertices(Command& command, const std::vector<std::uint32_t>& places);
 
 }  // namespace pelage::testing_commands

@@ -1,4 +1,4 @@
-// Every tool against its second implementation, on random models, fur and commands.
+// Every tool against its reference implementation, on random models, fur and commands.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -16,7 +16,7 @@ using testing_commands::CommandMaker;
 using testing_commands::Numbers;
 using testing_commands::tool_count;
 
-/// Half a step of a 32-bit number and what long sums leave: 3e-6 of the value or of 1, whichever is larger.
+/// Half a step of a 32-bit number plus the error of long sums: 3e-6 of the value or of 1, whichever is larger.
 constexpr double tolerance = 3e-6;
 
 std::string difference_of(const plain::Fur& expected, const FieldSet& found) {
@@ -40,7 +40,7 @@ bool by_heat(const Command& command) {
   return false;
 }
 
-/// What the tool and the second implementation disagree about; "" for nothing.
+/// Returns how the tool and the reference implementation differ, or "".
 std::string disagreement(const Command& command, const Surface& surface, CommandMaker& make) {
   const Result<Command> resolved = resolve(command, surface);
   if (!resolved.ok() || by_heat(command)) return {};

@@ -1,4 +1,5 @@
-// Relations that need no reference (science.md 7): moved, scaled, mirrored and renumbered models, symmetry, opposites.
+// Relations that need no reference (science.md 7): moved, scaled, mirrored and renumbered models, symmetry, inverted
+// tools.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -36,7 +37,7 @@ glm::dvec3 in_space(const Surface& surface, const FieldSet& fields, std::uint32_
   return testing_shapes::lean_of(surface, fields.at(v), v);
 }
 
-/// The same fur on a moved model: leans turn in space, all else stays.
+/// The same fur on a moved model: leans turn in space, everything else stays.
 FieldSet moved_fields(const FieldSet& fields, const Surface& from, const Surface& to, const Motion& motion,
                       const std::vector<std::uint32_t>& places) {
   FieldSet moved(fields.size());
@@ -52,7 +53,7 @@ FieldSet moved_fields(const FieldSet& fields, const Surface& from, const Surface
   return moved;
 }
 
-/// "" or where two grooms differ by more than the tolerance, but for `outliers` values.
+/// Returns where two grooms differ by more than the tolerance, or "". Up to `outliers` values may differ.
 std::string difference_of(const FieldSet& expected, const FieldSet& found, double tolerance, std::size_t outliers = 0) {
   std::ostringstream text;
   for (std::size_t f = 0; f < field_count; ++f) {
@@ -71,20 +72,20 @@ std::string difference_of(const FieldSet& expected, const FieldSet& found, doubl
   return {};
 }
 
-/// Noise and jitter belong to places, so that they differ on a moved model.
+/// Noise and jitter depend on positions, so they differ on a moved model.
 bool by_chance(const Command& command) {
   const auto* length = std::get_if<Length>(&command);
   return std::holds_alternative<Noise>(command) || (length && length->mode == LengthMode::jitter);
 }
 
-/// Whether one place more or less changes the mask: no small change of a moved model may decide it.
+/// Returns whether a vertex just inside or outside changes the mask, so that rounding on a moved model would decide it.
 bool has_hard_edge(const Command& command) {
   const auto* mask = std::get_if<ChangeMask>(&command);
   return mask != nullptr && (std::holds_alternative<MaskBox>(mask->shape) || mask->action == MaskAction::grow ||
                              mask->action == MaskAction::shrink);
 }
 
-/// Unless `turned` is false it turns, and gives the model another box and size.
+/// Unless `turned` is false, the motion turns the model and gives it another bounding box and size.
 Motion random_motion(Random& random, bool mirrored, bool turned) {
   const auto number = [&](double reach) { return random.uniform(-reach, reach); };
   Motion motion;
@@ -96,7 +97,7 @@ Motion random_motion(Random& random, bool mirrored, bool turned) {
   return motion;
 }
 
-/// The triangles of a prepared model.
+/// The triangles of a prepared model, in model coordinates.
 RawModel triangles_of(const Mesh& mesh) {
   RawModel raw;
   for (const glm::vec3 position : mesh.positions) raw.positions.push_back(mesh.to_model(position));
@@ -118,7 +119,7 @@ RawModel moved_model(RawModel raw, const Motion& motion) {
   return raw;
 }
 
-/// For each vertex the one that has come to its place.
+/// For each vertex, the index of the vertex that is at its moved position.
 std::vector<std::uint32_t> moved_places(const Mesh& from, const Mesh& to, const Motion& motion) {
   std::vector<std::uint32_t> places;
   for (const glm::vec3 position : from.positions) {
@@ -132,16 +133,17 @@ std::vector<std::uint32_t> moved_places(const Mesh& from, const Mesh& to, const 
   return places;
 }
 
-/// "" or how a tool differs on a model that was turned, shifted, scaled and perhaps mirrored with all its lengths.
+/// Returns how a tool differs on a model that was turned, shifted, scaled and perhaps mirrored with all its lengths, or
+/// "".
 std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mirrored) {
   Random random(seed);
   const RawModel raw = triangles_of(surface_of(testing_models::dented_builtin(random)).mesh());
   const bool flows =
-      std::holds_alternative<Flow>(testing_commands::empty_tool(tool));  // walks in hundredths of the size
+      std::holds_alternative<Flow>(testing_commands::empty_tool(tool));  // steps in hundredths of the size
   const Motion motion = random_motion(random, mirrored, !flows);
   const Surface here = surface_of(raw), there = surface_of(moved_model(raw, motion));
   const std::vector<std::uint32_t> places = moved_places(here.mesh(), there.mesh(), motion);
-  // An open sheet that is nearly flat has no outside: rounding may turn it over when it is prepared anew.
+  // A nearly flat open sheet has no outside: rounding may flip it when it is prepared again.
   const glm::dvec3 normal(there.mesh().normals[places[0]]);
   if (glm::dot(motion.turn * glm::dvec3(here.mesh().normals[0]), normal) < 0) return {};
   CommandMaker make(seed, here, Numbers::ordinary, Views::none);
@@ -152,8 +154,8 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
   const FieldSet before_there = moved_fields(before, here, there, motion, places),
                  rest_there = moved_fields(rest, here, there, motion, places);
   const FieldSet expected = moved_fields(after(command, here, before, rest), here, there, motion, places);
-  // 32-bit positions and normals are rounded anew. Where a heading is nearly across the skin that decides where it
-  // goes.
+  // 32-bit positions and normals are rounded again. Where a heading is nearly across the skin, rounding decides its
+  // tangent direction.
   constexpr double tolerance = 2e-4;
   return difference_of(expected, after(moved, there, before_there, rest_there), tolerance, 1 + before.size() / 50);
 }
@@ -174,7 +176,7 @@ TEST_P(ToolRelations, MirroredModelsAreGroomedMirrored) {
   }));
 }
 
-/// A model whose vertices have other numbers, and the new number of each vertex of the one before.
+/// Shuffles the vertices of a model. Returns the new index of each vertex.
 std::vector<std::uint32_t> shuffle(RawModel& raw, Random& random) {
   std::vector<std::uint32_t> places(raw.positions.size());
   std::iota(places.begin(), places.end(), 0u);

@@ -1,4 +1,4 @@
-// Fields and commands on random other models: soups, lone triangles, many parts, far away.
+// Retargets fields and commands to random other models: soups, lone triangles, many parts, models far away.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -118,7 +118,7 @@ RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint6
   }
   RC_ASSERT(carried->index() == command.index());
   const Result<Command> there = resolve(*carried, to);
-  if (!there) return;  // out of reach on a model of another build
+  if (!there) return;  // may be out of reach on a different model
   const FieldSet fields = other.fields(), rest = other.fields();
   FieldSet result = fields;
   result.apply(evaluate(*there, to, fields, {{}, &rest}).delta);

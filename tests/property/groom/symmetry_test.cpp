@@ -1,4 +1,4 @@
-// Images of commands under a symmetry, and opposites.
+// Images of commands under a symmetry, and inverted tools.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -22,7 +22,7 @@ using testing_commands::Views;
 using testing_shapes::lean_of;
 using testing_shapes::stroke_through;
 
-/// Every place and direction of a command, for comparing.
+/// Collects every position and direction of a command, for comparison.
 std::vector<glm::dvec3> places_of(const Command& command) {
   std::vector<glm::dvec3> places;
   std::visit(
@@ -86,11 +86,11 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
   Random random(seed);
   const Surface surface = testing_models::surface_of(testing_models::dented_builtin(random));
   CommandMaker make(seed, surface, Numbers::ordinary, Views::none);
-  constexpr std::size_t last_with_places = 15;  // the mask chooses places and is no stroke
+  constexpr std::size_t last_with_places = 15;  // the mask selects positions and is no stroke
   Command command = make.command(static_cast<std::size_t>(random.uniform(0, last_with_places + 1)));
   if (is_flood(command) || !on_positions(command)) return;
   const Symmetry symmetry = random_symmetry(random);
-  const bool own = random.uniform(0, 1) < 0.5;  // the brush's, in place of the scene's
+  const bool own = random.uniform(0, 1) < 0.5;  // the brush's symmetry instead of the scene's
   brush_of(command)->symmetry = own ? std::optional(symmetry) : std::nullopt;
   std::vector<glm::dvec3> expected, found;
   for (const Command& image : plain::images(command, symmetry)) {
@@ -104,7 +104,7 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
     RC_ASSERT(glm::distance(expected[k], found[k]) < 1e-9 * (1 + glm::length(found[k])));
 }
 
-// Two small strokes that do not meet: what the symmetry does is what both do.
+// Two small strokes that do not overlap: the symmetry does what both do.
 TEST(Symmetry, TouchesTheUnionOfTheStrokeAndItsImage) {
   const Surface sphere = testing_shapes::make_surface(Builtin::sphere, 2000);
   const FieldSet fields = first_groom(sphere.mesh(), {});
@@ -125,7 +125,7 @@ TEST(Symmetry, TouchesTheUnionOfTheStrokeAndItsImage) {
   EXPECT_EQ(both.vertices().size(), first.vertices().size() + second.vertices().size());
 }
 
-/// What a tool and its opposite make of upright fur.
+/// What a tool and its inverse make of the same fur.
 std::pair<FieldSet, FieldSet> opposites(const Surface& surface, Command command, const FieldSet& before) {
   FieldSet there = before, back = before;
   there.apply(evaluate(command, surface, before).delta);

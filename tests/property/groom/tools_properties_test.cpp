@@ -28,7 +28,8 @@ const Surface& sphere() {
   return surface;
 }
 
-/// Commands that resolve refuses (too many dabs, too far) are no subject of evaluate; thousands of dabs only take time.
+/// evaluate() is not defined for commands that resolve refuses (too many dabs, too far); thousands of dabs only cost
+/// time.
 bool usable(const Command& command, const Surface& surface) {
   constexpr double max_dabs = 1000;
   const Result<Command> resolved = resolve(command, surface);
@@ -45,7 +46,7 @@ bool usable(const Command& command, const Surface& surface) {
       *resolved);
 }
 
-/// Every part rises and changes something; every value is in its field's range.
+/// Expects that the vertices of each part ascend and all change, and that values are in their field's range.
 void expect_sound(const Evaluation& done, const FieldSet& before) {
   FieldSet after = before;
   after.apply(done.delta);
@@ -62,7 +63,7 @@ void expect_sound(const Evaluation& done, const FieldSet& before) {
   }
 }
 
-/// A random model, fur and a tool on it.
+/// A random model with fur, and a tool for it.
 struct Try {
   Try(std::size_t tool, std::uint64_t seed, Numbers numbers)
       : random(seed),
@@ -113,8 +114,8 @@ TEST_P(EveryTool, DoesNothingWithoutStrength) {
   all(Numbers::extreme, [](const Try& one) {
     Command weak = one.command;
     testing_commands::weaken(weak);
-    if (auto* trim = std::get_if<Trim>(&weak); trim && trim->flood) return;  // a flood cuts wholly
-    if (std::holds_alternative<ChangeMask>(weak)) return;                    // has no strength
+    if (auto* trim = std::get_if<Trim>(&weak); trim && trim->flood) return;  // a flood cuts completely
+    if (std::holds_alternative<ChangeMask>(weak)) return;                    // it has no strength
     RC_ASSERT(one.evaluated(weak).delta.empty());
   });
 }
@@ -164,7 +165,7 @@ TEST_P(EveryTool, ChangesNothingWhereTheMaskIsZero) {
 
 INSTANTIATE_TEST_SUITE_P(Tools, EveryTool, ::testing::Range(std::size_t{0}, testing_commands::tool_count));
 
-/// One straight stroke sampled at a rate, internal coordinates.
+/// A straight stroke through points in internal coordinates, with `samples` + 1 samples.
 Comb straight_comb(glm::dvec3 from, glm::dvec3 to, int samples, double radius) {
   std::vector<glm::dvec3> points;
   for (int i = 0; i <= samples; ++i) points.push_back(glm::mix(from, to, static_cast<double>(i) / samples));
@@ -174,8 +175,8 @@ Comb straight_comb(glm::dvec3 from, glm::dvec3 to, int samples, double radius) {
   return comb;
 }
 
-// 30 against 240 samples of one second: the dabs are the same but for rounding, so fields agree to 1e-6 of an
-// inclination (a few steps of a 32-bit number).
+// A stroke of one second with 30 or with 240 samples: the dabs are the same but for rounding, so fields agree to 1e-6
+// of an inclination (a few steps of a 32-bit number).
 RC_GTEST_PROP(Comb, DoesNotDependOnTheSamplingRate, (std::uint64_t seed)) {
   Random random(seed);
   const auto near_surface = [&] {

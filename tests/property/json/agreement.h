@@ -1,4 +1,4 @@
-// Makes random members go together, as the rules of protocol/json/rules.h want them.
+// Adjusts random members so that they go together, as the rules of protocol/json/rules.h require.
 #pragma once
 
 #include <algorithm>
@@ -125,7 +125,7 @@ inline void fit(FrameRequest& frame) {
   if (frame.overlay == Overlay::difference && !frame.overlay_from) frame.overlay_from = 3;
 }
 
-// Some tools have no opposite, and only colours differ from root to tip.
+// Some tools cannot be inverted, and only colours differ from root to tip.
 template <class Tool>
 void agree_with_brush(Tool& tool) {
   constexpr bool no_opposite = std::is_same_v<Tool, Smooth> || std::is_same_v<Tool, Unify> ||
@@ -138,7 +138,7 @@ void agree_with_brush(Tool& tool) {
   tool.brush.strand_from = 0, tool.brush.strand_to = 1;
 }
 
-// The mask lies outside of all layers.
+// The mask is not part of any edit layer.
 template <class Tool>
 void agree_with_edit_layer(Tool& tool) {
   bool mask = false;
@@ -151,14 +151,14 @@ void agree_with_edit_layer(Tool& tool) {
   if (mask) tool.edit_layer.clear();
 }
 
-// Each coat once.
+// No coat is named twice.
 template <class Tool>
 void agree_with_coats(Tool& tool) {
   if (tool.coats.size() > limits::coats) tool.coats.resize(limits::coats);
   for (std::size_t k = 0; k < tool.coats.size(); ++k) tool.coats[k] = std::to_string(k) + tool.coats[k];
 }
 
-/// What a struct needs of its own, and as a tool under a brush.
+/// Adjusts a struct to its own rules, and to those of a tool with a brush if it is one.
 template <class T>
 void agree(T& value) {
   if constexpr (requires { value.flood; }) {

@@ -1,4 +1,4 @@
-// Answers have the members of their schemas, and come back to the client bit for bit.
+// Answers have the members of their schemas, and decode to the same values, bit for bit.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -21,7 +21,7 @@ void expect_back(const char* schema) {
   if (!after.ok()) RC_FAIL(after.status().message + " " + after.status().pointer + " " + text);
   if (!(*after == before)) RC_FAIL(encode(*after) + "\nis not\n" + text);
   nlohmann::json newer = nlohmann::json::parse(text);
-  newer["new"] = 1;  // of a server that knows more
+  newer["new"] = 1;  // as from a newer server
   const Result<T> known = decode_answer<T>(newer.dump());
   RC_ASSERT(known.ok());
   RC_ASSERT(*known == before);
@@ -42,7 +42,7 @@ RC_GTEST_PROP(DescribedAnswers, OfPicturesComeBack, ()) {
   expect_back<PictureAnswer>("StoredPicture");
 }
 
-/// As text, which has every bit of them.
+/// Compared as text, which keeps every bit.
 RC_GTEST_PROP(DescribedAnswers, SettingsComeBack, ()) {
   const std::string text = encode(answer<SettingsAnswer>());
   hand_over("Settings", text);
@@ -51,7 +51,7 @@ RC_GTEST_PROP(DescribedAnswers, SettingsComeBack, ()) {
   RC_ASSERT(encode(*after) == text);
 }
 
-/// Every member but sparse ones has to be there, and of its kind.
+/// Every member must be present and of the right kind, except sparse ones.
 RC_GTEST_PROP(DescribedAnswers, WhatIsMissingIsNamed, ()) {
   nlohmann::json broken = nlohmann::json::parse(encode(answer<SceneSummary>()));
   const auto at = *rc::gen::inRange<std::size_t>(0, broken.size());

@@ -1,4 +1,4 @@
-// Requests have the members of their schemas and no others.
+// Requests have exactly the members of their schemas.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace pelage::testing {
 namespace {
 
-/// Whether the decoder refuses a member that no description has.
+/// Returns whether the decoder refuses a member that the schema does not have.
 template <class Decode>
 bool refuses_more(Decode decode, const std::string& document) {
   nlohmann::json more = nlohmann::json::parse(document);

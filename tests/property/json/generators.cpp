@@ -15,9 +15,9 @@
 
 namespace pelage::testing {
 
-/// Draws numbers of every size within a range, its ends included.
+/// Draws numbers of every magnitude within a range, including its ends.
 double number(double low, double high) {
-  low = std::max(low, -1e30), high = std::min(high, 1e30);  // ends that are open
+  low = std::max(low, -1e30), high = std::min(high, 1e30);  // stand-ins for open ends
   const auto bits = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 53);
   const int kind = *rc::gen::inRange(0, 4);
   if (kind == 0) return low;

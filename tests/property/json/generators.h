@@ -1,4 +1,4 @@
-// Random requests, answers and their parts, each within its limits, their ends included.
+// Random requests, answers and their parts, each within its limits and often at their ends.
 #pragma once
 
 #include <rapidcheck.h>
@@ -11,7 +11,7 @@
 
 namespace pelage::testing {
 
-/// Of every size within a range.
+/// A number of any magnitude within a range.
 double number(double low, double high);
 
 template <class E>
@@ -30,9 +30,9 @@ AmendRequest amend_request();
 Command set_coat();
 Command set_environment();
 Command set_skin_texture();
-/// One of all commands.
+/// Any kind of command.
 Command command();
-/// T is one of the structs of decode_answers.h.
+/// A random answer; T is one of the structs of decode_answers.h.
 template <class T>
 T answer();
 

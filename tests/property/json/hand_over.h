@@ -1,5 +1,5 @@
-// Random documents for the schemas of the contract: tests/end_to_end/service/test_contract.py names a file and
-// validates them.
+// Passes random documents on for validation against the schemas of the contract:
+// tests/end_to_end/service/test_contract.py names a file for them.
 #pragma once
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 namespace pelage::testing {
 
-/// Adds a line with the schema's name and the document, where a file is named.
+/// Appends a line with the schema's name and the document to that file, if there is one.
 inline void hand_over(const char* schema, const std::string& document) {
   const char* file = std::getenv("PELAGE_DOCUMENTS");
   if (file == nullptr) return;

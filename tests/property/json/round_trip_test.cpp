@@ -1,5 +1,5 @@
-// What is encoded decodes to the same thing, bit for bit. Equality is compared on the encoded text, which shows every
-// field with all its digits, and a second test shows that the text does tell different commands apart.
+// What is encoded decodes to the same thing, bit for bit. Equality is compared on the encoded text, which has every
+// field with all its digits; a second test shows that the text tells different commands apart.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// Any wind, fur, moment and body in; leans that are finite and in the unit disc, at bounded speed.
+// With any wind, fur, time and body motion, leans are finite, lie in the unit disc and have bounded speed.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 double between(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) * 1e-6;
 }
-/// Often an end of the range, else as often in each of its decades.
+/// Often an end of the range, else log-uniform.
 double any(double low, double high) {
   const double least = std::max(low, 1e-6);
   return *rc::gen::element(low, high, std::exp(between(std::log(least), std::log(high))));
@@ -56,8 +56,8 @@ RC_GTEST_PROP(Sway, IsFiniteAndInTheDisc, ()) {
   }
 }
 
-/// A still oscillator never answers a wave by more than its peak, 1 / (2 damping sqrt(1 - damping^2)), nor a step by
-/// more than twice it.
+/// The response of an oscillator to a wave is at most its peak, 1 / (2 damping sqrt(1 - damping^2)), and its step
+/// response is at most 2.
 RC_GTEST_PROP(Sway, EnergyIsBounded, ()) {
   const Oscillator oscillator{any(1e-3, 1e3), any(0.01, 10)};
   const Response answer = response(oscillator, any(0, 1e12));

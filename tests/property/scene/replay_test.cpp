@@ -34,7 +34,7 @@ class ReplayTest : public StoreTest, public ::testing::WithParamInterface<std::u
   }
 };
 
-// The effective log goes through text, as a client would send it.
+// Replays an effective log, through JSON as a client would send it.
 void replay(const std::vector<std::vector<Command>>& log, Scene& scene) {
   for (const std::vector<Command>& step : log) {
     const auto commands = decode_commands(encode(step));
@@ -95,7 +95,7 @@ TEST_P(ReplayTest, AnyRevisionCanBeGoneBackTo) {
   }
 }
 
-/// The hashes that one undo after the other leads through, and then the redos.
+/// Undoes every step and then redoes it. Returns the hash after each move.
 std::vector<FieldsHash> way_back_and_forth(Scene& scene) {
   std::vector<FieldsHash> hashes;
   const std::size_t steps = scene.summary().undo_steps;
@@ -129,9 +129,9 @@ TEST_P(ReplayTest, StepsBeyondTheUndoMemoryComeBackFromTheJournal) {
   EXPECT_EQ(run(4000), all_in_memory) << "some steps in memory, some not";
 }
 
-// The model of an amendment: its edited list, replayed into a fresh scene.
+// An amendment must have the same result as its edited list of steps, replayed into a fresh scene.
 TEST_P(ReplayTest, AmendmentsAndBranchesAreWhatTheirListsSay) {
-  open(4000);  // some steps in memory, some not
+  open(4000);  // keeps only some steps in memory
   auto scene = make(Builtin::torus, 600);
   Script script(*scene, GetParam() + 3000, Script::Layers::none);
   std::vector<std::string> ids;

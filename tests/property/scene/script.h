@@ -1,4 +1,4 @@
-// Random changes of a scene.
+// Makes random changes of a scene.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 
 namespace pelage {
 
-/// Drives a scene with a random mix of everything that changes it, as an artist's client would.
+/// Drives a scene with a random mix of all kinds of changes, as an artist's client would.
 class Script {
  public:
-  /// Without edit layers any step can be left out: no later one names what it made.
+  /// Without edit layers any step can be left out, since no later step names what it made.
   enum class Layers { some, none };
 
   Script(Scene& scene, std::uint64_t seed, Layers layers = Layers::some)
@@ -25,7 +25,7 @@ class Script {
     triangles_ = mesh.triangles.size();
   }
 
-  /// One accepted request (or more, for a stroke in parts).
+  /// Sends one accepted request, or several for a stroke in parts.
   void act() {
     const double kind = random_.uniform();
     if (layers_ == Layers::some && chance(0.06))
@@ -48,7 +48,7 @@ class Script {
       move(Revert{static_cast<Revision>(below(static_cast<int>(scene_.revision()) + 1))});
   }
 
-  /// Changes, leaves out or replaces a step, and gives the list of steps as it is to be from then on.
+  /// Amends a step: replaces or removes its commands. Returns the expected list of steps.
   std::vector<std::vector<Command>> amend() {
     std::vector<std::vector<Command>> steps = scene_.effective_log();
     std::vector<std::pair<Revision, std::size_t>> known = revisions_in_effect();
@@ -68,11 +68,11 @@ class Script {
   }
 
  private:
-  /// A revision of each step that is in effect, found by trying: what the log marks can be amended, and nothing else.
+  /// For each step in effect its revision and index. Checks that exactly the entries marked in the log can be amended.
   std::vector<std::pair<Revision, std::size_t>> revisions_in_effect() {
     std::vector<std::pair<Revision, std::size_t>> known;
     const std::size_t steps = scene_.effective_log().size();
-    bool in_stroke = false;  // of parts the first one counts
+    bool in_stroke = false;  // only the first part of a stroke counts
     std::set<Revision> numbers;
     for (const LogEntry& entry : scene_.log())
       if (entry.in_effect) numbers.insert(entry.step);
@@ -126,7 +126,7 @@ class Script {
             .front_faces_only = chance(0.5),
             .invert = chance(0.2)};
   }
-  /// The name of an edit layer that tools may change, or of none.
+  /// The name of a random edit layer that tools may change, or "".
   std::string layer() {
     const std::vector<EditLayer> layers = scene_.summary().edit_layers;
     if (layers.empty() || chance(0.4)) return "";
@@ -152,7 +152,7 @@ class Script {
     return change;
   }
   std::vector<NamedCoat> coats() const { return scene_.settings()->settings.coats; }
-  /// Adds, mutes, renames, orders or removes coats; the first one stays and is seen.
+  /// Adds, mutes, renames, reorders or removes coats; the first one stays and stays visible.
   Command coats_change() {
     SetCoats change;
     for (const NamedCoat& coat : coats()) change.coats.push_back({.name = coat.name, .id = coat.id});
@@ -171,7 +171,7 @@ class Script {
            .begins = CoatBeginning{.region = static_cast<CoatRegion>(below(3)), .length = random_.uniform(0.5, 2)}});
     return change;
   }
-  /// Names of some coats that are seen, or none.
+  /// Names of some visible coats, or none.
   std::vector<std::string> some_coats() {
     std::vector<std::string> names;
     for (const NamedCoat& coat : coats())

@@ -1,4 +1,4 @@
-// What GET settings answers is what the commands that set it take.
+// The commands that set the settings accept what GET settings answers.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -16,7 +16,7 @@ using SettingsTest = StoreTest;
 using nlohmann::json;
 
 struct Setter {
-  const char *member, *op, *name;  // in the settings; the command, and the name that it has for it
+  const char *member, *op, *name;  // member of the settings, the command that sets it, and the command's member for it
 };
 constexpr Setter setters[] = {{"coats", "set_coats", "coats"},
                               {"look", "set_look", "look"},
@@ -37,7 +37,7 @@ bool is_setting(const Command& command) {
                     command);
 }
 
-/// Draws commands and executes the settings among them; positions far out are refused.
+/// Executes the settings among random commands; those with positions far away are refused.
 void set_at_random(Scene& scene) {
   for (int i = *rc::gen::inRange(0, 12); i > 0; --i) {
     const Command command = testing::command();
@@ -45,7 +45,7 @@ void set_at_random(Scene& scene) {
   }
 }
 
-/// Settings that stand near the model, at random.
+/// Settings with random positions near the model.
 std::vector<Command> placed_settings() {
   const auto near = [] { return glm::dvec3(testing::number(-1, 1), testing::number(-1, 1), testing::number(-1, 1)); };
   Eye eye;
@@ -74,7 +74,7 @@ TEST_F(SettingsTest, SentBackTheyChangeNothing) {
     const auto settings = scene->settings();
     RC_ASSERT(settings.ok());
     const json told = json::parse(encode(*settings));
-    RC_ASSERT(told.size() == std::size(setters) + 3);  // revision, checkpoints, edit_layers
+    RC_ASSERT(told.size() == std::size(setters) + 3);  // plus revision, checkpoints, edit_layers
     for (const Setter& setter : setters) {
       const json body = {{"op", setter.op}, {setter.name, told.at(setter.member)}};
       const auto commands = decode_commands(body.dump());

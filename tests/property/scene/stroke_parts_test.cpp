@@ -1,4 +1,4 @@
-// A stroke that is sent in parts, beside the same stroke sent whole.
+// A stroke that is sent in parts, against the same stroke sent whole.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +18,7 @@ void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb
   if (drawn) whole.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
   for (int i = 0; i < 20; ++i) {
     StrokeSample sample;
-    const double away = random.uniform() < 0.2 ? 5 : 0;  // now and then the pointer leaves the model
+    const double away = random.uniform() < 0.2 ? 5 : 0;  // sometimes the pointer leaves the model
     sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
     if (drawn) sample.place = ScreenSample{{away > 0 ? 0 : 60 + 14 * i, 200 + 6 * i}};
     whole.stroke->samples.push_back(sample);

@@ -1,4 +1,5 @@
-// Any combination of settings on a small ball: finite, the same twice, and reported as it was.
+// With any combination of settings, a small ball is traced to a finite picture, to the same picture twice, and its
+// report is consistent.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -58,7 +59,7 @@ FurFrame any_frame() {
   trace.filter = one_of<int>({0, 1}) == 1;
   trace.strands = one_of<int>({1, 500, 8'000'000}), trace.noise = one_of<double>({0, 0.01, 1});
   trace.seed = one_of<std::uint32_t>({0, 1, 4294967295u});
-  if (trace.transport == Transport::transmittance) {  // paths take no other model than energy_conserving
+  if (trace.transport == Transport::transmittance) {  // paths take only energy_conserving
     trace.scattering = one_of<StrandScattering>({StrandScattering::look, StrandScattering::energy_conserving});
   }
   frame.look.shading =
@@ -90,7 +91,7 @@ FloatImage traced_by(Tracer& tracer, const FurPatch& ball, const FurFrame& frame
 }
 
 RC_GTEST_PROP(AnyScene, IsFiniteTheSameTwiceAndReported, ()) {
-  static Tracer tracer(2, plenty, false);  // as a server's, after all that it traced before
+  static Tracer tracer(2, plenty, false);  // one tracer for all cases, like a server's
   const FurPatch ball = any_ball();
   const FurFrame frame = any_frame();
   const FloatImage picture = traced_by(tracer, ball, frame);

@@ -1,4 +1,4 @@
-// Random pieces, fields and coats in; strands that are finite, rooted on their pieces and the same whatever the order.
+// On random pieces, fields and coats, strands are finite, rooted on their pieces, and the same in any order of pieces.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 int whole(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 double between(double low, double high) { return low + (high - low) * whole(0, 1'000'001) * 1e-6; }
 
-/// A fan of pieces around a vertex on the tile's plane, some of it outside of the first tile.
+/// A fan of pieces around a vertex in the tile's plane, partly outside the first tile.
 struct Fan {
   std::vector<glm::vec3> positions, normals, tangents;
   std::vector<glm::uvec3> triangles;
@@ -52,7 +52,7 @@ void add_vertex(Fan& fan, glm::dvec2 place) {
 
 Fan make_fan() {
   Fan fan;
-  const int spokes = whole(4, 12);  // so that no piece turns over
+  const int spokes = whole(4, 12);  // enough spokes that no piece is flipped
   const glm::dvec2 middle(between(-0.3, 0.3), between(-0.3, 0.3));
   add_vertex(fan, middle);
   for (int i = 0; i < spokes; ++i) {
@@ -130,7 +130,7 @@ RC_GTEST_PROP(GrowProperties, EachCopyFallsIntoOneTriangleOfAFan, ()) {
   RC_ASSERT(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
 }
 
-/// What TileCells finds by its grid is what a look at each copy finds.
+/// The grid of TileCells finds the same copies as a test of each copy.
 RC_GTEST_PROP(GrowProperties, NoCopyIsMissed, ()) {
   const Coat coat = make_coat();
   const std::vector<Strand> strands = make_strands(coat);

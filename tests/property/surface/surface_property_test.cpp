@@ -1,4 +1,4 @@
-// Random triangles in, promises out.
+// Meshes, patches and searches keep their contracts for random triangles.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,12 +14,12 @@
 namespace pelage {
 namespace {
 
-/// A whole number in [low, high), from all of it from the first case on.
+/// A whole number in [low, high), over the full range even in RapidCheck's first, small cases.
 int whole(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 
 double between(double low, double high) { return low + (high - low) * whole(0, 1'000'000) * 1e-6; }
 
-/// Coordinates on a coarse grid, so that vertices meet, edges are shared and triangles have no area, or anywhere.
+/// Coordinates anywhere, or on a coarse grid, where vertices coincide, edges are shared and triangles have no area.
 glm::dvec3 place(bool on_grid) {
   if (!on_grid) return {between(-1, 1), between(-1, 1), between(-1, 1)};
   const auto step = [] { return static_cast<double>(whole(-2, 3)) * 0.5; };
@@ -63,7 +63,7 @@ void check_frames(const Mesh& mesh) {
   }
 }
 
-/// Finite points with unit axes, every triangle covered, and shares of a corner that sum to 1 over its pieces.
+/// Checks that points are finite with unit axes, that every triangle is covered, and that a corner's weights sum to 1.
 void check_patches(const Mesh& mesh, const PatchMap& map) {
   for (const PatchPoint& point : map.points) {
     RC_ASSERT(point.vertex < mesh.positions.size() && point.patch < map.patches);
@@ -85,7 +85,7 @@ void check_patches(const Mesh& mesh, const PatchMap& map) {
   }
 }
 
-/// Edges of two triangles that are wound against each other.
+/// Number of edges whose two triangles have opposite windings.
 std::size_t disagreeing_edges(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<bool>> sides;
   for (const glm::uvec3& t : mesh.triangles) {
@@ -152,7 +152,7 @@ bool same_bits(const PatchMap& a, const PatchMap& b) {
                     });
 }
 
-/// A bumpy sheet: a grid of random heights.
+/// A bumpy sheet: a grid with random heights.
 RawModel sheet(int side, double height) {
   RawModel raw;
   for (int i = 0; i < side * side; ++i) {
@@ -186,7 +186,7 @@ RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
   check_patches(*mesh, hard);
 }
 
-/// Bumps of about the size of their triangles, which no map keeps without stretch, are rarely turned over.
+/// Bumps about as large as their triangles cannot be mapped without stretch, but rarely flip.
 RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
   const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)));
   RC_PRE(mesh.ok());
@@ -199,7 +199,7 @@ RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
 RC_GTEST_PROP(Prepare, ScaleChangesNothingInside, ()) {
   const RawModel raw = soup(false);
   RawModel larger = raw;
-  for (glm::dvec3& p : larger.positions) p *= 4.0;  // exact
+  for (glm::dvec3& p : larger.positions) p *= 4.0;  // exact in floating point
   const Result<Mesh> a = prepare(raw);
   const Result<Mesh> b = prepare(larger);
   RC_PRE(a.ok() && b.ok());
@@ -225,7 +225,7 @@ RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
   for (int k = 0; k < 3; ++k) RC_ASSERT(point.barycentric[k] >= 0 && point.barycentric[k] <= 1);
 }
 
-/// No point of a triangle, on a fine grid, is nearer than the one that is found.
+/// No point of a triangle, on a fine grid, is nearer than the one found.
 RC_GTEST_PROP(Surface, NearestOnTriangleIsNearest, ()) {
   const std::array<glm::dvec3, 3> corners = {place(false), place(false), place(false)};
   const glm::dvec3 from = place(false) * 2.0;
@@ -240,7 +240,7 @@ RC_GTEST_PROP(Surface, NearestOnTriangleIsNearest, ()) {
   }
 }
 
-/// Distance along the unit ray to the triangle, with how far inside it the ray passes (negative: outside).
+/// Distance along the unit ray to the triangle, and how far inside the triangle it crosses (negative: outside).
 struct Crossing {
   double distance = -1, inside = -1;
 };
@@ -260,7 +260,7 @@ RC_GTEST_PROP(Surface, RaysAgreeWithEveryTriangleTried, ()) {
   const Surface surface(std::move(mesh).value());
   const glm::dvec3 origin = place(false) * 2.0, direction = glm::normalize(place(false) * 0.3 - origin);
   RC_PRE(std::isfinite(direction.x));
-  constexpr double clear = 1e-3;  // closer to an edge or to the origin than this, rounding may decide
+  constexpr double clear = 1e-3;  // rounding may decide whatever is closer to an edge or to the origin
   double nearest = std::numeric_limits<double>::infinity();
   for (const glm::uvec3& t : surface.mesh().triangles) {
     const Crossing crossing = cross_triangle(corners_of(surface.mesh(), t), origin, direction);
@@ -282,7 +282,7 @@ RC_GTEST_PROP(Surface, VerticesWithinAgreeWithEveryVertexTried, ()) {
   const bool at_vertex = *rc::gen::arbitrary<bool>();
   const auto some = [&] { return static_cast<std::size_t>(whole(0, static_cast<int>(positions.size()))); };
   const glm::dvec3 centre = at_vertex ? glm::dvec3(positions[some()]) : place(false);
-  // Often exactly the distance of a vertex, so that "at most" is tested.
+  // Often the exact distance of a vertex, so that "at most" is tested.
   const double radius = *rc::gen::element(0.0, between(0, 2), glm::length(centre - glm::dvec3(positions[some()])));
   std::vector<std::uint32_t> expected, found;
   for (std::uint32_t v = 0; v < positions.size(); ++v) {

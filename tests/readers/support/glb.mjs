@@ -1,7 +1,7 @@
-// GLB taken apart and put together, to look into files and to damage them; and what the Khronos validator says of one.
+// Takes GLBs apart and puts them together, to inspect and damage them, and runs the Khronos validator on them.
 import {validateBytes} from "gltf-validator";
 
-/** The JSON and the binary chunk, whose views may be changed. */
+/** Returns the JSON and the binary chunk; both may be modified. */
 export function parts_of(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   const length = view.getUint32(12, true);
@@ -21,7 +21,7 @@ export function glb_of({json, binary}) {
   return bytes;
 }
 
-/** The numbers of an accessor, as a view of the binary chunk. */
+/** Returns the numbers of an accessor, as a view of the binary chunk. */
 export function numbers_of({json, binary}, accessor) {
   const {bufferView, byteOffset = 0, componentType, count, type} = json.accessors[accessor];
   const Kind = {5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array}[componentType];
@@ -31,7 +31,7 @@ export function numbers_of({json, binary}, accessor) {
 
 const severities = ["error", "warning", "info", "hint"];
 
-/** All that the validator finds, as "error CODE at: message", and its counts of the whole file. */
+/** Returns the validator's findings, each as "error CODE at: message", and its counts of the whole file. */
 export async function validated(bytes) {
   const {issues, info} = await validateBytes(bytes, {format: "glb", maxIssues: 0, writeTimestamp: false});
   const found = issues.messages.map(({severity, code, pointer, offset, message}) =>

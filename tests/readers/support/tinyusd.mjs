@@ -1,6 +1,6 @@
-// TinyUSDZ, a reader of USD by others, in node. Its package is WebAssembly for browsers, built to refuse node; it asks as
-// it starts, and from then on needs no browser. Nor does the package say that it is a module, without which node 18 does
-// not import it: it goes in as text.
+// Runs TinyUSDZ, a third-party reader of USD, in node. Its package is WebAssembly built for browsers; it checks for node only
+// when it starts, and needs no browser after that. The package does not declare itself a module, so node 18 does not import
+// it, and it is loaded as text.
 import {readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 
@@ -8,7 +8,7 @@ const file = (name) => readFileSync(createRequire(import.meta.url).resolve(`tiny
 const {default: init} = await import(`data:text/javascript;base64,${file("tinyusdz.js").toString("base64")}`);
 
 async function started() {
-  process.type = "renderer";  // as in a page of Electron, which has node too
+  process.type = "renderer";  // poses as a page of Electron, which has node too
   globalThis.window = globalThis;
   try {
     return await init({wasmBinary: file("tinyusdz.wasm"), locateFile: (name) => name});
@@ -19,7 +19,7 @@ async function started() {
 }
 const tiny = await started();
 
-/** Calls `use` with a file that was read, as a whole scene or as a layer. Throws where the reader refuses it. */
+/** Reads a file as a whole scene or as a layer, and calls `use` with it. Throws if the reader refuses it. */
 function read(bytes, method, use) {
   const usd = new tiny.TinyUSDZLoaderNative();
   try {
@@ -30,14 +30,14 @@ function read(bytes, method, use) {
   }
 }
 
-/** The tree of what can be drawn, each with name, type, matrices and children; and the number of its meshes. The reader
- * checks the types of all attributes of curves here, but its nodes have none of their data. */
+/** Returns the tree of drawable nodes, each with name, type, matrices and children, and the number of meshes. The reader checks
+ * the types of all attributes of curves here, but its nodes do not contain their data. */
 export const scene_of = (bytes) => read(bytes, "loadFromBinary", (usd) => ({root: usd.getDefaultRootNode(), meshes: usd.numMeshes()}));
 
-/** All that the layer holds, as text that the reader writes from what it has read. */
+/** Returns the contents of the layer, as text that the reader writes from what it has read. */
 export const layer_of = (bytes) => read(bytes, "loadAsLayerFromBinary", (usd) => usd.layerToString());
 
-/** The numbers of an array of such a text, flat. declaration: Such as "point3f[] points". */
+/** Returns the numbers of an array in such a text, flat. `declaration` is for example "point3f[] points". */
 export function numbers_of(text, declaration) {
   const start = text.indexOf(`${declaration} = [`);
   if (start < 0) return undefined;

@@ -24,7 +24,7 @@ TEST(Parallel, EachNumberIsWorkedOnOnce) {
   for_each_in_parallel(0, [](std::uint32_t) { FAIL() << "there is nothing to do"; });
 }
 
-/// As farms and containers pin a process; a child, for it would hold for the other tests.
+/// Farms and containers pin processes like this. Runs in a child, because the pinning would affect the other tests.
 TEST(ParallelDeathTest, SingleCoreRunsInline) {
   const auto pinned = [] {
     cpu_set_t cores, one;
@@ -39,7 +39,7 @@ TEST(ParallelDeathTest, SingleCoreRunsInline) {
         1000, [&](std::uint32_t) { others |= std::this_thread::get_id() != caller; }, 4);
     std::exit(core_count() == 1 && default_threads() == 1 && !others ? 0 : 1);
   };
-  testing::GTEST_FLAG(death_test_style) = "threadsafe";  // oneTBB counts cores once
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";  // oneTBB counts cores only once
   EXPECT_EXIT(pinned(), testing::ExitedWithCode(0), "^$");
 }
 
@@ -69,12 +69,12 @@ TEST(Parallel, BothAreCalled) {
   EXPECT_EQ(second, 2);
 }
 
-/// No address space is left for the stack of another thread.
+/// Leaves no address space for the stack of another thread.
 void allow_no_more_threads() {
   std::ifstream status("/proc/self/statm");
   rlim_t pages = 0;
   status >> pages;
-  const rlim_t bytes = pages * 4096 + (rlim_t{6} << 20);  // less than a stack
+  const rlim_t bytes = pages * 4096 + (rlim_t{6} << 20);  // less than a stack more than now
   const rlimit limit{bytes, bytes};
   if (setrlimit(RLIMIT_AS, &limit) != 0) std::abort();
 }

@@ -1,4 +1,4 @@
-// Work that ends at the first that returns false.
+// A parallel loop that ends at the first call that returns false.
 #include <gtest/gtest.h>
 
 #include <atomic>

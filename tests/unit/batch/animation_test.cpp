@@ -1,4 +1,4 @@
-// Keyframes: any parameter over frames, within the contract.
+// Keyframes animate any parameter over frames, within the contract.
 #include "protocol/json/animation.h"
 
 #include <gtest/gtest.h>
@@ -45,9 +45,9 @@ TEST(Keyframes, GoStraightOrStepOrAlongACurve) {
   }
   EXPECT_EQ(exposure("step", 4.9), 0);
   EXPECT_DOUBLE_EQ(exposure("linear", 2), 1);
-  EXPECT_NEAR(exposure("spline", 3), 2, 1e-9);  // from rest to rest
+  EXPECT_NEAR(exposure("spline", 3), 2, 1e-9);  // starts and ends at rest
   EXPECT_LT(exposure("spline", 2), 1);
-  EXPECT_EQ(exposure("spline", 7), 4);  // flat between equal keys: no overshoot
+  EXPECT_EQ(exposure("spline", 7), 4);  // flat between equal keys, without overshoot
 }
 
 TEST(Tiles, AreTakenWhereTheWholeFrameIsTooLarge) {
@@ -113,7 +113,7 @@ TEST(Keyframes, ChangeSettingsByTheirCommands) {
   EXPECT_NEAR(std::get<SetCoats>(coat.settings[0]).coats[0].coat->bend, 0.3, 1e-7);
   const auto colour = frame_of(
       animate(keys_of("/lights/0/colour", R"({"frame": 0, "value": "#000000"}, {"frame": 4, "value": "#ffffff"})")), 2);
-  EXPECT_NEAR(std::get<SetLights>(colour.settings[0]).lights[0].colour.r, 0.5, 1e-6);  // linear light
+  EXPECT_NEAR(std::get<SetLights>(colour.settings[0]).lights[0].colour.r, 0.5, 1e-6);  // interpolated in linear light
   const auto word =
       frame_of(animate(keys_of("/frame/camera/auto", R"({"frame": 0, "value": "left"}, {"frame": 4, "value": "right"})",
                                "step")),
@@ -156,7 +156,7 @@ TEST(Keyframes, KeepToTheLimitsOfTheContract) {
       Animation::create(*decode_job(R"({"builtin": {}, "output": "#.png", "frame": {"width": 0}})"), {})->at(3);
   ASSERT_FALSE(width.ok());
   EXPECT_EQ(width.status().pointer, "/frame/width");
-  EXPECT_EQ(width.status().message.find("At frame"), std::string::npos);  // of no keyframe
+  EXPECT_EQ(width.status().message.find("At frame"), std::string::npos);  // it has no keyframe
   const auto unknown = animate(keys_of("/frame/exposurre", R"({"frame": 0, "value": 1})"))->at(0);
   ASSERT_FALSE(unknown.ok());
   EXPECT_EQ(unknown.status().nearest, "exposure");

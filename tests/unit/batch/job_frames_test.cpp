@@ -1,4 +1,4 @@
-// What each frame of a job is.
+// What a job plans for each of its frames.
 #include "server/batch/job_frames.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(JobFrames, AreTheSameInWhateverPartTheyAreDrawn) {
   EXPECT_EQ(part[0].file, "./other.4.exr");
   EXPECT_EQ(part[0].moment.request.exposure, all[3].moment.request.exposure);
   EXPECT_EQ(part[0].moment.request.camera.position, all[3].moment.request.camera.position);
-  EXPECT_NE(part[0].fingerprint, all[3].fingerprint);  // another format
+  EXPECT_NE(part[0].fingerprint, all[3].fingerprint);  // has another format
   EXPECT_EQ(plan(job, {.frames = "2-4"})[2].fingerprint, all[3].fingerprint);
   for (std::size_t k = 1; k < all.size(); ++k) EXPECT_NE(all[k].fingerprint, all[0].fingerprint);
 }
@@ -107,7 +107,7 @@ TEST_F(JobFrames, ThatAreBlurredAreDrawnWhileTheShutterIsOpen) {
 
 TEST_F(JobFrames, ThatAreBlurredTurnAsFastAsTheirClip) {
   RenderJob job = job_of(R"(, "turntable": {"turns": "camera"}, "motion_blur": {"shutter": 1, "samples": 2})");
-  job.frames = "1-9x2";  // five: a frame's time is half of what lies between two of them
+  job.frames = "1-9x2";  // five frames: one frame's time is half of the time between two of them
   const auto frames = plan(job);
   const Camera own = frames[1].moment.request.camera, open = frames[1].open[1].request.camera;
   const Camera turned = turned_camera(own, 1, scene_->scene()->model()->surface.mesh(), 72.0 / 2 / 4);
@@ -219,7 +219,7 @@ TEST(OutputFiles, AreWholeOrNotThere) {
     ++files;
     EXPECT_EQ(entry.path().filename().string().front() == '.', false) << entry.path();
   }
-  EXPECT_EQ(files, 2u);  // deep, taken
+  EXPECT_EQ(files, 2u);  // the folders `deep` and `taken`
 }
 
 TEST(OutputFiles, HaveNamesOfTheirOwnWhileTheyAreWritten) {
@@ -260,7 +260,7 @@ TEST(OutputFiles, AreKnownByTheirFingerprint) {
   ASSERT_TRUE(write_whole(path, bytes).ok());
   EXPECT_TRUE(is_drawn(path, print));
   EXPECT_FALSE(is_drawn(path, std::string(32, 'b')));
-  ASSERT_TRUE(write_whole(path, bytes.substr(0, bytes.size() - 14)).ok());  // cut off
+  ASSERT_TRUE(write_whole(path, bytes.substr(0, bytes.size() - 14)).ok());  // truncated
   EXPECT_FALSE(is_drawn(path, print));
   EXPECT_FALSE(is_drawn(folder->file("none.png"), print));
 }

@@ -1,4 +1,4 @@
-// Which file shows a job's model at a frame.
+// Which file holds a job's model at a frame.
 #include "server/batch/model_moments.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Ranges of frames and names of files.
+// Frame ranges and file names.
 #include <gtest/gtest.h>
 
 #include "server/batch/frame_range.h"

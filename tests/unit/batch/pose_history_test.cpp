@@ -1,4 +1,4 @@
-// What a model that moved makes its fur feel.
+// The acceleration that a moving model's fur feels.
 #include "server/batch/pose_history.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double fps = 24;
 
-/// A sphere that is moved by a function of the seconds; it is there from frame `first` on.
+/// A sphere that is moved by a function of the time in seconds; it exists from frame `first` on.
 class PoseHistoryTest : public ::testing::Test {
  protected:
   template <typename Move>
@@ -51,7 +51,7 @@ TEST_F(PoseHistoryTest, EvenMotionHasNoAcceleration) {
 
 TEST_F(PoseHistoryTest, AFallHasItsAcceleration) {
   auto fall = history([](glm::dvec3 p, double t) { return p - 0.5 * t * t * glm::dvec3(0, 3, 0); }, 2);
-  const auto swing = fall.at(30, 100.25);  // the scene's time need not be the frame's
+  const auto swing = fall.at(30, 100.25);  // the scene's time need not be that of the frame
   ASSERT_TRUE(swing.ok());
   for (const double back : {0.0, 0.33, 2.0})
     EXPECT_LT(glm::distance(swing->acceleration(7, 100.25 - back), glm::dvec3(0, -6 / size_, 0)), 0.02 / size_);
@@ -74,7 +74,7 @@ TEST_F(PoseHistoryTest, OfATurnPointsOutOfTheSkinAsItDidThen) {
   for (std::uint32_t v = 0; v < now.positions.size(); v += 7) {
     const glm::dvec3 place = now.to_model(glm::dvec3(now.positions[v])) / size_;
     const glm::dvec3 inwards = -rate * rate * glm::dvec3(place.x, 0, place.z);
-    for (const double t : {1.0, 0.2})  // in the coordinates of now, whenever it was
+    for (const double t : {1.0, 0.2})  // in the body's current coordinates, at any earlier time
       ASSERT_LT(glm::distance(swing->acceleration(v, t), inwards), 0.02) << v;
   }
 }

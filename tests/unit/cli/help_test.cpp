@@ -1,4 +1,4 @@
-// Completions, the manual page and examples: all made of the command line itself.
+// Completions, the manual page and examples, all generated from the command line itself.
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 CommandHelp small_tree() {
   CLI::App app{"Does it."};
-  bool json = false;  // nothing is parsed
+  bool json = false;  // never parsed
   app.add_flag("--json", json, "As JSON");
   CLI::App* map = app.add_subcommand("map", "Fields");
   CLI::App* get = map->add_subcommand("get", "It's a field");
@@ -32,7 +32,7 @@ struct WholeLine {
   WholeLine() { declare_line(app, options); }
 };
 
-/// Words of a line of a shell up to a pipe or a file; quotes hold words together.
+/// Splits a shell line into words, up to a pipe or a redirection. Quotes hold words together.
 std::vector<std::string> words_of_line(std::string line) {
   if (const std::size_t pipe = line.rfind("| pelage"); pipe != std::string::npos) line.erase(0, pipe + 2);
   std::vector<std::string> words(1);
@@ -60,7 +60,7 @@ TEST(CommandTree, HasCommandsOptionsAndArguments) {
   ASSERT_EQ(all[2]->arguments.size(), 1u);
   EXPECT_EQ(all[2]->arguments[0].names, std::vector<std::string>{"field"});
   EXPECT_TRUE(all[2]->arguments[0].required);
-  ASSERT_EQ(all[2]->options.size(), 2u);  // --help too
+  ASSERT_EQ(all[2]->options.size(), 2u);  // with --help
   EXPECT_EQ(all[2]->options[1].names, (std::vector<std::string>{"-o", "--output"}));
   EXPECT_TRUE(all[2]->options[1].takes_value);
   EXPECT_EQ(all[2]->options[1].preset, "x.png");
@@ -87,13 +87,13 @@ TEST(ManPage, HasEachCommandWithItsOptions) {
   EXPECT_EQ(page.find(".TH PELAGE 1 \"\" \"pelage 1.2.3\""), 0u);
   EXPECT_NE(page.find(".SS map get\n.B pelage map get [OPTIONS] FIELD\n"), std::string::npos) << page;
   EXPECT_NE(page.find(".B \\-o VALUE, \\-\\-output VALUE\nWhere [x.png]\n"), std::string::npos) << page;
-  EXPECT_EQ(page.find("\n'"), std::string::npos);  // would be a request of roff
+  EXPECT_EQ(page.find("\n'"), std::string::npos);  // roff would take it for a request
 }
 
 TEST(Examples, EachCommandHasSomeThatItTakes) {
   const CommandHelp root = tree_of(WholeLine().app);
   for (const CommandHelp* command : all_commands(root)) {
-    if (!command->commands.empty() && !command->name.empty()) continue;  // a group
+    if (!command->commands.empty() && !command->name.empty()) continue;  // skips groups
     EXPECT_FALSE(examples_of(command->name).empty()) << command->name;
     for (const std::string& line : examples_of(command->name)) {
       std::vector<std::string> words = words_of_line(line);

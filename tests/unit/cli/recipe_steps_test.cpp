@@ -1,4 +1,4 @@
-// Recipes: picks, loops, expressions, asserts and files of places.
+// Recipes: picks, loops, expressions, asserts and files of positions.
 #include <gtest/gtest.h>
 
 #include "clients/cli/recipe/gather.h"
@@ -10,7 +10,8 @@
 namespace pelage {
 namespace {
 
-/// A recipe for a box from (0, 0, 0) to (2, 4, 8) whose picks are answered in turn; the requests are kept.
+/// Expands recipes for a box from (0, 0, 0) to (2, 4, 8). Picks get the next of `answers`, and their requests are kept
+/// in `asked`.
 struct Kitchen {
   std::vector<PickAnswer> answers;
   std::vector<std::string> asked;

@@ -1,4 +1,4 @@
-// What is written on a terminal.
+// What the client writes on a terminal.
 #include <gtest/gtest.h>
 
 #include "clients/cli/terminal/progress.h"

@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 struct Texel {
-  glm::dvec2 way;  // tiles
+  glm::dvec2 way;  // vector to the clump's middle, in tiles
   double inside;
 };
 

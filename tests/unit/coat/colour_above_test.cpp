@@ -19,7 +19,7 @@ TEST(ColourAbove, IsOneOnARampOfOneColour) {
 
 TEST(ColourAbove, IsTheMeanUpToTheTipOverTheColourThere) {
   const auto above = colour_above(ramp({0.1f, 0.5f, 0.5f}, {0.9f, 0.5f, 0.1f}));
-  EXPECT_NEAR(above.front().r, 0.5 / 0.1125, 0.02);  // the slice's middle is at 1/64
+  EXPECT_NEAR(above.front().r, 0.5 / 0.1125, 0.02);  // the middle of the first slice is at 1/64
   EXPECT_NEAR(above.front().g, 1, 1e-5);
   EXPECT_LT(above.front().b, 1);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(above.back()[k], 1, 1e-5);

@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-/// Straight, upright, even strands.
+/// A coat of straight, upright strands that are all alike.
 Coat plain() {
   Coat coat;
   coat.count = 4000, coat.bend = 0, coat.clump = 0, coat.length_spread = 0, coat.colour_spread = 0;
@@ -31,10 +31,10 @@ double mean_of(const Coat& coat, Value value) {
   return sum / static_cast<double>(strands.size());
 }
 
-/// Mean distance of a tip from the middle of its clump, sizes.
+/// Mean distance of a tip from the middle of its clump, in sizes.
 double spread_of_tips(const Coat& coat) {
   Coat whole = coat;
-  whole.wetness = 1;  // the vectors to the clumps are then not shortened from clump to clump
+  whole.wetness = 1;  // without shortening, so that the vectors to the clumps are whole
   const std::vector<Strand> strands = make_strands(coat), centres = make_strands(whole);
   double sum = 0;
   for (std::size_t i = 0; i < strands.size(); ++i) sum += glm::distance(tip(coat, strands[i]), centres[i].clump);
@@ -48,7 +48,7 @@ TEST(Forms, StraightStrandsAreStraight) {
   }
 }
 
-/// The way along a strand that rises by nominal_length, over that.
+/// Length of a strand that rises by nominal_length, over nominal_length.
 double way_along(const Coat& coat, const Strand& strand) {
   constexpr int steps = 2000;
   double way = 0;
@@ -66,7 +66,7 @@ TEST(Forms, WindingIsTheLengthAlongAStrand) {
     Coat coat = plain();
     coat.count = 100, coat.curl = curl, coat.wave = wave, coat.curl_turns = coat.wave_turns = turns;
     const double mean = mean_of(coat, [&](const Strand& strand) { return way_along(coat, strand); });
-    EXPECT_NEAR(winding(coat) / mean, 1, 0.15) << curl << ' ' << wave;  // they grow out of the lowest quarter
+    EXPECT_NEAR(winding(coat) / mean, 1, 0.15) << curl << ' ' << wave;  // curl and wave fade in over the lowest quarter
   }
 }
 
@@ -78,7 +78,7 @@ TEST(Forms, WavesLieInOnePlaneWithTheirAmplitude) {
     const glm::dvec2 way = glm::normalize(strand.wave);
     double largest = 0;
     int crossings = 0;
-    for (int i = 101; i <= 400; ++i) {  // above the first quarter, where they have grown out
+    for (int i = 101; i <= 400; ++i) {  // above the first quarter, where the curl has its full amplitude
       const glm::dvec2 here = strand_offset(coat, strand, i / 400.0),
                        before = strand_offset(coat, strand, (i - 1) / 400.0);
       EXPECT_LT(std::abs(here.x * way.y - here.y * way.x), 1e-12);
@@ -103,7 +103,7 @@ TEST(Forms, CurlsAreHelices) {
 
 TEST(Forms, LocksCurlTogether) {
   Coat coat = plain();
-  coat.curl = 0.2, coat.curl_together = 1, coat.clump_size = 0.06;  // four clumps
+  coat.curl = 0.2, coat.curl_together = 1, coat.clump_size = 0.06;  // four clumps on the tile
   glm::dvec2 sum(0);
   for (const Strand& strand : make_strands(coat)) sum += tip(coat, strand) / (0.2 * nominal_length);
   EXPECT_GT(glm::length(sum) / coat.count, 0.1) << "four phases do not cancel";
@@ -133,7 +133,7 @@ TEST(Forms, LocksGatherInsideClumps) {
   coat.clump = 0.8, coat.count = 1500, coat.wetness = 1;
   const std::vector<Strand> strands = make_strands(coat);
   std::size_t shared = 0;
-  for (std::size_t i = 0; i < strands.size(); ++i) {  // strands of one lock go to one clump
+  for (std::size_t i = 0; i < strands.size(); ++i) {  // strands of one lock belong to one clump
     for (std::size_t k = i + 1; k < strands.size(); ++k) {
       if (glm::distance(strands[i].root + strands[i].fine_clump, strands[k].root + strands[k].fine_clump) > 1e-9)
         continue;
@@ -266,7 +266,7 @@ TEST(Slices, BakeEveryForm) {
   coat.undercoat.share = 0.5, coat.ticking = {.share = 0.1, .colour = {1, 0, 0}};
   const Slices slices = bake_slices(coat), plain_slices = bake_slices(Coat{.count = 3000});
   EXPECT_NE(slices.levels[0].shape, plain_slices.levels[0].shape);
-  const auto max_red = [](const Slices& s) {  // how far red is over green in any texel
+  const auto max_red = [](const Slices& s) {  // how far red exceeds green in any texel
     int max = 0;
     const auto& texels = s.levels[0].colour;
     for (std::size_t i = 0; i < texels.size(); i += 4) max = std::max(max, texels[i] - texels[i + 1]);

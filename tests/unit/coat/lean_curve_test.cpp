@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-/// Length of the curve up to `s`, by many chords.
+/// Length of the curve up to `s`, summed over many chords.
 double polyline_length(LeanCurve curve, double inclination, double root_share, double s) {
   constexpr int chords = 4000;
   double length = 0;

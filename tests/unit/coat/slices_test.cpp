@@ -26,7 +26,7 @@ double depth_at(const SliceLevel& level, int x, int y, int slice) {
   return level.shape[4 * texel + 3] / 255.0 * stored_depth;
 }
 
-/// As the GPU filters it, for texels' middles at whole numbers.
+/// Bilinear lookup as the GPU does it; texel centres are at whole numbers.
 double filtered_depth(const SliceLevel& level, double x, double y, int slice) {
   const int left = static_cast<int>(std::floor(x)), low = static_cast<int>(std::floor(y));
   const auto row = [&](int at) {
@@ -35,7 +35,7 @@ double filtered_depth(const SliceLevel& level, double x, double y, int slice) {
   return std::lerp(row(low), row(low + 1), y - low);
 }
 
-/// As slab.glsl has it, between the angles whose scales are known.
+/// Interpolates the depth scale between the known angles, as slab.glsl does.
 double scale_at(const SliceLevel& level, double sine) {
   const auto [along, at60, at30, at75] = level.depth_scale;
   const double sine60 = std::sqrt(0.75), sine75 = std::sin(75 * std::numbers::pi / 180);
@@ -44,8 +44,8 @@ double scale_at(const SliceLevel& level, double sine) {
   return std::lerp(at60, at75, std::min((sine - sine60) / (sine75 - sine60), 1.0));
 }
 
-/// What the slices from `lowest` up let through on average of rays at that angle to the normal (degrees), read from the
-/// stored bytes and marched as slab.glsl does.
+/// Mean transmittance of the slices from `lowest` up, for rays at that angle to the normal (degrees). Reads the stored
+/// bytes and marches as slab.glsl does.
 double transmittance(const Coat& coat, const SliceLevel& level, double angle, int lowest = 0) {
   constexpr int parts = 4;
   const double slant = 1 / std::cos(angle * std::numbers::pi / 180), across = std::sqrt(slant * slant - 1);
@@ -66,7 +66,7 @@ double transmittance(const Coat& coat, const SliceLevel& level, double angle, in
   return sum / count;
 }
 
-/// Straight strands of one width that stand by chance.
+/// A coat of straight strands of one width at random positions.
 Coat plain_coat() {
   Coat coat;
   coat.count = 3000, coat.width_root = coat.width_tip = 0.0008;
@@ -109,8 +109,8 @@ TEST(Ramp, GoesThroughItsStops) {
   EXPECT_FLOAT_EQ(ramp_colour(coat, 1).r, 0.5f);
 }
 
-/// Of n cut discs and d t n strips between them a ray meets none by exp(-n) where they lie by chance, by 1 - n where
-/// none lies over another; roots lie more evenly than by chance.
+/// Rays cross n discs (cut strands) and d t n strips between them on average. If they were placed at random, exp(-n) of
+/// the rays would hit none; if none overlapped, 1 - n. Roots are placed more evenly than at random.
 TEST(StrandCover, RaysHitStrandsByTheirWidthAndPath) {
   const Coat coat = plain_coat();
   const std::vector<Strand> strands = make_strands(coat);
@@ -127,7 +127,8 @@ TEST(StrandCover, RaysHitStrandsByTheirWidthAndPath) {
                 1e-9 * of_slice);
 }
 
-/// Between thin strands a ray at 75 degrees goes several of their widths to the side in a slice, and past none of them.
+/// At 75 degrees a ray moves several widths of a thin strand sideways in one slice, and must not miss strands in
+/// between.
 TEST(StrandCover, RaysHitEvenTheThinnestStrands) {
   Coat coat = plain_coat();
   coat.count = 600, coat.width_root = coat.width_tip = 0.00008;
@@ -138,7 +139,7 @@ TEST(StrandCover, RaysHitEvenTheThinnestStrands) {
   EXPECT_LT(open, std::exp(-met) + 0.02);
 }
 
-/// Straight up a ray sees the roots' discs alone, however long the strands are.
+/// Straight down a ray only hits the discs of the roots, however long the strands are.
 TEST(StrandCover, AlongUprightStrandsOnlyTheirEndsCount) {
   const Coat coat = plain_coat();
   const double discs = coat.count * std::numbers::pi * std::pow(coat.width_root / 2 / coat.tile, 2);
@@ -150,11 +151,11 @@ TEST(Slices, EveryLevelHasTheTransmittanceOfTheStrands) {
     const Slices slices = bake_slices(coat);
     const std::vector<Strand> strands = make_strands(coat);
     ASSERT_EQ(slices.levels.size(), static_cast<std::size_t>(slice_levels));
-    for (int i = 0; i < 6; ++i) {  // coarser ones are limited by 8 bits
+    for (int i = 0; i < 6; ++i) {  // coarser levels are limited by 8 bits
       const SliceLevel& level = slices.levels[static_cast<std::size_t>(i)];
       EXPECT_NEAR(transmittance(coat, level, 0), rays_let_through(coat, strands, 0)[0], 0.03) << "level " << i;
       for (const double angle : {30.0, 60.0, 75.0}) {
-        if (angle > 70 && i == 0) continue;  // four steps in a slice go past thin tips there
+        if (angle > 70 && i == 0) continue;  // four steps per slice miss thin tips there
         const auto open = rays_let_through(coat, strands, std::tan(angle * std::numbers::pi / 180));
         for (const std::size_t slice : {28, 24, 20, 12})
           EXPECT_NEAR(transmittance(coat, level, angle, static_cast<int>(slice)), open[slice], 0.07)
@@ -164,7 +165,7 @@ TEST(Slices, EveryLevelHasTheTransmittanceOfTheStrands) {
   }
 }
 
-// Tips too: what the outermost slices leave out, those below them would make up for.
+// Holds for the tips too: slices below would make up for what the outermost ones leave out.
 TEST(Slices, EverySliceOccludesItsShare) {
   Coat wide;
   wide.tile = 0.0625, wide.count = 2000, wide.width_root = 0.0012, wide.width_tip = 0.0008, wide.fine_clump = 0.3;
@@ -179,7 +180,7 @@ TEST(Slices, EverySliceOccludesItsShare) {
   }
 }
 
-// What is seen takes its colour from how deep rays reach: 1 % of the height is about 1 % of a ramp's lightness.
+// Rays that reach deeper see another colour of the ramp: 1 % of the height is about 1 % of its lightness.
 TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
   Coat sleek;
   sleek.count = 8400, sleek.width_root = 0.00042, sleek.width_tip = 0.00011, sleek.clump = 0.15,
@@ -200,7 +201,7 @@ TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
   }
 }
 
-/// Mean of the stored light in a slice, each texel by `weight` of its depth.
+/// Mean of the stored light in a slice; each texel has the `weight` of its depth.
 template <typename Weight>
 double mean_light(const SliceLevel& level, int slice, const Weight& weight) {
   double sum = 0, weights = 0;
@@ -214,7 +215,7 @@ double mean_light(const SliceLevel& level, int slice, const Weight& weight) {
   return sum / weights;
 }
 
-// More light falls into gaps between clumps than on the strands: a texel of both lies between the two.
+// More light falls into gaps between clumps than on strands; a texel of both lies in between.
 TEST(Slices, CoarseLevelsLieBetweenTheLightOfStrandsAndOfGaps) {
   Coat coat;
   coat.clump = 0.9, coat.clump_size = 0.02;
@@ -264,7 +265,7 @@ TEST(Slices, StopForGoodOnceToldTo) {
   EXPECT_TRUE(slices.levels.empty()) << "a slice is missing";
 }
 
-// 100,000 discs of ten tiles each: without an end it would take days.
+// 100,000 discs of ten tiles each would take days if the loop over tiles did not end early.
 TEST(Slices, TheWidestStrandsAreOpaqueAndEnd) {
   Coat coat;
   coat.count = 100'000, coat.tile = 0.01, coat.width_root = coat.width_tip = 0.05, coat.length_spread = 0;

@@ -1,4 +1,4 @@
-// The measure as a whole: what it refuses, and that worse pictures score worse.
+// The picture comparison as a whole: what it refuses, and that worse pictures have larger errors.
 #include "renderer/compare/compare.h"
 
 #include <gtest/gtest.h>
@@ -174,7 +174,7 @@ TEST(Compare, OnlyTheMaskCounts) {
   const Image reference = scene(96, 96);
   Image test = reference;
   for (std::size_t i = 0; i < 96 * 20 * 4; ++i) test.rgba[i] = static_cast<std::uint8_t>(255 - test.rgba[i]);
-  Mask away = everywhere(96, 96);  // the filters reach 10 pixels
+  Mask away = everywhere(96, 96);  // outside the reach of the filters, 10 pixels
   std::fill(away.inside.begin(), away.inside.begin() + 96 * 31, 0);
   const PictureError error = measured(linear_image(reference), linear_image(test), away);
   ASSERT_TRUE(error.figures);

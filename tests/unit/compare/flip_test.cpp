@@ -1,4 +1,4 @@
-// LDR-FLIP against its authors' implementation and against what is known of it.
+// LDR-FLIP against its authors' implementation and against its known properties.
 #include "renderer/compare/flip.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Image changed(Image image, Change change) {
   return image;
 }
 
-/// Every row moved right by one pixel; the first column stays.
+/// The picture moved right by one pixel; the first column stays.
 Image moved(const Image& image) {
   Image out = image;
   for (int y = 0; y < image.height; ++y) {
@@ -43,7 +43,7 @@ Image grey(int level) {
   return drawn(32, 32, [level](int, int, int) { return level; });
 }
 
-/// Computed with the authors' program (FLIP.h 1.6, single precision) at 67 pixels per degree on the same pictures.
+/// Reference values from the authors' program (FLIP.h 1.6, single precision) at 67 pixels per degree.
 TEST(Flip, AgreesWithItsAuthorsImplementation) {
   constexpr double rounding = 5e-5;
   const Image plain = scene(96, 64);
@@ -94,7 +94,7 @@ Image transposed(const Image& image) {
   });
 }
 
-/// Tall pictures are measured in strips of rows, wide ones of the same pixels in one: no strip may show.
+/// Tall pictures are measured in strips of rows, and wide ones with the same pixels in one strip: no seam may show.
 TEST(Flip, StripsLeaveNoSeamAndAxesAreAlike) {
   const Image a = noise(40, 200, 3), b = noise(40, 200, 9000);
   const std::vector<float> tall = flip_map(linear_image(a), linear_image(b), ppd);

@@ -1,4 +1,4 @@
-// Pictures to measure, made by formulas, so that anybody can make them again.
+// Test pictures made by formulas, so that anybody can make them again.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace pelage::pictures {
 
-/// The finaliser of a 32-bit hash: the same noise everywhere.
+/// Finaliser of a 32-bit hash, so that noise is the same on every machine.
 inline std::uint32_t hash(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x7feb352du;
   x = (x ^ (x >> 15)) * 0x846ca68bu;
   return x ^ (x >> 16);
 }
 
-/// colour(x, y, k) in [0, 255] for k = 0, 1, 2; opaque.
+/// An opaque picture of colour(x, y, k), which is in [0, 255] for k = 0, 1, 2.
 template <class Colour>
 Image drawn(int width, int height, Colour colour) {
   Image image{width, height, {}};
@@ -30,14 +30,14 @@ Image drawn(int width, int height, Colour colour) {
   return image;
 }
 
-/// Even noise in all channels.
+/// Uniform noise in all channels.
 inline Image noise(int width, int height, std::uint32_t seed) {
   return drawn(width, height, [&](int x, int y, int k) {
     return hash(seed + static_cast<std::uint32_t>((y * width + x) * 3 + k)) % 256;
   });
 }
 
-/// Soft colour gradients with a sharp disc and a bar: edges, flat parts and colours.
+/// Soft colour gradients with a sharp disc and a bar: a picture with edges, flat parts and colours.
 inline Image scene(int width, int height) {
   return drawn(width, height, [&](int x, int y, int k) {
     const int dx = x - width / 3, dy = y - height / 2;
@@ -47,7 +47,7 @@ inline Image scene(int width, int height) {
   });
 }
 
-/// Upright strands 1.2 pixels wide and 5.3 apart, `shift` pixels to the right, each pixel by the area that they cover.
+/// Upright strands 1.2 pixels wide and 5.3 apart, moved right by `shift` pixels; each pixel shows its exact coverage.
 inline Image strands(int width, int height, double shift) {
   return drawn(width, height, [&](int x, int, int k) {
     double covered = 0;
@@ -64,7 +64,7 @@ inline Mask everywhere(int width, int height) {
   return {width, height, std::vector<std::uint8_t>(pixels, 1)};
 }
 
-/// Alpha 255 inside a disc in the middle and 0 outside.
+/// Sets alpha to 255 inside a central disc and to 0 outside.
 inline Image cut_to_disc(Image image, int radius) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {

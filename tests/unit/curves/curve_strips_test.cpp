@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t places_of_curve = curve_segments + 1;
 
-/// Straight guides of length 1 along Z, side by side on the X axis.
+/// Straight guides of length 1 along Z, in a row on the X axis.
 FurCurves comb_of(int guides, int fill, double spread = 0) {
   FurCurves group;
   for (int g = 0; g < guides; ++g) {
@@ -37,7 +37,7 @@ void expect_finite(const CurveStrips& strips) {
 }
 
 TEST(CurveStrips, GuidesAloneAreDrawnAsTheyAreGiven) {
-  FurCurves group = comb_of(3, 0, 1);  // spread moves only what is filled in
+  FurCurves group = comb_of(3, 0, 1);  // spread moves only the strands between guides
   group.guides[1].points = {{1, 0, 0}, {1, 1, 0}, {2, 1, 0}};
   const CurveStrips strips = strips_of(group);
   ASSERT_EQ(strips.styles.size(), 3u);
@@ -85,7 +85,7 @@ TEST(CurveStrips, TheSameSeedGivesTheSameBits) {
 TEST(CurveStrips, ExtremesAreFinite) {
   FurCurves group = comb_of(2, 3, 1);
   group.guides[0].points = {{1, 1, 1}, {1, 1, 1}};   // no length
-  group.guides[0].normal = -group.guides[1].normal;  // their mix has no direction in the middle
+  group.guides[0].normal = -group.guides[1].normal;  // their mean has no direction in the middle
   expect_finite(strips_of(group));
   group.guides[0].points = {{-1e6, 1e6, 1e6}, {1e6, -1e6, -1e6}, {-1e6, 1e6, 1e6}};
   expect_finite(strips_of(group));

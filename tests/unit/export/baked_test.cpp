@@ -1,4 +1,4 @@
-// GLBs of baked shells and of fields, read without a look at their writers.
+// GLBs of baked shells and of fields, read independently of their writers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Cards along the clumps of the fur, read without a look at their writer.
+// Cards along the clumps of the fur, read independently of their writer.
 #include "server/export/cards.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(Cards, HaveASceneForEachLevelAndFewerInEachNext) {
   EXPECT_NEAR(quarter, 0.25, 0.08);
 }
 
-/// The ball has a radius of .5 / sqrt(3) sizes; cards are nowhere farther out than fur is long, and half a card.
+/// The ball's radius is .5 / sqrt(3) sizes; no card reaches beyond the length of the fur plus half a card.
 TEST(Cards, StandOnTheSkin) {
   const FurredModel model = furred_ball();
   const Cards cards(model, 1500);
@@ -95,7 +95,7 @@ TEST(Cards, AreLeftOutWithoutFur) {
   EXPECT_EQ(cards.glb.json["scenes"].size(), 3u);
 }
 
-/// Two strands with roots in one cube, on skin that faces either way.
+/// Two strands with roots in one grid cell, on opposite sides of a thin sheet.
 TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
   StrandSet set;
   set.segments = 1;
@@ -114,7 +114,7 @@ TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
   EXPECT_NEAR(one.front().places.back().z, 0.5f, 1e-6f) << "the mean of both";
 }
 
-/// Roots close the card, tips leave it open.
+/// The card is opaque at the roots and sparse at the tips.
 TEST(CardTexture, IsDenseAtTheRootsAndOpenAtTheTips) {
   const Image image = card_texture(Coat{}, 0.03);
   const auto cover = [&](int y) {
@@ -128,7 +128,7 @@ TEST(CardTexture, IsDenseAtTheRootsAndOpenAtTheTips) {
   EXPECT_GT(cover(image.height / 2), cover(10));
 }
 
-/// So that no lock shows beside another, with the thickest strands that there are too.
+/// Locks must not bleed into their neighbours, not even with the thickest strands.
 TEST(CardTexture, HasFreeSidesAroundEachLock) {
   Coat thick;
   thick.width_root = thick.width_tip = 0.05;

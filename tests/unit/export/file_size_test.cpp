@@ -1,4 +1,4 @@
-// Files that nobody could read are refused when they are made.
+// Files that would be too large to read are refused when they are written.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +19,7 @@ TEST(FileSize, AGlbBeyondItsLimitIsRefused) {
   large.add(hundred), large.add(hundred);
   EXPECT_EQ(large.finish().status().code, Code::too_large);
   EXPECT_EQ(large.finish().status().limit, "at most 2000 bytes");
-  text.add(hundred);  // the numbers fit, with their description they do not
+  text.add(hundred);  // the numbers fit, but not together with their description
   EXPECT_EQ(text.finish().status().code, Code::too_large);
 }
 
@@ -33,7 +33,7 @@ TEST(FileSize, ItIsThatOfAllPartsInTheirOrder) {
   EXPECT_EQ(size_of(file.parts, {}), whole.size());
   int asked = 0;
   EXPECT_FALSE(file.write([&](std::string_view) { return ++asked < 3; }));
-  EXPECT_EQ(asked, 3);  // nothing more is made once the sink ended it
+  EXPECT_EQ(asked, 3);  // nothing more is written after the sink has refused
 }
 
 TEST(FileSize, ASavedSceneThatWouldNotOpenIsRefused) {

@@ -25,7 +25,7 @@ RawModel moved(RawModel raw, glm::dvec3 by, double scale = 1) {
   return raw;
 }
 
-/// Each triangle with three vertices of its own, as files with a seam at every edge have them.
+/// Gives each triangle three vertices of its own, like a file with a seam at every edge.
 RawModel torn(const RawModel& raw) {
   RawModel result;
   for (const std::uint32_t corner : raw.corners) result.positions.push_back(raw.positions[corner]);
@@ -35,7 +35,7 @@ RawModel torn(const RawModel& raw) {
   return result;
 }
 
-/// A file that keeps glTF's rules, whose numbers are finite, with unit normals and bounds that hold every position.
+/// Expects a valid glTF file with finite numbers, unit normals, and bounds that contain every position.
 void expect_sound(const GlbFile& file) {
   const auto positions = file.vectors("POSITION"), normals = file.vectors("NORMAL");
   ASSERT_EQ(positions.size(), normals.size());
@@ -66,7 +66,7 @@ GlbFile file_of(const Mesh& mesh, std::size_t triangles) {
   return file;
 }
 
-/// The largest and smallest distance from `centre` over corners and middles of edges and triangles.
+/// The smallest and largest distance from `centre` over corners and midpoints of edges and triangles.
 std::pair<double, double> radii(const GlbFile& file, glm::dvec3 centre) {
   const auto positions = file.vectors("POSITION");
   const auto indices = file.indices();
@@ -133,13 +133,13 @@ TEST(ProxyMesh, AModelWithFewTrianglesIsSentAsItIs) {
 TEST(ProxyMesh, KeepsAtLeastOneTriangle) {
   const Mesh mesh = *shapes::prepared(shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   for (const std::size_t triangles : {100, 1, 0}) EXPECT_EQ(file_of(mesh, triangles).indices().size(), 3u);
-  file_of(*shapes::prepared(shapes::ball(20)), 0);  // something is left
+  file_of(*shapes::prepared(shapes::ball(20)), 0);  // still leaves something
 }
 
 TEST(ProxyMesh, TrianglesWithoutAreaDoNoHarm) {
   Mesh mesh = *shapes::prepared(shapes::ball(20));
   const std::size_t whole = mesh.triangles.size();
-  for (std::size_t t = 0; t < whole; t += 3) {  // 32-bit rounding can put different vertices on one point
+  for (std::size_t t = 0; t < whole; t += 3) {  // 32-bit rounding can merge different vertices
     const auto copy = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.push_back(mesh.positions[mesh.triangles[t].x]);
     mesh.normals.push_back(mesh.normals[mesh.triangles[t].x]);
@@ -153,7 +153,7 @@ TEST(ProxyMesh, TrianglesWithoutAreaDoNoHarm) {
 }
 
 TEST(ProxyMesh, WhatCannotBeSimplerIsSentAllTheSame) {
-  RawModel fan;  // triangles around one edge, each with two edges of its own
+  RawModel fan;  // triangles around one edge; each has two further edges of its own
   constexpr int leaves = 200;
   fan.positions = {{0, 0, 0}, {0, 1, 0}};
   for (std::uint32_t k = 0; k < leaves; ++k) {

@@ -42,7 +42,7 @@ TEST(Optics, TheWrongRatioLosesTheRayPastTheCriticalAngle) {
   EXPECT_TRUE(refract_into(arriving(46.60), {0, 0, 1}, 1 / cornea));
   EXPECT_FALSE(refract_into(arriving(46.62), {0, 0, 1}, 1 / cornea));
   const glm::dvec3 lost = glm::refract(arriving(60), glm::dvec3(0, 0, 1), cornea);
-  EXPECT_EQ(glm::length(lost), 0);  // the pitfall: no NaN that would give it away
+  EXPECT_EQ(glm::length(lost), 0);  // the pitfall: no NaN gives it away
 }
 
 TEST(Optics, DirectionsStayUnitAndFiniteAtTheExtremes) {

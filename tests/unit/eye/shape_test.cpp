@@ -57,7 +57,7 @@ TEST(PupilShape, SeesTheLightsInFrontOfIt) {
   EXPECT_EQ(luminance_at(eye, frame), 0);
   frame.lights = {{.kind = LightKind::point, .position = {0, 0, 2}, .radiance = glm::vec3(1)}};
   EXPECT_NEAR(luminance_at(eye, frame), 250, 1e-3);
-  for (const LightKind kind : {LightKind::spot, LightKind::area}) {  // by the cosine, and not backwards
+  for (const LightKind kind : {LightKind::spot, LightKind::area}) {  // scaled by the cosine, and 0 behind the light
     frame.lights[0] = {.kind = kind,
                        .direction = {0, 0.6f, -0.8f},
                        .position = {0, 0, 2},
@@ -82,8 +82,8 @@ double gathered(const std::vector<float>& maps, int angle, const EyeShape& shape
 }
 
 TEST(Caustics, GatherWhatCameThroughTheCornea) {
-  // Along the axis nothing is lost on the wall: the flux is that through the disc of the limbus, less what is
-  // reflected, here by a sum over rings.
+  // Along the axis no light is lost on the wall: the flux is that through the disc of the limbus less what is
+  // reflected, here summed over rings.
   for (const double index : {1.0, 1.376, 3.0}) {
     const EyeShape shape = shape_of(eye_with(index));
     double through = 0;

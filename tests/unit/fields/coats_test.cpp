@@ -1,4 +1,4 @@
-// What coats do to fields: sharing, beginnings and ends, hashes, deltas.
+// How coats share, get and lose fields; their hashes and deltas.
 #include "server/fields/coats.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t vertices = 5;
 
-/// Fur of rising length, half of it masked.
+/// Fur whose length and mask rise from vertex to vertex.
 FieldSet groomed() {
   FieldSet fields(vertices);
   for (std::uint32_t v = 0; v < vertices; ++v) {

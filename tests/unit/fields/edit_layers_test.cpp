@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// Fields of a few vertices under edit layers, changed as a scene would change them.
+/// Fields of four vertices with edit layers, changed as a scene would change them.
 class Layered {
  public:
   Layered() : fields(4) {
@@ -25,7 +25,7 @@ class Layered {
     apply(change_edit_layers(command, layers, fields));
     layers = with_change(layers, command);
   }
-  /// What a tool that wants a vertex to be seen so does, in an edit layer.
+  /// Does what a tool does that wants the resulting value at a vertex: writes the change into an edit layer.
   void want(Field field, std::uint32_t vertex, glm::dvec4 value, const std::string& layer) {
     FieldWriter writer(fields, field);
     writer.put(vertex, value);

@@ -1,4 +1,4 @@
-// Fields between vertices and on finer triangles.
+// Fields interpolated between vertices and on subdivided triangles.
 #include "server/fields/field_mix.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(FieldMix, ASingleVertexGivesItsBits) {
 TEST(FieldMix, ColoursCountByHowMuchTheyCover) {
   const Mesh mesh = built_in(Builtin::plane, 8);
   FieldSet fields(mesh.positions.size());
-  fields.set(Field::tip_colour, 0, {1, 0, 0, 1});  // beside one that covers nothing
+  fields.set(Field::tip_colour, 0, {1, 0, 0, 1});  // its neighbour's colour covers nothing
   const MixShare shares[] = {{0, 0.25}, {1, 0.75}};
   EXPECT_EQ(mixed(fields, Field::tip_colour, shares, mesh, mesh, 0), glm::dvec4(1, 0, 0, 0.25)) << "not darker";
   EXPECT_EQ(mixed(fields, Field::root_colour, shares, mesh, mesh, 0), glm::dvec4(0));

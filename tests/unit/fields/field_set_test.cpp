@@ -98,7 +98,7 @@ TEST(FieldSet, WhatIsTakenBackTakesNoMemoryAgain) {
   EXPECT_FALSE(fields.at_default(Field::density));
   EXPECT_GT(fields.bytes(), bytes);
   FieldDelta half = delta;
-  half.parts.resize(1);  // an array that is there from the beginning stays
+  half.parts.resize(1);  // the array of a field that always exists stays
   fields.apply(half);
   EXPECT_GT(fields.bytes(), bytes);
   fields.apply(half), fields.apply(delta);
@@ -128,7 +128,7 @@ TEST(FieldSet, RefusesVerticesThatItDoesNotHave) {
   EXPECT_FALSE(FieldSet(3).accepts(delta));
 }
 
-/// From one field set to another that holds these values of a length.
+/// The delta between two field sets with these lengths at the given vertices.
 FieldDelta lengths(std::vector<std::pair<std::uint32_t, float>> before,
                    std::vector<std::pair<std::uint32_t, float>> after) {
   FieldSet from(300), to(300);

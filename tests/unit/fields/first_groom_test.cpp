@@ -17,7 +17,7 @@
 namespace pelage {
 namespace {
 
-/// Unit directions of the flow in space, and their lengths.
+/// Unit directions of the flow in space, and the lengths of its vectors.
 struct Flow {
   std::vector<glm::dvec3> ways;
   std::vector<double> lengths;
@@ -35,8 +35,8 @@ Flow flow_of(const Mesh& mesh) {
   return flow;
 }
 
-/// How often the direction turns about a triangle, with what the surface itself turns taken off: 1 where it begins,
-/// ends or whirls, -1 where it parts.
+/// Index of the flow in a triangle: turns of the direction around it, less the turn by parallel transport. 1 at a
+/// source, sink or whorl, -1 at a saddle.
 int index_of(const Mesh& mesh, const Flow& flow, const glm::uvec3& t) {
   double turned = 0;
   glm::dvec3 carried(1, 0, 0);
@@ -63,7 +63,7 @@ Singular count_singular(const Mesh& mesh) {
   Singular count;
   for (const glm::uvec3& t : mesh.triangles) {
     const int index = index_of(mesh, flow, t);
-    // There fur stands up, or strands would lie in a whorl.
+    // Fur stands up at singularities, since lying strands would form a whorl there.
     for (int k = 0; index != 0 && k < 3; ++k) EXPECT_LT(flow.lengths[t[k]], 0.5);
     count.sources += index > 0 ? 1 : 0, count.saddles += index < 0 ? 1 : 0;
   }
@@ -81,7 +81,7 @@ TEST(FurFlow, HasTwoSourcesOnABallAndNoneOnATorus) {
   EXPECT_EQ(torus.saddles, 0);
 }
 
-// Beyond some size the flow is solved nearly.
+// Above some size the flow is solved approximately.
 TEST(FurFlow, HasTwoSourcesOnALargeBall) {
   const Mesh mesh = builtin(Builtin::sphere, 130'000);
   ASSERT_GT(mesh.positions.size(), 60'000u);
@@ -90,7 +90,7 @@ TEST(FurFlow, HasTwoSourcesOnALargeBall) {
   EXPECT_EQ(ball.saddles, 0);
 }
 
-/// How often the flow of a model asks whether somebody waits: as often as it takes steps of about the same work.
+/// How often fur_flow polls its cancel; it does so at steps of about equal work.
 std::size_t steps_of(const RawModel& raw) {
   std::size_t steps = 0;
   const Cancel counting([&steps] { return ++steps, false; });
@@ -121,7 +121,7 @@ RawModel many_balls(std::uint32_t count) {
   return raw;
 }
 
-// Every spike is an end of fur, and every ball has one.
+// Every spike is an end of the flow, and every ball has one.
 TEST(FurFlow, StepsDoNotGrowWithTheNumberOfEnds) {
   EXPECT_LT(steps_of(spiky_polygon(20'000)), 20u);
   EXPECT_LT(steps_of(many_balls(2'000)), 100u);
@@ -132,7 +132,8 @@ TEST(FurFlow, EndsOnceNobodyWaits) {
   EXPECT_THROW(fur_flow(mesh, Cancel([] { return true; })), Cancelled);
 }
 
-// One under the chin, one at the end of each limb, ear and the tail; as many partings as the shape then needs.
+// Sources under the chin and at the end of each limb, each ear and the tail, and as many saddles as the shape then
+// needs.
 TEST(FurFlow, OfAnAnimalBeginsUnderTheChinAndEndsAtItsLimbs) {
   const Singular animal = count_singular(builtin(Builtin::creature, 8000));
   EXPECT_EQ(animal.sources - animal.saddles, 2);
@@ -140,7 +141,7 @@ TEST(FurFlow, OfAnAnimalBeginsUnderTheChinAndEndsAtItsLimbs) {
   EXPECT_GE(animal.sources, 6);
 }
 
-/// A ball whose triangles are the same on both sides: pairs of them that are mirrored become one.
+/// A ball that is mirror-symmetric, triangle by triangle: the right half and its mirror image.
 RawModel symmetric_ball(int rings) {
   RawModel ball = shapes::ball(rings);
   RawModel half = ball;
@@ -160,7 +161,7 @@ RawModel symmetric_ball(int rings) {
   return half;
 }
 
-/// A body with a snout, two ears and a tail, the same on both sides.
+/// A symmetric body with a snout, two ears and a tail.
 Mesh toy() {
   RawModel raw = symmetric_ball(40);
   for (glm::dvec3& p : raw.positions) {
@@ -214,7 +215,7 @@ TEST(FirstGroom, HasTheAskedInclinationAndLength) {
   EXPECT_GT(leaning, fields.size() * 3 / 5);
 }
 
-// Into the sides of an edge no strand grows, however far it was asked to lean.
+// No strand grows into a face at an edge, however far it is asked to lean.
 TEST(FirstGroom, RisesFromAllSidesOfAnEdge) {
   RawModel cube;
   for (int i = 0; i < 8; ++i) cube.positions.emplace_back(i & 1, (i >> 1) & 1, i >> 2);

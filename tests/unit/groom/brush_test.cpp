@@ -140,7 +140,7 @@ TEST_F(BrushTest, CoverageIsTheLargestWeightOfAnyDab) {
   for (const VertexWeight w : covered) EXPECT_EQ(w.weight, expected[w.vertex]);
 }
 
-/// The view of a camera on +Z that looks at the middle.
+/// The view of a camera on +Z that looks at the model's middle.
 View front_view(const Surface& surface) {
   View view;
   view.camera.automatic = AutoView::none;
@@ -175,7 +175,7 @@ TEST_F(BrushTest, TheScreenShapeReachesWhatLiesUnderTheDiscAtAnyDepth) {
   EXPECT_TRUE(near && far);
 }
 
-/// Two parallel sheets, near in space and far along the surface.
+/// The torus has two parallel sheets that are near in space and far apart along the surface.
 TEST_F(BrushTest, TheSurfaceShapeDoesNotReachAnotherSheet) {
   const Surface torus = make_surface(Builtin::torus, 3000);
   const glm::dvec3 inside(torus.mesh().positions[vertex_towards(torus, {1, 0, 0})]);
@@ -218,7 +218,7 @@ TEST_F(BrushTest, TheCutOffAngleTakesFacesThatTurnAway) {
   EXPECT_GT(region_of(stroke, brush, sphere_, fields, {}).size(), 4 * narrow);
 }
 
-/// A picture whose right half is white, as seen with its top up.
+/// A picture whose right half is white, seen with its top up.
 MapPicture right_half() {
   constexpr int side = 16;
   MapPicture picture{side, side, 8, {}, {}};
@@ -247,7 +247,7 @@ TEST_F(BrushTest, AnAlphaIsPrintedWithItsTopToWhereTheStrokeGoes) {
     ASSERT_GT(all.size(), 20u);
     for (const auto [vertex, weight] : all) {
       const double side = glm::dot(glm::dvec3(sphere_.mesh().positions[vertex]), right);
-      if (std::abs(side) < 0.03 || std::abs(side) > 0.17) continue;  // a pixel's width beside an edge
+      if (std::abs(side) < 0.03 || std::abs(side) > 0.17) continue;  // within a pixel of an edge
       EXPECT_NEAR(weights[vertex], side > 0 ? weight : 0, 1e-6) << vertex;
     }
   }

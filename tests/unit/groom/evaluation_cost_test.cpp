@@ -21,7 +21,7 @@ Symmetry images(int planes, int count) {
 
 class EvaluationCostTest : public ::testing::Test {
  protected:
-  /// Round the sphere's middle.
+  /// A stroke around the sphere.
   static Comb round(const Surface& surface, int samples, FalloffShape shape = FalloffShape::surface) {
     std::vector<glm::dvec3> places;
     for (int i = 0; i < samples; ++i) places.emplace_back(0.3 * std::cos(0.01 * i), 0.0, 0.3 * std::sin(0.01 * i));

@@ -1,4 +1,4 @@
-// Tools that work on many vertices at once, against the plain formula on one vertex after the other.
+// Tools that process many vertices at once, against the plain formula for one vertex after the other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ class FloodsTest : public ::testing::Test {
   }
   glm::dvec3 place(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
 
-  /// Smoothed lengths by the definition.
+  /// Smoothed lengths, computed by the definition.
   std::vector<double> plainly_smoothed(const Smooth& command, const FieldSet& fields) const {
     std::vector<double> now(fields.length().begin(), fields.length().end());
     const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface_, fields, {});
@@ -84,7 +84,7 @@ TEST_F(FloodsTest, SmoothingDirectionsTurnsThemIntoTheVertexsFrame) {
       const double inverse = 1 / glm::distance(place(v), place(other));
       mean += inverse * lean_of(surface_, before.at(other), other), sum += inverse;
     }
-    // Neighbours' frames differ by less than a degree here, so that space stands in for the surface.
+    // Neighbours' frames differ by less than a degree here, so vectors in space may replace transport on the surface.
     EXPECT_LT(glm::distance(lean_of(surface_, after.at(v), v), mean / sum), 0.02) << v;
   }
 }
@@ -94,7 +94,7 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
   Random random(4);
   Interpolate command{.sigma = 0.1, .distance = DistanceKind::straight};
   std::vector<std::uint32_t> vertices;
-  for (int k = 0; k < 40; ++k) {  // more than are spread at a time
+  for (int k = 0; k < 40; ++k) {  // more than one batch of the search
     vertices.push_back(static_cast<std::uint32_t>(random.uniform(0, static_cast<double>(mesh.positions.size()))));
     Key key{.position = mesh.to_model(place(vertices.back()))};
     if (k % 3 != 0) key.length = 0.001 * (k + 1);

@@ -1,4 +1,4 @@
-// Faces that a file gives a material: chosen by the mask, and begun bare where its name says so.
+// Faces with a material: the mask selects them, and the first groom leaves them bare if the material's name says so.
 #include <gtest/gtest.h>
 
 #include "server/groom/evaluate.h"
@@ -23,7 +23,7 @@ class MaterialsTest : public ::testing::Test {
     EXPECT_TRUE(mesh.ok());
     return Surface(std::move(*mesh));
   }
-  /// Whether a vertex has triangles of a material.
+  /// Returns whether a vertex has triangles of that material.
   bool has(std::uint32_t vertex, const char* material) const {
     const Mesh& mesh = ball_.mesh();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

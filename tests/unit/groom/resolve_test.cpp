@@ -41,7 +41,7 @@ TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
   EXPECT_GT(hit.z, 0.2);
 }
 
-/// Pixels of a picture of the ball from the front with upright fur of a length of 0.1 sizes on it.
+/// Resolves pixels of a front view of a ball with upright fur 0.1 sizes long.
 class ResolveToFurTest : public ResolveTest {
  protected:
   ResolveToFurTest() : fields_(static_cast<std::uint32_t>(sphere_.mesh().positions.size())) {
@@ -59,7 +59,7 @@ class ResolveToFurTest : public ResolveTest {
     EXPECT_TRUE(done.ok());
     return done.ok() ? std::get<Comb>(*done) : Comb{};
   }
-  /// How far the sample's place is from the ball's middle; 0 unless it lies in space.
+  /// Distance of the sample from the ball's middle; 0 if it is not a PositionSample.
   double height(const StrokeSample& sample) const {
     const auto* place = std::get_if<PositionSample>(&sample.place);
     return place ? glm::length(sphere_.mesh().to_internal(place->position)) : 0;
@@ -87,7 +87,7 @@ TEST_F(ResolveToFurTest, PixelsBesideTheSkinAreOnTheFurThatStandsThere) {
   const PlacedCamera camera = place_camera(comb_.stroke->view->camera, 1, sphere_.mesh());
   const double depth = glm::length(camera.position), pixels = 200 / (camera.tan_half_fov * depth);
   const Comb done = resolved({pixel(200 + pixels * (radius_ + 0.08), 200), pixel(200 + pixels * (radius_ + 0.3), 200)});
-  ASSERT_EQ(done.stroke->samples.size(), 1u);  // the other one is beyond the tips
+  ASSERT_EQ(done.stroke->samples.size(), 1u);  // the other pixel is beyond the tips
   EXPECT_NEAR(height(done.stroke->samples[0]), radius_ + 0.08, 0.04);
 }
 

@@ -1,4 +1,4 @@
-// Fields and commands on another model.
+// Retargets fields and commands to another model.
 #include "server/groom/retarget.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing_shapes::lean_of;
 using testing_shapes::make_surface;
 using testing_shapes::stroke_through;
 
-/// Every field varies smoothly over the body.
+/// Fields that all vary smoothly over the body.
 FieldSet smooth_fields(const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   FieldSet fields = first_groom(mesh, {});
@@ -120,7 +120,7 @@ TEST(Retarget, FarVerticesAreCountedInAWarning) {
   EXPECT_EQ(warnings(away)[0].substr(0, 2 * all.size() + 4), all + " of " + all);
 }
 
-/// The nearest place of all triangles, each by itself: where a projection falls inside, else on a side.
+/// The nearest point by brute force: projects onto each triangle, or onto its sides if the projection is outside.
 struct PlainNearest {
   double distance = 1e9;
   std::uint32_t triangle = 0;
@@ -156,7 +156,7 @@ PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 place) {
   return best;
 }
 
-// A second, plain way to the same: in model coordinates, every triangle looked at.
+// Checks against a brute-force search over all triangles, in model coordinates.
 TEST(Retarget, TakesWhatLiesAtTheNearestPlaceInModelCoordinates) {
   const Surface source = make_surface(Builtin::sphere, 500);
   const FieldSet taken = smooth_fields(source);
@@ -215,7 +215,7 @@ FieldSet groomed(const std::vector<Command>& commands, const Surface& surface) {
   return fields;
 }
 
-/// Tools with all kinds of places and lengths in the model's unit.
+/// Tools with all kinds of positions, and lengths in the model's unit.
 std::vector<Command> log_on(const Surface& surface) {
   const double unit = surface.mesh().size;
   const auto at = [&](double x, double y, double z) {
@@ -269,7 +269,7 @@ TEST(CarriedLog, AScaledCopyGetsTheSameGroomToTheBit) {
 }
 
 TEST(CarriedLog, AMovedCopyOfAnySizeGetsTheSameGroom) {
-  // Not on a model whose places lie equally far from several vertices: rounding would choose another one.
+  // Avoids a model with points equally far from several vertices, where rounding would choose another vertex.
   const Surface from = make_surface(Builtin::creature, 1500);
   const Surface to = moved(Builtin::creature, 1500, glm::dvec3(3.7), {40, -7, 11});
   const std::vector<Command> log = log_on(from);

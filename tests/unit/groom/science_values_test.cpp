@@ -1,4 +1,4 @@
-// The values that science.md 3 names, and distances that are known exactly.
+// The values that science.md 3 states, and distances that are known exactly.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +18,7 @@ using std::numbers::pi;
 using testing_shapes::make_surface;
 using testing_shapes::vertex_towards;
 
-/// What each source counts: the mean of a value that is 1 there and 0 elsewhere; 0 where nothing reaches.
+/// Weight of each source: the mean of a value that is 1 there and 0 elsewhere; 0 if no source is reached.
 std::vector<double> weights_of(const std::vector<double>& distances, double sigma) {
   std::vector<double> weights(distances.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<double> weights_of(const std::vector<double>& distances, double sigm
   return weights;
 }
 
-// exp(-r^2 / 2) is a denormal float at 13.3 sigma and 0 by 14.5, so that plain sums give 0 / 0.
+// exp(-r^2 / 2) is a denormal float at 13.3 sigma and 0 at 14.5, where plain sums would give 0 / 0.
 TEST(GaussianWeights, HoldFarBeyondTheRangeOfFloat) {
   ASSERT_LT(std::exp(-0.5f * 13.3f * 13.3f), std::numeric_limits<float>::min());
   ASSERT_EQ(std::exp(-0.5f * 14.5f * 14.5f), 0.0f);
@@ -50,8 +50,8 @@ TEST(GaussianWeights, AreZeroWhereNothingReaches) {
   EXPECT_EQ(weights_of({never, 5, never}, 1e-6), (std::vector<double>{0, 1, 0}));
 }
 
-/// A direction carried around the circle at a colatitude of 85 degrees in 8 steps, seen in the frame of its start:
-/// degrees off the true rotation by parallel transport, 360 (1 - cos 85).
+/// Carries a direction around the circle at a colatitude of 85 degrees in 8 steps. Returns how many degrees it is off
+/// the exact rotation by parallel transport, 360 (1 - cos 85), in the frame of its start.
 double error_around_the_loop(bool by_projection) {
   constexpr double colatitude = 85 * pi / 180;
   constexpr int steps = 8;
@@ -67,7 +67,7 @@ double error_around_the_loop(bool by_projection) {
     v = by_projection ? v - glm::dot(v, normal(k + 1)) * normal(k + 1) : transported(v, normal(k), normal(k + 1));
   }
   const double turned = (std::atan2(glm::dot(v, east), glm::dot(v, south)) - before) * 180 / pi;
-  const double expected = -360 * std::cos(colatitude);  // against the frame of south and east
+  const double expected = -360 * std::cos(colatitude);  // relative to the frame of south and east
   return std::abs(std::remainder(turned - expected, 360));
 }
 
@@ -89,7 +89,7 @@ TEST(Transport, KeepsLengthAndPlaneHoweverOppositeTheNormals) {
   EXPECT_EQ(transported({1, 2, 0}, from, from), glm::dvec3(1, 2, 0));
 }
 
-// Normals are 32-bit numbers, whose length is off by up to 1e-7: 1 + d of opposite ones is then nothing but rounding.
+// Normals are 32-bit numbers whose length is off by up to 1e-7, so 1 + d of opposite ones is only rounding error.
 TEST(Transport, KeepsLengthBetweenRoundedNormals) {
   for (const double off : {-1e-7, 1e-7}) {
     for (const double tilt : {1e-5, 1e-4, 4e-4, 1e-3}) {
@@ -124,7 +124,7 @@ TEST(Smoothing, IsMonotoneUpToAHalf) {
   }
 }
 
-/// The largest error of distances from the vertex nearest to a place, as a share of the largest distance.
+/// Largest error of distances from a vertex, as a share of the largest distance.
 double heat_error(const Surface& surface, std::uint32_t source, const std::function<double(glm::dvec3)>& exact) {
   const Spread spread = Spreader(surface, DistanceKind::heat)(std::vector<SpreadSource>{{source, 0, glm::dvec3(0)}});
   double worst = 0, largest = 0;
@@ -154,7 +154,7 @@ TEST(HeatDistances, AreThoseOfThePlaneAndOfTheSphere) {
             0.02);
 }
 
-// Half way between two keys both count the same, and by the distance along the sphere elsewhere.
+// Halfway between two keys both weigh the same; elsewhere weights follow the distance along the sphere.
 TEST(HeatDistances, WeighKeysByTheDistanceAlongTheSurface) {
   const Surface sphere = make_surface(Builtin::sphere, 8000);
   const FieldSet before = first_groom(sphere.mesh(), {});

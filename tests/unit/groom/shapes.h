@@ -1,4 +1,4 @@
-// Models and commands that tests of grooming share.
+// Models and commands that the tests of grooming share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ inline Stroke stroke_through(const Surface& surface, const std::vector<glm::dvec
   return stroke;
 }
 
-/// The outermost vertex along a direction.
+/// The outermost vertex in a direction.
 inline std::uint32_t vertex_towards(const Surface& surface, glm::dvec3 direction) {
   std::uint32_t best = 0;
   const auto& positions = surface.mesh().positions;
@@ -44,7 +44,7 @@ inline std::uint32_t vertex_towards(const Surface& surface, glm::dvec3 direction
   return best;
 }
 
-/// Where the fur of a vertex leans, in space; its length is the inclination.
+/// The lean of a vertex's fur as a vector in space; its length is the inclination.
 inline glm::dvec3 lean_of(const Surface& surface, const Groom& groom, std::uint32_t vertex) {
   const VertexFrame frame = frame_at(surface.mesh(), vertex);
   return double{groom.direction.x} * frame.tangent + double{groom.direction.y} * frame.bitangent;

@@ -14,9 +14,9 @@ using testing_shapes::make_surface;
 using testing_shapes::stroke_through;
 using testing_shapes::vertex_towards;
 
-constexpr double length = 0.2;  // sizes; the sphere's radius is 0.2887
+constexpr double length = 0.2;  // in sizes; the sphere's radius is 0.2887
 
-/// A ball whose fur stands upright, but for the lower half, which is bald.
+/// A ball with upright fur, except on its bald lower half.
 class StandingFurTest : public ::testing::Test {
  protected:
   StandingFurTest() : fields_(static_cast<std::uint32_t>(sphere_.mesh().positions.size())) {
@@ -95,7 +95,7 @@ TEST_F(StandingFurTest, ABrushAtTheTipsReachesTheRootsOnlyWhereItReachesForFur) 
   EXPECT_TRUE(evaluate(comb, sphere_, fields_).delta.empty());
 }
 
-// The tips of long fur on a thin crest are seen from a side that their roots do not face.
+// The tips of long fur on a crest are visible from a side that their roots do not face.
 TEST_F(StandingFurTest, TipsAreReachedFromASideThatTheirRootsDoNotFace) {
   const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, -0.3));
   const std::uint32_t behind = vertex_towards(sphere_, up);

@@ -1,4 +1,4 @@
-// A stroke and its images where they overlap.
+// A stroke and its mirror images, where they overlap.
 #include "server/groom/together.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace pelage::together_test {
 namespace {
 
-/// A ball of eight sides that are mirrored to the bit.
+/// A ball of eight octants that mirror each other bit for bit.
 Surface octasphere(int rows) {
   RawModel raw;
   const auto add = [&](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 signs) {

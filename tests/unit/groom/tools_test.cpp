@@ -163,7 +163,7 @@ TEST_F(ToolsTest, AttractStretchesByTheFormulaAndAddsUp) {
   attract.duration = 2;
   attract.threshold = 0.25;
   attract.brush.falloff = Falloff::linear;
-  const double added = 0.5 * 0.5 * 2;  // strength, falloff half way, duration; the pull is along the upright strand
+  const double added = 0.5 * 0.5 * 2;  // strength, falloff halfway, duration; the pull is along the upright strand
   const FieldSet once = after(attract);
   EXPECT_NEAR(once.at(front_).stretch, added, 1e-3);
   EXPECT_NEAR(once.at(front_).length, 0.03 * (1 + added - 0.25), 1e-4);

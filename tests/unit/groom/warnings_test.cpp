@@ -1,4 +1,4 @@
-// What is done as asked and is hardly meant.
+// Commands that are carried out but probably not meant, which give warnings.
 #include "server/groom/evaluate.h"
 #include "tests/unit/groom/shapes.h"
 

@@ -165,7 +165,7 @@ TEST(Guides, JsonIsReadOrRefusedWithTheReason) {
 
 Surface ball() { return Surface(prepare(make_builtin({Builtin::sphere, 2000})).value()); }
 
-/// The strand of a coat, drawn as a curve, becomes the key that it was drawn from.
+/// A curve drawn along a coat's strand becomes the key that the strand was made from.
 TEST(GuideKeys, HaveTheLeanOfTheStrand) {
   const Surface surface = ball();
   const Mesh& mesh = surface.mesh();

@@ -1,4 +1,4 @@
-// A scene's copy into another journal: whole or not at all, and nobody waits for it.
+// Copies of a scene into another journal: they are complete or nothing, and nobody waits for them.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,7 +16,7 @@ struct Stopped {};
 
 class JournalCopyTest : public ::testing::Test {
  protected:
-  static constexpr Revision first = 3, entries = 200;  // more than are read at a time
+  static constexpr Revision first = 3, entries = 200;  // more entries than are read at a time
 
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -43,7 +43,7 @@ class JournalCopyTest : public ::testing::Test {
   static Entry entry(Revision revision) {
     return {revision, EntryKind::command, 0, "{}", {{{Field::mask, {7}, {9}}}}, {~0ull, 5}, nullptr};
   }
-  /// A copy that calls `once` when it is in the middle of its entries.
+  /// Copies the scene, and calls `once` halfway through its entries.
   Result<Revision> copy(const std::function<void()>& once) const {
     return from_->copy_scene("a", newest_revision, *to_, "b", "cat", [&, count = 0]() mutable {
       if (++count == static_cast<int>(entries) / 2) once();
@@ -55,7 +55,7 @@ class JournalCopyTest : public ::testing::Test {
 };
 
 TEST_F(JournalCopyTest, OthersWriteAndReadMeanwhile) {
-  std::future<bool> others;  // outlives the copy, so that one that is waited for can end
+  std::future<bool> others;  // outlives the copy, so that it can end even if it had to wait for the copy
   const Result<Revision> copied = copy([&] {
     others = std::async(std::launch::async, [&] {
       return from_->append("a", entry(first + entries + 1)).ok() && from_->add_scene(scene("other", 0)).ok() &&
@@ -65,7 +65,7 @@ TEST_F(JournalCopyTest, OthersWriteAndReadMeanwhile) {
   });
   EXPECT_TRUE(others.get());
   ASSERT_TRUE(copied.ok()) << copied.status().message;
-  EXPECT_EQ(*copied, first + entries);  // as it was when the copy began
+  EXPECT_EQ(*copied, first + entries);  // the state when the copy began
   EXPECT_EQ(to_->scene("b")->name, "cat");
   const auto written = to_->entries("b", first);
   ASSERT_TRUE(written.ok());

@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-// Journals hold the numbers of fields.
+// Journals store these numbers of fields.
 static_assert(static_cast<int>(Field::direction) == 0 && static_cast<int>(Field::density) == 3 &&
               static_cast<int>(Field::mask) == 9 && static_cast<int>(Field::tip_colour) == 11 &&
               static_cast<int>(Field::stiffness) == 12);

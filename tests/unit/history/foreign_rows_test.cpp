@@ -1,4 +1,4 @@
-// A file of anybody's as rows, and rows as a journal again.
+// Converts an untrusted database file to rows, and rows back to a journal.
 #include "server/history/foreign_rows.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ class ForeignRows : public ::testing::Test {
     EXPECT_TRUE(rows.ok()) << rows.status().message;
     return rows ? *rows : "";
   }
-  /// The journal of the rows, in pieces of so many bytes.
+  /// Makes a journal from the rows, passed on in chunks of `piece` bytes.
   Result<std::unique_ptr<Journal>> journal_of(const std::string& rows, std::size_t piece) const {
     std::filesystem::remove(path("rows"));
     return Journal::of_rows(path("rows"), [&](const Journal::TakeRows& take) {

@@ -26,7 +26,7 @@ double first_x(const Command& command) {
   return std::get<PositionSample>(stroke_of(command)->samples.front().place).position.x;
 }
 
-/// A history over one vertex whose length counts the changes.
+/// A history over one vertex, whose length shows which step is in effect.
 class HistoryTest : public ::testing::Test {
  protected:
   FieldDelta to(float length) const {
@@ -178,7 +178,7 @@ TEST_F(HistoryTest, AnAmendmentIsOneStepOverAListOfReplayedOnes) {
   EXPECT_EQ(length_, 23);
   EXPECT_EQ(effective(), (std::vector<double>{1, 20, 3}));
   step(24);
-  take(EntryKind::revert, 10, "", to(20));  // amended again: what was replayed is a step like any other
+  take(EntryKind::revert, 10, "", to(20));  // a second amendment: replayed steps are steps like any other
   take(EntryKind::replay, 0, encode(Command(comb_at(30))), to(30));
   EXPECT_EQ(effective(), (std::vector<double>{1, 20, 30}));
   undo(3);
@@ -186,7 +186,7 @@ TEST_F(HistoryTest, AnAmendmentIsOneStepOverAListOfReplayedOnes) {
 }
 
 TEST_F(HistoryTest, ListedStepsHaveTheirRevisions) {
-  step(1);                                                                         // 6
+  step(1);                                                                         // revision 6
   take(EntryKind::command, 0, encode(Command(comb_at(2, "k", 0, false))), to(2));  // 7
   take(EntryKind::join, 0, encode(Command(comb_at(3, "k", 1, true))), to(3));      // 8
   undo(1);
@@ -238,10 +238,10 @@ TEST_F(HistoryTest, RefusesEntriesThatCannotFollow) {
   EXPECT_TRUE(history_.accepts({6, EntryKind::command, 0, "", {}, {}, {}}));
 }
 
-/// A history that may hold few bytes; every change stays in a list beside it.
+/// A history with a small memory budget; `journal_` holds every change.
 class UndoMemoryTest : public ::testing::Test {
  protected:
-  /// Over many vertices, so that it takes some memory.
+  /// Changes many vertices, so that a step takes some memory.
   void step(float length) {
     FieldSet after = fields_;
     for (std::uint32_t v = 0; v < fields_.size(); ++v) after.set(v, {{}, length, 0});
@@ -278,7 +278,7 @@ class UndoMemoryTest : public ::testing::Test {
   }
   float length() const { return fields_.at(7).length; }
 
-  static constexpr std::size_t budget = 1200;  // of steps of some 500 bytes
+  static constexpr std::size_t budget = 1200;  // steps take some 500 bytes
   FieldSet fields_{100};
   std::vector<FieldDelta> journal_;
   int reads_ = 0;
@@ -314,7 +314,7 @@ TEST_F(UndoMemoryTest, AmendmentsCountAndAreReadBackWhole) {
   go_on(EntryKind::revert, 1, 1);
   for (const float length : {20.0f, 30.0f, 40.0f}) go_on(EntryKind::replay, 0, length);
   EXPECT_EQ(history_.undo_steps(), 4u);
-  for (int i = 5; i <= 8; ++i) step(static_cast<float>(i));  // the amendment gives way
+  for (int i = 5; i <= 8; ++i) step(static_cast<float>(i));  // the amendment is evicted
   undo(4);
   EXPECT_EQ(length(), 40);
   reads_ = 0;

@@ -1,4 +1,4 @@
-// What becomes of a journal when its disk or its files fail.
+// What happens to a journal when its disk or its files fail.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ class JournalDamageTest : public ::testing::Test {
     EXPECT_TRUE(journal.ok()) << journal.status().message;
     return journal.ok() ? std::move(*journal) : nullptr;
   }
-  /// What a kill at this moment leaves to the next start.
+  /// Copies the files as a kill at this moment would leave them to the next start.
   std::string killed(const char* name) const {
     const fs::path copy = folder_ / name;
     fs::remove_all(copy);

@@ -39,7 +39,7 @@ class JournalTest : public ::testing::Test {
     ASSERT_TRUE(database->execute(sql).ok());
   }
 
-  /// Puts the tables in the place that version 9 made.
+  /// Replaces the tables by those of version 9.
   void make_it_version_9() const {
     execute(R"(
       ALTER TABLE picture_uses RENAME TO new_picture_uses; ALTER TABLE pictures RENAME TO new_pictures;
@@ -68,7 +68,7 @@ class JournalTest : public ::testing::Test {
       DROP TABLE new_picture_uses; DROP TABLE new_pictures; DROP TABLE new_entries; DROP TABLE new_scenes;
       PRAGMA user_version = 9)");
   }
-  /// What a question about the file gives in its first row and column.
+  /// Runs a query on the file and returns the first column of its first row.
   std::string answer(const char* question) const {
     auto database = Database::open(path_);
     Statement statement = database->prepare(question);

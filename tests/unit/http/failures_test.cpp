@@ -16,8 +16,7 @@
 namespace pelage {
 namespace {
 
-/// A server with handlers that fail. What their exchanges say stands in `problems`, which is complete when it has
-/// ended.
+/// A server whose handlers fail. `problems` gets what the exchanges report; it is complete once this is destroyed.
 class Failing {
  public:
   explicit Failing(std::vector<std::string>& problems) : problems_(problems) {

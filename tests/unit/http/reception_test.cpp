@@ -15,7 +15,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Bytes of one request, with its empty line.
+/// The bytes of one request, with its empty line.
 std::string head(const std::string& target) { return "GET " + target + " HTTP/1.1\r\nHost: here\r\n\r\n"; }
 
 class Client {
@@ -25,7 +25,7 @@ class Client {
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const timeval guard{20, 0};  // against a hang
+    const timeval guard{20, 0};  // seconds, against a hang
     setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &guard, sizeof guard);
     EXPECT_EQ(::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
   }
@@ -36,7 +36,7 @@ class Client {
   void say(const std::string& bytes) const {
     EXPECT_EQ(send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), static_cast<ssize_t>(bytes.size()));
   }
-  /// The next `size` bytes; fewer where the server closes before.
+  /// Reads the next `size` bytes; fewer if the server closes the connection before.
   std::string hear(std::size_t size) const {
     std::string bytes(size, '\0');
     const ssize_t got = recv(socket_, bytes.data(), size, MSG_WAITALL);
@@ -52,8 +52,8 @@ class Client {
   int socket_;
 };
 
-/// A reception whose requests answer with their targets; those of "/hold..." wait until release(), "/end" ends the
-/// connection.
+/// A reception that answers requests with their targets. Those of "/hold..." wait until release(), and "/end" closes
+/// the connection.
 class Served {
  public:
   explicit Served(ReceptionLimits limits) : listening_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -164,7 +164,7 @@ TEST(Reception, RequestsBeyondThoseThatMayWaitAreRefused) {
   served.wait_for_held(1);
   second.say(head("/second"));
   const Client probe(served.port);
-  probe.say(head("/livez"));  // once it is answered, what came before waits
+  probe.say(head("/livez"));  // once this is answered, the earlier requests are waiting
   EXPECT_EQ(probe.hear(6), "/livez");
   third.say(head("/third"));
   EXPECT_EQ(third.hear(3), "503");
@@ -205,9 +205,9 @@ TEST(Reception, TheOneThatIsIdleLongestGivesWay) {
   held.say(head("/hold"));
   served.wait_for_held(1);
   for (const Client* idle : {&first, &second}) {
-    idle->say(head("/livez"));  // in this order
+    idle->say(head("/livez"));  // so `first` is idle longest
     EXPECT_EQ(idle->hear(6), "/livez");
-    std::this_thread::sleep_for(milliseconds(200));  // a client has its answer before the server knows that it is idle
+    std::this_thread::sleep_for(milliseconds(200));  // clients get answers before the server knows that they are idle
   }
   const Client late(served.port);
   EXPECT_TRUE(first.ended());

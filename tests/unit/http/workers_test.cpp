@@ -1,4 +1,4 @@
-// Threads that answer requests: all tasks are done, and few threads do what few can.
+// Threads that answer requests: every task is done, on as few threads as possible.
 #include "server/http/transport/workers.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Workers, UsesAsFewThreadsAsPossible) {
     std::promise<std::thread::id> done;
     ASSERT_TRUE(workers.give([&] { done.set_value(std::this_thread::get_id()); }, i % 2 == 0));
     seen.insert(done.get_future().get());
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // it waits again
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // lets the worker wait again
   }
   EXPECT_LE(seen.size(), 8u);
 }

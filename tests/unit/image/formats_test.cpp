@@ -1,4 +1,4 @@
-// 16-bit PNG, JPEG and EXR, and reading them as linear light.
+// Writes 16-bit PNG, JPEG and EXR, and reads pictures as linear light.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -27,7 +27,7 @@ Image gradient(int width, int height, bool opaque) {
 
 std::span<const std::byte> bytes_in(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// A PNG of the smallest kind whose header claims this size; its checksum is right, its pixels are missing.
+/// A minimal PNG whose header claims this size. Its checksum is right, its pixels are missing.
 std::string png_header(std::uint32_t width, std::uint32_t height) {
   std::string png = encode_png(gradient(1, 1, true), true);
   const auto put = [&](std::size_t at, std::uint32_t value) {

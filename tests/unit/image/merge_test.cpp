@@ -1,4 +1,4 @@
-// A picture that was drawn in parts is, put together, the file of the whole.
+// A picture that was drawn in parts and merged is the same file as the whole picture.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -19,7 +19,7 @@ struct Place {
 const std::vector<Place> places = {{0, 0, 20, 16}, {20, 0, 30, 16}, {0, 16, 20, 21}, {20, 16, 30, 21}};
 const std::vector<ImageText> texts = {{"Software", "a test"}, {"pelage/frame", "7"}};
 
-/// Transparent on the right half.
+/// Random pixels: opaque in the left 20 columns, with random alpha elsewhere.
 template <class Picture>
 Picture noise() {
   using Number = typename decltype(Picture::rgba)::value_type;
@@ -58,7 +58,7 @@ TEST(Merge, MergesPngOf8And16Bits) {
   expect_whole_png<Image16>();
 }
 
-/// Colours in halves and a depth in single floats, with what halves hold at their ends.
+/// Colours stored as half floats and a depth stored as single floats, with values beyond the range of halves.
 struct ExrNoise {
   FloatImage colour, depth;
 };
@@ -68,7 +68,7 @@ ExrNoise exr_noise() {
   std::mt19937 random(3);
   std::normal_distribution<float> any(0, 1000);
   for (int i = 0; i < 4 * width * height; ++i) {
-    noise.colour.rgba.push_back(any(random) * any(random));  // beyond 65504 too
+    noise.colour.rgba.push_back(any(random) * any(random));  // some beyond 65504
     noise.depth.rgba.push_back(i % 11 == 0 ? std::numeric_limits<float>::infinity() : any(random));
   }
   return noise;
@@ -80,7 +80,7 @@ std::string exr_of(const ExrNoise& noise, const ExrWindow& window, std::span<con
   return picture_files().encode_exr(window, planes, says);
 }
 
-/// What says how the channels are to be read.
+/// Texts that say how to read the channels.
 const std::vector<ImageText> of_channels = {{"cryptomatte/1a2b3c4/name", "CryptoObject"},
                                             {colour_space_text, "ACEScg"}};
 
@@ -122,9 +122,9 @@ TEST(Merge, ReadsWhatAFileSaysOfItself) {
             "");
 }
 
-using Window = std::array<std::int32_t, 4>;  // the first and the last pixel: left, top, right, bottom
+using Window = std::array<std::int32_t, 4>;  // first and last pixel: left, top, right, bottom
 
-/// An attribute of an EXR's header: name, type, size and value (its "File Layout").
+/// Reads a box attribute of an EXR's header: name, type, size and value (OpenEXR's "File Layout").
 Window window_in(const std::string& exr, const std::string& name) {
   using namespace std::string_literals;
   const std::string before = name + "\0box2i\0\x10\0\0\0"s;

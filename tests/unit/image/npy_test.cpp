@@ -1,4 +1,4 @@
-// NumPy's files, written and read, and files that are none.
+// NumPy files, written and read, and files that are not NumPy's.
 #include "renderer/image/npy.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ DataImage read_npy(const std::string& bytes) {
   return image.ok() ? *image : DataImage{};
 }
 
-// As numpy.save writes it: numpy.load reads what is written here in the end-to-end tests.
+// The header that numpy.save writes. The end-to-end tests read our files with numpy.load.
 TEST(Npy, TheHeaderIsThatOfItsVersionOne) {
   const std::string file = of_floats({2, 3}, {1, 2, 3, 4, 5, 6});
   EXPECT_EQ(file.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));

@@ -21,9 +21,9 @@ Image noise(int width, int height, std::uint32_t seed, bool opaque) {
   return image;
 }
 
-/// What a client does: pictures of a few sizes, each mostly the one before with a patch changed.
+/// Encodes what a client requests: pictures of a few sizes, each mostly equal to the one before.
 RC_GTEST_PROP(PngEncoder, GivesTheBytesThatEncodingWithoutAMemoryGives, ()) {
-  PngEncoder encoder(2, 20'000);  // room for three or four of the larger ones
+  PngEncoder encoder(2, 20'000);  // keeps three or four of the larger pictures
   std::vector<Image> pictures;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     pictures.push_back(noise(sizes[i][0], sizes[i][1], static_cast<std::uint32_t>(i), i != 2));

@@ -26,7 +26,7 @@ Picture uniform(int width, int height, glm::vec3 colour) {
   return picture;
 }
 
-/// The function at the middles of the pixels.
+/// Samples the function at the centres of the pixels.
 Picture sampled(int width, int height, const std::function<double(glm::dvec3)>& radiance) {
   Picture picture{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -48,7 +48,7 @@ TEST(Equirectangular, UniformLightIsUniformAtAnySize) {
   }
 }
 
-/// Every coefficient, against the quadrature over directions, which is the coarser one; the sign of each axis is in it.
+/// Checks every coefficient against quadrature over directions, which is the coarser one. Covers the sign of each axis.
 TEST(Equirectangular, AgreesWithTheProjectionOfTheSameFunction) {
   const auto radiance = [](glm::dvec3 d) {
     return 3 + d.x - 0.5 * d.y + 0.7 * d.z + 0.4 * d.x * d.y - 0.6 * d.y * d.z + d.x * d.z + d.z * d.z -
@@ -61,7 +61,7 @@ TEST(Equirectangular, AgreesWithTheProjectionOfTheSameFunction) {
   }
 }
 
-/// One bright pixel: its light comes from where the contract says.
+/// The light of one bright pixel comes from the direction that the contract states.
 TEST(Equirectangular, TheMiddleLooksAlongMinusZAndTheRightQuarterAlongX) {
   const auto brightest = [](int x, int y) {
     Picture picture = uniform(8, 5, glm::vec3(0));
@@ -84,7 +84,7 @@ TEST(Equirectangular, TheMiddleLooksAlongMinusZAndTheRightQuarterAlongX) {
 TEST(Equirectangular, RowsCountByTheirArea) {
   Picture picture = uniform(4, 3, glm::vec3(0));
   for (std::size_t i = 0; i < 16; ++i)
-    picture.rgba[i] = 1;  // the upper third of the angles: (1 - cos 60) / 2 of the sphere
+    picture.rgba[i] = 1;  // the upper third of the polar angle: (1 - cos 60) / 2 of the sphere
   EXPECT_NEAR(picture.light().value()[0].x * harmonic_scale::constant, 0.25, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// Integrals over the sphere by brute force, to compare closed forms with.
+// Integrals over the sphere by brute force, as a reference for closed forms.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace pelage {
 
-/// Coefficients of radiance, a function of a unit direction (latitude by longitude, midpoints).
+/// Projects radiance, a function of a unit direction, to coefficients (latitude by longitude, midpoint rule).
 template <class Radiance>
 SphericalHarmonics project(const Radiance& radiance, int latitudes = 64) {
   SphericalHarmonics sum{};
   const double step = std::numbers::pi / latitudes;
   for (int row = 0; row < latitudes; ++row) {
     const double polar = (row + 0.5) * step;
-    const double area = step * (std::cos(row * step) - std::cos((row + 1) * step));  // exact for the strip
+    const double area = step * (std::cos(row * step) - std::cos((row + 1) * step));  // exact area of the strip
     for (int column = 0; column < 2 * latitudes; ++column) {
       const double around = (column + 0.5) * step;
       const glm::dvec3 d(std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around));

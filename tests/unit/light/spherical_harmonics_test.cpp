@@ -42,7 +42,8 @@ TEST(SphericalHarmonics, ConstantLightIsOneForEveryNormal) {
   for (int i = 0; i < 100; ++i) EXPECT_NEAR(evaluate(light, random_direction(random)).y, 1, 1e-3);
 }
 
-/// science.md 4: the clamped cosine takes the bands times full_pi, 2 full_pi / 3 and full_pi / 4; over full_pi here.
+/// science.md 4: the clamped cosine scales the bands by full_pi, 2 full_pi / 3 and full_pi / 4; here divided by
+/// full_pi.
 TEST(SphericalHarmonics, ConvolutionHasTheFactorsOfTheClampedCosine) {
   const double factors[] = {1, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};
   for (std::size_t i = 0; i < 9; ++i) {
@@ -51,7 +52,7 @@ TEST(SphericalHarmonics, ConvolutionHasTheFactorsOfTheClampedCosine) {
   }
 }
 
-/// Light that is a polynomial of degree 2 is held without loss; its irradiance is compared with the integral itself.
+/// Radiance that is a polynomial of degree 2 is represented exactly; its irradiance is compared with the integral.
 TEST(SphericalHarmonics, IrradianceIsTheCosineIntegral) {
   const auto radiance = [](glm::dvec3 d) { return glm::dvec3(1 + 0.5 * d.x - 0.3 * d.y * d.z + 0.2 * d.z * d.z); };
   const SphericalHarmonics light = irradiance_of(project(radiance));
@@ -65,13 +66,13 @@ TEST(SphericalHarmonics, IrradianceIsTheCosineIntegral) {
   }
 }
 
-/// A far light: the most light comes to the normal that faces it, as much as the first three bands of a cosine hold.
+/// A distant light: a normal towards it gets the most light, as much as the first three bands of a cosine hold.
 TEST(SphericalHarmonics, ALobeLightsTheSideThatFacesIt) {
   const glm::dvec3 towards = glm::normalize(glm::dvec3(0.3, 0.5, -0.8));
   const std::array<double, 9> basis = harmonics_basis(towards);
   SphericalHarmonics radiance{};
   for (std::size_t i = 0; i < 9; ++i)
-    radiance[i] = glm::dvec3(full_pi * basis[i]);  // irradiance full_pi on what faces it
+    radiance[i] = glm::dvec3(full_pi * basis[i]);  // irradiance full_pi on a surface that faces it
   const SphericalHarmonics light = irradiance_of(radiance);
   EXPECT_NEAR(evaluate(light, towards).x, 0.25 + 0.5 + 0.3125, 1e-12);
   EXPECT_NEAR(evaluate(light, -towards).x, 0.25 - 0.5 + 0.3125, 1e-12);
@@ -106,8 +107,7 @@ TEST(SphericalHarmonics, AnEnvironmentIsTurnedAndScaled) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(from_the_left[k], 3 * from_behind[k], 1e-12);
 }
 
-/// Against brute force; sqrt |y| bends sharply at the horizon, where the strips of the quadrature are too wide for
-/// more.
+/// Against brute force. sqrt |y| bends sharply at the horizon, where the strips of the quadrature limit the accuracy.
 TEST(SphericalHarmonics, AGradientIsItsIntegral) {
   Random random(6);
   const auto colour = [&] { return glm::vec3(random.uniform(), random.uniform(), random.uniform()); };

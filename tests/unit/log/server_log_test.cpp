@@ -12,7 +12,7 @@
 namespace pelage {
 namespace {
 
-/// A pipe whose reader reads when it is asked.
+/// A pipe that is read only on request.
 class Pipe {
  public:
   Pipe() {
@@ -73,7 +73,7 @@ TEST(Log, ClientsCanNeitherForgeLinesNorMakeThemEndless) {
   EXPECT_NE(line.find(R"(path="/a\n2026 error forged")"), line.npos) << line;
   EXPECT_LT(line.size(), 4096u);
   EXPECT_NE(logged(LogFormat::json, LogLevel::info, {{"path", "/\xff"}}).find("\xef\xbf\xbd"),
-            std::string::npos);  // not UTF-8
+            std::string::npos);  // invalid UTF-8
 }
 
 TEST(Log, LinesBelowTheLevelAreLeftOut) {

@@ -1,4 +1,4 @@
-// Drawing, growing and fitting of maps, against plain second implementations.
+// Drawing, dilating, fitting and sampling of maps, against plain reference implementations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-/// Triangles in the texture alone, no two of which share corners.
+/// Triangles in texture space that share no corners.
 UvCorners loose_triangles(const std::vector<std::array<glm::vec2, 3>>& triangles) {
   UvCorners uvs;
   for (const auto& triangle : triangles) {
@@ -40,12 +40,13 @@ std::vector<glm::vec4> random_values(std::uint64_t seed, std::size_t count) {
   return values;
 }
 
-/// What a pixel shows: the last triangle whose half planes all hold its centre, by the areas opposite to its corners.
+/// Value of a pixel: that of the last triangle which contains its centre, by barycentric coordinates. Returns false if
+/// none does.
 bool plain_pixel(const UvCorners& uvs, const std::vector<glm::vec4>& values, int size, int x, int y,
                  glm::dvec4& value) {
   bool found = false;
   for (std::size_t i = 0; i < 9 * uvs.of_triangle.size(); ++i) {
-    const glm::uvec3 t = uvs.of_triangle[i / 9];  // and the nine repeats of the picture around it
+    const glm::uvec3 t = uvs.of_triangle[i / 9];  // each triangle in nine shifted copies, since the picture repeats
     const double u = (x + 0.5) / size + static_cast<double>(i % 3) - 1;
     const double v = 1 - (y + 0.5) / size + static_cast<double>(i / 3 % 3) - 1;
     const glm::dvec2 a(uvs.corners[t.x].uv), b(uvs.corners[t.y].uv), c(uvs.corners[t.z].uv);
@@ -78,7 +79,7 @@ TEST(MapRaster, DrawsWhatAPlainRasteriserDraws) {
         for (int x = 0; x < size; ++x) {
           const auto pixel = static_cast<std::size_t>(y * size + x);
           glm::dvec4 wanted(-5);
-          if (!plain_pixel(uvs, values, size, x, y, wanted)) continue;  // corners may still have been put there
+          if (!plain_pixel(uvs, values, size, x, y, wanted)) continue;  // corners may still be drawn there
           ASSERT_TRUE(image.covered[pixel]);
           for (int k = 0; k < 4; ++k) different += std::abs(image.at(pixel)[k] - wanted[k]) > 1e-5;
         }
@@ -139,7 +140,7 @@ TEST(MapDilation, TakesTheNearestCoveredPixel) {
   }
 }
 
-/// The largest miss of a bilinear reader along the borders of two islands that hold 1.
+/// Largest error of a bilinear lookup along the borders of two islands that hold 1.
 double worst_on_seams(int distance) {
   const UvCorners uvs =
       loose_triangles({{{{0.1f, 0.1f}, {0.8f, 0.2f}, {0.3f, 0.7f}}}, {{{0.9f, 0.9f}, {0.45f, 0.8f}, {0.85f, 0.4f}}}});

@@ -1,4 +1,4 @@
-// From fields to pictures and back, with the program's own models and with islands that are turned and mirrored.
+// From fields to pictures and back, with this program's own models and with rotated and mirrored islands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ MapRequest asked(Field field, int size, MapFormat format = MapFormat::png16,
   return request;
 }
 
-/// Fur in which every field differs from vertex to vertex.
+/// Fur in which every field is different at every vertex.
 FieldSet random_fields(std::size_t vertices) {
   Random random(5);
   FieldSet fields(vertices);
@@ -42,7 +42,7 @@ FieldSet random_fields(std::size_t vertices) {
   return fields;
 }
 
-/// The map as another program would find it in the file.
+/// The map as another program would read it from the file.
 MapPicture file_of(const DrawnMap& map, int bits) {
   MapPicture picture{map.image.size, map.image.size, bits, {}, {}};
   for (std::size_t i = 0; i < map.image.covered.size(); ++i) {
@@ -69,7 +69,7 @@ Evaluation read_back(const DrawnMap& map, int bits, const Surface& surface, cons
   return evaluate(command, surface, fields, extras);
 }
 
-/// The largest change of any field after a map has been written and read again on the same fur.
+/// The largest change of any field after a map was written and read back on the same fur.
 double worst_change(const Surface& surface, const FieldSet& fields, MapRequest request, int bits) {
   request.format = format_of(bits);
   const Evaluation read = read_back(draw_map(surface.mesh(), fields, request), bits, surface, fields);
@@ -95,14 +95,14 @@ TEST_F(MapRoundTrip, EveryFieldComesBack) {
     EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5) << shape_of(field).name;
     const bool part = field == Field::direction, colour = shape_of(field).channels == 4;
     const double scale = field == Field::length ? 0.09 : 1;
-    // Two parts of a direction; a colour's curve and the division by its cover of at least .1 stretch a step.
+    // A direction has two components. A colour's curve and the division by its coverage (at least .1) enlarge a step.
     const double steps = part ? 2 * std::sqrt(2.0) : colour ? 24 : 1;
     EXPECT_LT(worst_change(surface_, fields_, request, 16), steps * scale / 65535) << shape_of(field).name;
     EXPECT_LT(worst_change(surface_, fields_, request, 8), steps * scale / 255) << shape_of(field).name;
   }
 }
 
-/// A list of all vertices as a script would send it back.
+/// A list of all vertices, as a script would send it back.
 MapPicture sent_back(const VertexList& list) {
   MapPicture picture{1, static_cast<int>(list.values.size() / list.channels), 32, {}, {}};
   for (std::size_t i = 0; i < list.values.size(); i += list.channels) {
@@ -220,7 +220,7 @@ TEST_F(MapRoundTrip, AMaskIsReadFromTheChannelThatIsNamed) {
   EXPECT_EQ(after.number(Field::mask, 9), 0.5f);
 }
 
-/// A square on the ground that faces up, whose texture is `place` of its own (x, -z).
+/// A horizontal square that faces up; `place` maps its (x, -z) to texture coordinates.
 Surface square(const std::function<glm::dvec2(glm::dvec2)>& place) {
   RawModel raw = make_builtin({Builtin::plane, 200});
   for (std::size_t i = 0; i < raw.corners.size(); ++i) {
@@ -230,7 +230,7 @@ Surface square(const std::function<glm::dvec2(glm::dvec2)>& place) {
   return surface_of(raw);
 }
 
-/// The map's numbers in the middle for fur that leans along a direction of the model.
+/// The map's values in the middle, for fur that leans along a direction of the model.
 glm::dvec2 drawn_lean(const Surface& surface, glm::dvec3 lean) {
   const Mesh& mesh = surface.mesh();
   FieldSet fields(mesh.positions.size());

@@ -1,4 +1,4 @@
-// A few vertices of a level meadow.
+// A level patch of fur for tests of motion.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@ struct Meadow {
   StillFur fur() const { return {positions, normals, tangents, direction, length, stiffness}; }
 };
 
-/// `side` x `side` vertices, normals up and tangents along x; fur .03 long that leans by .3 to z.
+/// `side` x `side` vertices with normals up and tangents along x; fur .03 long that leans by .3 towards z.
 inline Meadow make_meadow(int side = 16) {
   Meadow meadow;
   for (int i = 0; i < side * side; ++i) {

@@ -1,4 +1,4 @@
-// Closed forms against what a plain integrator with tiny steps finds.
+// Closed forms against plain integration in tiny steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,8 @@
 namespace pelage {
 namespace {
 
-/// o'' + 2 damping rate o' + rate^2 o = rate^2 f(t) by Runge and Kutta's fourth order, from rest at `from`.
+/// Integrates o'' + 2 damping rate o' + rate^2 o = rate^2 f(t) by the fourth-order Runge-Kutta method, starting at rest
+/// at time `from`.
 double integrated(const Oscillator& oscillator, const std::function<double(double)>& force, double from, double to) {
   const double w = oscillator.rate;
   const auto slope = [&](double o, double v, double t) {
@@ -73,7 +74,7 @@ TEST(Sway, FurDoesWhatTheOscillatorDoesInTheWindAtItsPlace) {
   Meadow meadow = make_meadow(2);
   meadow.direction.assign(4, {0, 0});
   meadow.stiffness = {1, 4, 1, 0.5f};
-  const Wind wind{.speed = 0.05, .direction = {1, 0, 1}, .gusts = 1, .turbulence = 1};  // so little that none is held
+  const Wind wind{.speed = 0.05, .direction = {1, 0, 1}, .gusts = 1, .turbulence = 1};  // too weak to be clamped
   const WindField field = make_wind(wind);
   const std::vector<glm::vec2> moved = swayed(meadow.fur(), wind, 3);
   for (std::uint32_t v = 0; v < 4; ++v) {
@@ -106,7 +107,7 @@ TEST(Sway, BodyGivesTheLeanOfAPendulumInASteadyPush) {
 TEST(Sway, StepsThatDivideGiveTheSameState) {
   Meadow meadow = make_meadow(2);
   const Wind calm{};
-  const auto jerks = [](std::uint32_t v, double time) {  // stand for .25 s each, for the part that counts in full
+  const auto jerks = [](std::uint32_t v, double time) {  // steps of .25 s; not 0 only in the part that has full weight
     const double k = std::floor(-time / 0.25);
     return k < 8 ? glm::dvec3(std::sin(k + v), 0, std::cos(3 * k)) : glm::dvec3(0);
   };
@@ -135,7 +136,7 @@ TEST(Sway, RigidBodyPushesItsFurBack) {
         return RigidPose{{{c, 0, -s}, {0, 1, 0}, {s, 0, c}}, {0, 0, 0}};
       },
       positions, 1e-3);
-  const glm::dvec3 inwards = turning(0, 1.234);  // in the body's own coordinates it always points to the axis
+  const glm::dvec3 inwards = turning(0, 1.234);  // points to the axis in the body's own coordinates
   EXPECT_NEAR(inwards.x, -9 * 0.2, 1e-4);
   EXPECT_NEAR(glm::length(inwards - glm::dvec3(inwards.x, 0, 0)), 0, 1e-6);
 }

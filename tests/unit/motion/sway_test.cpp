@@ -42,7 +42,7 @@ TEST(Sway, SameMomentSameBitsWhateverWasComputedBefore) {
   EXPECT_EQ(swayed(meadow.fur(), breeze(), 7.125), first);
 }
 
-// Threads take runs of vertices, so the bits are those of any number of threads.
+// Threads process runs of vertices, so the bits do not depend on the number of threads.
 TEST(Sway, AVertexHasTheSameBitsAmongOthersAndAlone) {
   const Meadow meadow = make_meadow(40);
   const std::vector<glm::vec2> all = swayed(meadow.fur(), breeze(), 2);
@@ -71,7 +71,7 @@ TEST(Sway, MotionHasNoJumps) {
 
 TEST(Sway, BodyThatComesIntoTheWarmUpDoesNotPop) {
   const Meadow meadow = make_meadow(2);
-  const Wind calm{.frequency = 0.05, .damping = 0.05};  // swings on for longer than the warm-up
+  const Wind calm{.frequency = 0.05, .damping = 0.05};  // swings for longer than the warm-up
   const BodyMotion knocked{[](std::uint32_t, double t) { return glm::dvec3(t > 0 && t < 0.1 ? 0.01 : 0, 0, 0); }};
   double largest = 0;
   for (double t = 0.2; t < warm_up_seconds + 0.4; t += 1.0 / 60)
@@ -94,7 +94,7 @@ TEST(Sway, BentKeepsRestAndDiscAndIsSmooth) {
     }
   }
   EXPECT_NEAR(glm::length(bent({0.1, 0}, {1e9, 1e9})), 1, 1e-9);
-  for (double far = 0; far < 2; far += 0.01) {  // the speed does not jump at the border
+  for (double far = 0; far < 2; far += 0.01) {  // the speed is continuous at the border
     const auto length = [&](double at) { return glm::length(bent({0.3, 0}, {at, 0})); };
     EXPECT_LT(std::abs(length(far + 0.02) - 2 * length(far + 0.01) + length(far)), 3e-4);
   }

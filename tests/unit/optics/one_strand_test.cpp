@@ -1,5 +1,5 @@
-// Light on a strand over lanes beside the formulas in double (tests/double_shading). What the rasterizer and the strand
-// tracer draw by is this code.
+// Light on a strand in SIMD lanes against the formulas in double (tests/double_shading). The rasterizer and the strand
+// tracer use this code.
 #include "renderer/optics/one_strand.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ ScatterGeometry geometry_of(const LitStrand& strand) {
   return {unit(strand.tangent), unit(strand.normal), unit(strand.to_light), unit(strand.to_camera)};
 }
 
-/// Science.md 4 with what a bundle adds to a fibre (scatter_again of lighting.glsl) and B.
+/// The models of science.md 4, with what a bundle adds to a fibre (scatter_again of lighting.glsl) and B.
 glm::dvec3 expected(const Look& look, const FibreShading& shading, const LitStrand& strand) {
   const ScatterGeometry geometry = geometry_of(strand);
   glm::dvec3 light = shading.scatter(geometry, glm::dvec3(strand.colour), double(strand.number));
@@ -64,7 +64,7 @@ glm::dvec3 expected(const Look& look, const FibreShading& shading, const LitStra
 }
 
 struct Difference {
-  double largest = 0, mean = 0;  // over the largest and the mean value
+  double largest = 0, mean = 0;  // relative to the largest and to the mean value
 };
 
 Difference difference_of(const Look& look) {
@@ -84,7 +84,7 @@ Difference difference_of(const Look& look) {
   return {largest / largest_value, sum / value_sum};
 }
 
-/// Formulas without a table: the lanes' exp and log alone are apart.
+/// Formulas without a table: only the lanes' exp and log differ.
 TEST(OneStrand, FormulasAgreeWithDouble) {
   for (const ShadingModel model : all_models) {
     if (is_fibre_model(model)) continue;
@@ -92,7 +92,7 @@ TEST(OneStrand, FormulasAgreeWithDouble) {
   }
 }
 
-/// Fibre models read a fit of the azimuthal table (AzimuthalFit).
+/// Fibre models read a fit of the azimuthal table (AzimuthalFit), which is less exact.
 TEST(OneStrand, FibresAgreeWithDouble) {
   for (const ShadingModel model : {ShadingModel::energy_conserving, ShadingModel::marschner}) {
     const Difference apart = difference_of(look_of(model));
@@ -114,7 +114,7 @@ TEST(OneStrand, BundleIsAFibreAndWhatFollows) {
   }
 }
 
-/// Water sharpens and strengthens the highlight of a surface model as `wet_look` does for a whole coat.
+/// Painted water narrows and brightens the highlight of a surface model as `wet_look` does for a whole coat.
 TEST(OneStrand, PaintedWaterRaisesTheHighlight) {
   Look look = look_of(ShadingModel::kajiya);
   look.diffuse = 0;

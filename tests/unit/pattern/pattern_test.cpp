@@ -24,7 +24,7 @@ Coat with(const Pattern& pattern) {
   return coat;
 }
 
-/// A place on a sphere of radius .4 and its normal, evenly spread.
+/// Visits evenly distributed points on a sphere of radius .4, with their normals.
 void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& visit) {
   Random random(5);
   for (int i = 0; i < count; ++i) {
@@ -34,21 +34,21 @@ void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& 
   }
 }
 
-/// How far the marking covers the place and how far the inner colour does.
+/// Coverage at a point by the marking, and by the inner colour.
 glm::vec2 pattern_marks(PatternBlock block, glm::vec3 place, glm::vec3 normal) {
   block.amounts.x = block.amounts.y = 1, block.amounts.w = 0;
   const glm::vec3 weights = pattern_weights(block, place, normal);
   return {weights.z, weights.y};
 }
 
-/// The colour of a strand whose root stands there and which would be `base` without a pattern.
+/// Colour of a strand with its root at a point, which would be `base` without a pattern.
 glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
   const glm::vec4 varied = pattern_variation(block, place);
   return with_weights(block, pattern_weights(block, place, normal), base) *
          (varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w));
 }
 
-/// Mean of the markings over a sphere.
+/// Mean coverage over a sphere.
 glm::dvec2 mean_marks(const Pattern& pattern) {
   const PatternBlock block = make_pattern_block(with(pattern));
   glm::dvec2 sum(0);
@@ -89,7 +89,7 @@ TEST(Noise, StreamsAndSeedsDiffer) {
   EXPECT_NE(x({1, 2, 3}, 0, 1), x({1, 2, 3}, 1, 1));
   EXPECT_NE(x({1, 2, 3}, 0, 1), x({1, 2, 3}, 0, 2));
   EXPECT_NE(x({1, 2, 3}, 0, 1), x({-1, 2, 3}, 0, 1));
-  EXPECT_EQ(x({1, 2, 3}, 0, 1)[1], x({2, 2, 3}, 0, 1)[0]);  // the same cell
+  EXPECT_EQ(x({1, 2, 3}, 0, 1)[1], x({2, 2, 3}, 0, 1)[0]);  // both are the same cell
 }
 
 TEST(Pattern, NoneIsTheBaseItself) {
@@ -123,7 +123,7 @@ TEST(Pattern, StripesFollowEachOtherAtTheirScale) {
   const auto marked = [&](float x, float z) { return pattern_marks(block, {x, 0.2f, z}, {0, 1, 0}).x > 0.5f; };
   int edges = 0;
   for (int i = 0; i < 5000; ++i) edges += marked(0, float(i) * 1e-4f) != marked(0, float(i + 1) * 1e-4f);
-  EXPECT_EQ(edges, 20);  // two for each of the ten stripes in half a size
+  EXPECT_EQ(edges, 20);  // two edges for each of the ten stripes in half a size
   for (int i = 0; i < 100; ++i) EXPECT_EQ(marked(0, 0.01f * float(i)), marked(0.3f, 0.01f * float(i)));
 }
 

@@ -1,4 +1,4 @@
-// Volumes about a surface that has moved hold what it had at rest.
+// Volumes around a surface that has moved hold the values of its rest pose.
 #include "renderer/pattern/surface_volume.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(TurnOfTriangle, IsTheRotationThatMovedIt) {
   EXPECT_EQ(turn_of_triangle({glm::vec3(0), glm::vec3(0), glm::vec3(0)}, triangle), glm::mat3(1));
 }
 
-/// The value at a place of the volume, of the cell that it lies in.
+/// The value of the volume's cell that contains a point.
 glm::vec4 value_at(const SurfaceVolume& volume, glm::vec3 place) {
   const glm::ivec3 at((place - volume.origin) / volume.cell);
   const auto cell = static_cast<std::size_t>((at.z * volume.size.y + at.y) * volume.size.x + at.x);

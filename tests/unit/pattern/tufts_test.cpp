@@ -37,7 +37,7 @@ TEST(Tufts, RootsGatherAboutOneMiddle) {
     ++pairs;
     if (glm::distance(root + a.to_middle, next + b.to_middle) < 1e-4f) ++together;
   }
-  EXPECT_GT(together, pairs * 9 / 10);  // the others lie on both sides of a border
+  EXPECT_GT(together, pairs * 9 / 10);  // the other pairs are on two sides of a border
   EXPECT_LT(together, pairs);
 }
 

@@ -1,4 +1,4 @@
-// Requests of frames, as bodies and as addresses.
+// Frame requests, as bodies and as URLs.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -291,7 +291,7 @@ TEST(DecodeColour, IsSrgb) {
   const glm::vec3 skin = std::get<SetLook>(commands->front()).look.skin;
   EXPECT_FLOAT_EQ(skin.r, 1);
   EXPECT_FLOAT_EQ(skin.g, 0);
-  EXPECT_NEAR(skin.b, 0.2158605, 1e-6);  // IEC 61966-2-1 of 128 / 255
+  EXPECT_NEAR(skin.b, 0.2158605, 1e-6);  // 128 / 255 by IEC 61966-2-1
 }
 
 TEST(DecodeHistory, ReadsBranchesAndAmendments) {

@@ -1,4 +1,4 @@
-// What belongs to uploads: environments, pictures on models, how fur is laid.
+// Uploads and their queries: environments, pictures, maps, meshes, the layout of fur.
 #include "tests/unit/protocol/refusals.h"
 
 namespace pelage {

@@ -1,4 +1,4 @@
-// The looks that come with the client are commands that the server takes.
+// The server accepts the looks that come with the client.
 #include <gtest/gtest.h>
 
 #include <filesystem>

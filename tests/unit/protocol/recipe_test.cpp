@@ -1,4 +1,4 @@
-// Recipes: variables, uses, places, and what is refused where.
+// Recipes: variables, included recipes, positions, and refusals with their pointers.
 #include "protocol/recipes/recipe.h"
 
 #include <gtest/gtest.h>
@@ -223,7 +223,7 @@ TEST(Recipe, TheOneInTheDocumentationWorks) {
 TEST(Recipe, ThoseOfTheClientAreAtMostSixtyCommandsThatTheServerTakes) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(source_folder / "clients/recipes")) {
-    if (entry.is_directory()) continue;  // those with picks, which need a server (grooming/test_recipes.py)
+    if (entry.is_directory()) continue;  // recipes with picks need a server (grooming/test_recipes.py)
     ++count;
     const std::string name = entry.path().string();
     const auto steps = expanded(name, *file_text(name));

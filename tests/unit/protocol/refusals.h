@@ -1,4 +1,4 @@
-// What decoding says about texts that it refuses.
+// Refusals of the decoder.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Traced strands, progressive picture and lights with a size, as JSON.
+// Traced strands, progressive pictures and lights with a size, as JSON.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -30,7 +30,7 @@ void expect_frame_refusal(const std::string& text, const std::string& pointer) {
   EXPECT_NE(status.limit, "") << text << "\nsays no limit";
 }
 
-/// A frame whose strands are traced so, or which is progressive so.
+/// A frame whose strands are traced with these members; `progressive` makes one that is progressive with them.
 std::string traced(const std::string& trace) {
   return R"({"quality": {"method": "strands", "trace": {)" + trace + "}}}";
 }

@@ -1,4 +1,4 @@
-// Calibrations as files.
+// Calibration files.
 #include <gtest/gtest.h>
 
 #include "protocol/json/calibration.h"

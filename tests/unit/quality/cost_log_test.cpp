@@ -1,4 +1,4 @@
-// Corrections move late and in steps.
+// Cost corrections start after a few frames, and change in steps.
 #include "renderer/quality/cost_log.h"
 
 #include <gtest/gtest.h>

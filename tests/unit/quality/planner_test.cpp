@@ -1,4 +1,4 @@
-// The planner keeps what it promises, whatever the model says.
+// The planner keeps its promises for any model.
 #include "renderer/quality/planner.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ const ViewFeatures view{.pixels = 3e5, .area = 1e5, .fur_pixels = 12, .lights = 
 
 double number(int low, int high, double unit) { return unit * *rc::gen::inRange(low, high); }
 
-/// Any prices and any errors, monotone in nothing.
+/// A model with random prices and errors, monotonic in nothing.
 DialModel any_model() {
   DialModel model = default_model();
   for (double& price : model.prices) price = number(0, 1000, 0.1);
@@ -64,7 +64,7 @@ RC_GTEST_PROP(Planner, WhatItSaysIsWhatItChose, ()) {
   const DialModel model = any_model();
   const PlannedFrame planned = plan({model, machine, view, {3, true}}, {number(1, 5000, 1), {}});
   const auto same = [&](const DialRow& row) { return row.knobs == planned.knobs; };
-  RC_PRE(std::count_if(model.rows.begin(), model.rows.end(), same) == 1);  // rows of equal knobs have two estimates
+  RC_PRE(std::count_if(model.rows.begin(), model.rows.end(), same) == 1);  // rows with equal knobs have two estimates
   FrameEstimate e = planned.estimate;
   e.end = PlanEnd::asked;
   RC_ASSERT(e == estimate_of({model, machine, view, {3, true}}, planned.knobs));

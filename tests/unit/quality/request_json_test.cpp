@@ -1,4 +1,4 @@
-// Budgets and errors in requests, and estimates in answers.
+// Budgets and error limits in requests, and estimates in answers.
 #include <gtest/gtest.h>
 
 #include "protocol/json/decode.h"

@@ -1,4 +1,4 @@
-// What is told of a view without drawing it, against what can be counted by hand.
+// Features that are estimated without drawing a view, against values counted by hand.
 #include "renderer/quality/view_features.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 namespace pelage {
 namespace {
 
-/// A square of 2 x `cells` x `cells` triangles across the view, `half` sizes to each side of the origin.
+/// A square of 2 x `cells` x `cells` triangles that faces the camera and extends `half` sizes to each side of the
+/// origin.
 struct Patch {
   std::vector<glm::vec3> positions, normals;
   std::vector<glm::uvec3> triangles;
@@ -33,7 +34,7 @@ struct Patch {
   FurredSkin skin() const { return {positions, normals, triangles, length, 1}; }
 };
 
-/// Looks along -z from `distance`, one size across the picture's height at distance 1.
+/// A camera at `distance` that looks along -z; at distance 1 the picture is one size high.
 FurFrame frame_of(int width, int height, float distance = 1) {
   FurFrame frame;
   frame.width = width, frame.height = height;
@@ -45,7 +46,7 @@ FurFrame frame_of(int width, int height, float distance = 1) {
 TEST(ViewFeatures, ASquareCoversWhatItProjectsTo) {
   const Patch patch(8, 0.25f, 0.0f);
   const ViewFeatures view = view_features(frame_of(400, 400), patch.skin());
-  EXPECT_NEAR(view.area, 200 * 200, 1);  // half of the height, squared
+  EXPECT_NEAR(view.area, 200 * 200, 1);  // the square is half as wide and high as the picture
   EXPECT_EQ(view.lights, 3);
 }
 

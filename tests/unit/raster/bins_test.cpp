@@ -1,4 +1,4 @@
-// Segments by tile, and their order.
+// Segments binned by tile, and their order.
 #include "renderer/raster/bins.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ TEST(Bins, HaveASegmentInEachTileThatItTouches) {
   std::size_t found = 0;
   for (int tile = 0; tile < 12; ++tile) found += bins.tile(tile).size();
   EXPECT_EQ(bins.tile(0).size(), 1u);
-  EXPECT_EQ(bins.tile(5).size(), 1u);  // in the middle
-  EXPECT_EQ(bins.tile(3).size(), 0u);  // the box of the segment touches these two
+  EXPECT_EQ(bins.tile(5).size(), 1u);  // halfway along the segment
+  EXPECT_EQ(bins.tile(3).size(), 0u);  // only the segment's bounding box touches these two tiles
   EXPECT_EQ(bins.tile(8).size(), 0u);
   EXPECT_GE(found, 5u);
 }
@@ -47,7 +47,8 @@ TEST(Bins, KeepTheOrderOfBatches) {
   }
 }
 
-/// What lies between two that overlap must not depend on the tile; of a long one only what is near counts.
+/// The order of overlapping short segments must not depend on the tile; of a long one only the part near the tile
+/// counts.
 TEST(Bins, ShortSegmentsGoByTheirMiddleInEachTile) {
   const Bins of_short = binned({one_strand({{12, 8, 0.5f, 0.5f, {}}, {22, 8, 1, 0.5f, {}}})});
   ASSERT_EQ(of_short.tile(0).size() + of_short.tile(1).size(), 2u);

@@ -1,4 +1,4 @@
-// Which strands are kept, and how wide they are.
+// Which strands are kept, and how much they are widened.
 #include "renderer/raster/cull.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Cull, StrandsThatAreLeftStandForAll) {
 TEST(Cull, StrandsThatStandForMoreHaveLessOfTheirOwnColour) {
   Field field;
   for (const double a_pixel : {1e9, 0.25, 0.12, 0.06, 0.01}) {
-    const double stands_for = field.kept(a_pixel).widened[0] * (1 - 0.125 / 2);  // the last eighth fades
+    const double stands_for = field.kept(a_pixel).widened[0] * (1 - 0.125 / 2);  // the last eighth fades out
     EXPECT_NEAR(own_colour(field.scene, field.fur.parts()[0]), 1 / std::sqrt(std::max(stands_for, 1.0)), 1e-3)
         << a_pixel;
   }
@@ -63,12 +63,12 @@ TEST(Cull, StrandsCountByWhatTheyCover) {
   EXPECT_EQ(quality_of(knobs, 4).strands_a_pixel, 0.75);
   const RasterQuality quality = quality_of(knobs, 1);
   EXPECT_DOUBLE_EQ(quality.kept_share(6, 0.1), 0.25);
-  EXPECT_DOUBLE_EQ(quality.kept_share(6, 1), 1 / 1.5);  // none is wider than that
+  EXPECT_DOUBLE_EQ(quality.kept_share(6, 1), 1 / 1.5);  // no strand is widened further
   EXPECT_EQ(quality.kept_share(0.5, 0), 1);
   EXPECT_EQ(quality.kept_share(0, 0), 1);
 }
 
-// Else a stroke would change strands that it does not touch, and that are not drawn again.
+// Otherwise a stroke would change strands that it does not touch and that are not drawn again.
 TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
   Field field;
   const KeptStrands before = field.kept(0.05);

@@ -1,4 +1,4 @@
-// Strands and body between a place and a light, against what is known of an even coat.
+// Strands and body between a point and a light, against known values of an even coat.
 #include "renderer/raster/density_grid.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ struct Spread {
   double mean, deviation;
 };
 
-/// Of the strands crossed to a light, over cells in the middle of the lawn.
+/// Mean and deviation of the strands crossed towards a light, over cells in the middle of the lawn.
 Spread spread_at(const DensityGrid& grid, float height, std::size_t light = 0) {
   double sum = 0, squares = 0;
   int count = 0;
@@ -57,7 +57,7 @@ Spread spread_at(const DensityGrid& grid, float height, std::size_t light = 0) {
   return {mean, std::sqrt(std::max(squares / count - mean * mean, 0.0))};
 }
 
-/// Cells that differ.
+/// Number of cells that differ.
 std::size_t others(std::span<const Crossed> a, std::span<const Crossed> b) {
   if (a.size() != b.size()) return std::max(a.size(), b.size());
   std::size_t count = 0;
@@ -78,7 +78,7 @@ TEST(DensityGrid, LightFromTheSideCrossesWhatTheCoatHasAbove) {
     EXPECT_NEAR(spread.mean, above[slice] * longer, 0.15 * above[0] * longer) << height;
     EXPECT_LT(spread.deviation, 0.1 * spread.mean) << height;
   }
-  const double steeper = std::tan(std::atan(0.5));  // of 45 degrees' 1: width across over way up
+  const double steeper = std::tan(std::atan(0.5));  // path across over that at 45 degrees
   EXPECT_NEAR(spread_at(grid, 0.012f, 1).mean, above[4] * longer * steeper, 0.2 * above[4] * longer);
 }
 
@@ -87,7 +87,7 @@ TEST(DensityGrid, NothingAboveTheFurIsInShadow) {
   DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), std::vector{from({0, 0, 1})}, 1);
   EXPECT_NEAR(at(grid, {0.25, 0.25, 0.086f}).strands, 0, 1e-3);
-  EXPECT_EQ(at(grid, {0.25, 0.25, 0.05f}).body, 0);  // the skin faces the light
+  EXPECT_EQ(at(grid, {0.25, 0.25, 0.05f}).body, 0);  // the skin faces the light and does not occlude it
 }
 
 TEST(DensityGrid, SkinStopsLightFromBehind) {
@@ -100,7 +100,7 @@ TEST(DensityGrid, SkinStopsLightFromBehind) {
 TEST(DensityGrid, HasTheSameBitsForAnyThreads) {
   const Lawn lawn;
   FurLight near;
-  near.kind = LightKind::point, near.position = {0.2f, 0.3f, 0.05f};  // within the fur
+  near.kind = LightKind::point, near.position = {0.2f, 0.3f, 0.05f};  // inside the fur
   const std::vector<FurLight> lights{from({1, 0.3f, 0.5f}), near, from({-1, 0, 0})};
   DensityGrid one, many;
   one.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
@@ -146,7 +146,7 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
     float length;
   };
   for (const auto& [first, count, length] : {Change{36, 9, 0.05f}, {70, 9, 0.05f}, {37, 9, 0.05f}, {0, 119, 0.04f}}) {
-    for (std::size_t i = first; i < first + count; ++i) lawn.patch.length[i] = length;  // others stay as long
+    for (std::size_t i = first; i < first + count; ++i) lawn.patch.length[i] = length;  // other fur keeps its length
     ASSERT_GT(lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 2), 0u);
     grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
     DensityGrid fresh;
@@ -162,7 +162,7 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
 TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
   Lawn lawn;
   lawn.patch.length.assign(lawn.patch.length.size(), 0.03f);
-  lawn.patch.length.front() = 0.08f;  // so that the grid stays where it is
+  lawn.patch.length.front() = 0.08f;  // keeps the extent of the grid
   lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 2);
   const std::vector<FurLight> lights{from({0, 0, 1})};
   DensityGrid grid;
@@ -188,7 +188,7 @@ TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
   EXPECT_TRUE(grid.changed_blocks(grid.version()).empty());
 }
 
-// A draft shows some of that colour.
+// A draft mixes the mean colour into each strand.
 TEST(DensityGrid, StrandsWhoseMeanHasAnotherColourHaveChanged) {
   const Lawn lawn;
   DensityGrid grid;

@@ -1,4 +1,4 @@
-// Cells of single strands where the camera is near.
+// Cells of single strands near the camera.
 #include "renderer/raster/near_cells.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float cell = 0.008f;
 
-/// A lawn from above, so far away that the picture shows `view` sizes across.
+/// A lawn seen from above, from so far away that the picture shows `view` sizes across.
 struct LawnBelow {
   FurPatch patch{0.5, 10, 0.03f};
   GrownFur fur;
@@ -43,7 +43,7 @@ TEST(NearCells, HoldWhatIsNearAndNothingElse) {
   NearCells near;
   near.update(lawn.scene, 1, 2);
   EXPECT_NEAR(near.cell(), cell / 5, 1e-6f);
-  double all = 0;  // what strands cover, in faces of cells
+  double all = 0;  // coverage by all strands, in cell faces
   for (const GrownPart& part : lawn.fur.parts())
     for (std::size_t i = 0; i + 1 < part.strands->points.size(); ++i) {
       const StrandPoint &a = part.strands->points[i], &b = part.strands->points[i + 1];
@@ -57,7 +57,7 @@ TEST(NearCells, HoldWhatIsNearAndNothingElse) {
   lawn.look(0.5f);
   near.update(lawn.scene, 2, 2);
   EXPECT_TRUE(near.cells().empty());
-  lawn.look(-0.1f);  // from below, with the lawn behind
+  lawn.look(-0.1f);  // from below, looking away from the lawn
   near.update(lawn.scene, 3, 2);
   EXPECT_TRUE(near.cells().empty());
 }

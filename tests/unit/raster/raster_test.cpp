@@ -1,4 +1,4 @@
-// Whole pictures of a patch of fur: bits, coverage and extremes.
+// Whole pictures of a patch of fur: equal bits, coverage and extremes.
 #include "renderer/raster/raster.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Raster, HasTheSameBitsForAnyThreads) {
     EXPECT_EQ(stage.draw(quality, 1).rgba, stage.draw(quality, 7).rgba);
 }
 
-/// Where pictures differ inside a crop.
+/// Number of pixels inside a crop that differ.
 int other_pixels(const FloatImage& whole, const FloatImage& image, const Crop& crop) {
   int count = 0;
   for (int y = crop.top; y < crop.top + crop.height; ++y)
@@ -74,7 +74,7 @@ int other_pixels(const FloatImage& whole, const FloatImage& image, const Crop& c
   return count;
 }
 
-/// A lawn in one light from the side, of which the picture shows little.
+/// A lawn in one light from the side, seen from so near that the picture shows only a small part.
 struct NearLawn : Stage {
   NearLawn() {
     recipe = {plain_coat(3000)};
@@ -112,7 +112,7 @@ struct LightSpread {
   double mean = 0, deviation = 0;
 };
 
-/// Of the light halfway up the strands of a part.
+/// Mean and deviation of the light halfway up the strands of a part.
 LightSpread light_spread(const RasterScene& scene, const GrownPart& part) {
   std::vector<std::uint32_t> ids(part.strands->count());
   std::iota(ids.begin(), ids.end(), 0);
@@ -159,7 +159,7 @@ TEST(Raster, FewStrandsCoverAndShineAsAll) {
   }
 }
 
-/// Strands that are seen are taller than those that they have their light from.
+/// The strands that are seen are taller than those whose light they share.
 TEST(Raster, SharedLightIsThatOfTheSameHeight) {
   Stage stage;
   stage.recipe.coat.length_spread = 0.8, stage.recipe.coat.count = 20000, stage.frame.coat() = stage.recipe.coat;
@@ -179,7 +179,7 @@ TEST(Raster, StrandsThatAreSeenSinglyAreLitThemselves) {
   EXPECT_EQ(near.lit, near.placed);
 }
 
-// Of a fine mesh few triangles have the middle of a pixel; those that do leave no hole.
+// In a fine mesh few triangles contain a pixel's centre, but together they leave no hole.
 TEST(Raster, SkinIsWholeHoweverFineItsMesh) {
   const auto bald = [](int quads) {
     Stage stage;
@@ -188,7 +188,7 @@ TEST(Raster, SkinIsWholeHoweverFineItsMesh) {
     stage.grow();
     return stage.draw();
   };
-  const FloatImage coarse = bald(1), fine = bald(200);  // a third of a pixel each
+  const FloatImage coarse = bald(1), fine = bald(200);  // triangles of a third of a pixel
   EXPECT_GT(mean(coarse, 3), 0.2);
   for (std::size_t i = 3; i < coarse.rgba.size(); i += 4) ASSERT_EQ(fine.rgba[i], coarse.rgba[i]) << i / 4;
 }
@@ -197,12 +197,12 @@ TEST(Raster, IsSoundWhereNothingCanBeDrawn) {
   Stage stage;
   stage.frame.width = stage.frame.height = 1;
   EXPECT_TRUE(is_sound(stage.draw()));
-  stage.frame.width = 33, stage.frame.height = 17;  // no whole tiles
+  stage.frame.width = 33, stage.frame.height = 17;  // not a multiple of the tile size
   stage.frame.lights.clear();
   EXPECT_TRUE(is_sound(stage.draw()));
-  stage.look_from({0.2f, 0.2f, 0.02f}, {0.2f, 0.3f, 0.02f});  // within the fur
+  stage.look_from({0.2f, 0.2f, 0.02f}, {0.2f, 0.3f, 0.02f});  // inside the fur
   EXPECT_TRUE(is_sound(stage.draw()));
-  stage.look_from({0.2f, 0.2f, 1}, {0.2f, 0.5f, 2});  // behind the camera
+  stage.look_from({0.2f, 0.2f, 1}, {0.2f, 0.5f, 2});  // with the lawn behind the camera
   EXPECT_EQ(mean(stage.draw(), 3), 0);
 }
 
@@ -212,7 +212,7 @@ TEST(Raster, IsSoundWithStrandsOfAnySize) {
       Stage stage;
       std::fill(stage.patch.length.begin(), stage.patch.length.end(), length);
       stage.grow();
-      stage.frame.camera.tan_half_fov *= size;  // a million pixels long at the least
+      stage.frame.camera.tan_half_fov *= size;  // at least a million pixels long
       EXPECT_TRUE(is_sound(stage.draw({1, 1}))) << length;
     }
   }
@@ -236,7 +236,7 @@ TEST(Raster, CurvesAreDrawnWholeHoweverFewStrandsAre) {
   for (const double y : {0.06, 0.1, 0.14, 0.18, 0.22, 0.26, 0.3, 0.34})
     whiskers.guides.push_back({.points = {{0.1, y, 0.01}, {0.3, y, 0.01}}, .normal = {0, 0, 1}});
   whiskers.width_root = whiskers.width_tip = 0.006, whiskers.root_colour = whiskers.tip_colour = glm::vec3(1, 0, 0);
-  const auto seen = [&](const RasterQuality& quality) {  // down the middle of the picture
+  const auto seen = [&](const RasterQuality& quality) {  // counts curves down the middle of the picture
     const FloatImage image = stage.draw(quality);
     EXPECT_TRUE(is_sound(image));
     int count = 0;
@@ -285,13 +285,13 @@ TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
   stage.frame.eyes = {eye};
   EXPECT_EQ(stage.draw({1000, 1}).rgba, none.rgba);  // under the skin
   RasterCounts open, hidden;
-  stage.frame.eyes[0].position = {0.2f, -0.1f, 0.3f};  // between lawn and camera
+  stage.frame.eyes[0].position = {0.2f, -0.1f, 0.3f};  // between the lawn and the camera
   stage.draw({1000, 1}, 2, &hidden);
   stage.frame.eyes.clear();
   stage.draw({1000, 1}, 2, &open);
   EXPECT_LT(hidden.placed, open.placed);
   stage.frame.eyes = {eye};
-  stage.frame.eyes[0].position = {0.42f, 0.2f, 0.1f};  // partly before nothing
+  stage.frame.eyes[0].position = {0.42f, 0.2f, 0.1f};  // partly in front of nothing
   const FloatImage seen = stage.draw({1000, 1}), again = stage.draw({1000, 1}, 7);
   EXPECT_TRUE(is_sound(seen));
   EXPECT_EQ(seen.rgba, again.rgba);
@@ -309,7 +309,7 @@ TEST(Raster, SkinWithoutFurShowsTheModelsPicture) {
   std::fill(stage.patch.length.begin(), stage.patch.length.end(), 0.0f);
   stage.patch.images = {{2, 1, red_and_blue}};
   for (auto& corners : stage.patch.corners)
-    for (FurCorner& corner : corners) corner.image = 0, corner.image_uv.x *= 2.5f;  // once over the lawn
+    for (FurCorner& corner : corners) corner.image = 0, corner.image_uv.x *= 2.5f;  // one repeat across the lawn
   FurModel model = stage.patch.model();
   model.has_colours = true;
   stage.recipe.model_colours = true;
@@ -353,7 +353,7 @@ TEST(Raster, BareSkinHasTheColourOfItsRegion) {
   EXPECT_EQ(middle.a, 1);
 }
 
-/// The lawn as a wall on the ground, seen from above.
+/// The lawn as a wall that stands on the ground, seen from above.
 struct Wall : Stage {
   Wall() {
     look_from({0.2f, 3, 0.001f}, {0.2f, 0, 0});

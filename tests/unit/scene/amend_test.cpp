@@ -11,7 +11,7 @@ class AmendTest : public StoreTest {
     EXPECT_TRUE(answer.ok()) << answer.status().message << " " << answer.status().pointer;
     return answer.ok() ? *answer : CommandAnswer{};
   }
-  /// Refused, and nothing has changed.
+  /// Expects that the request is refused and changes nothing. Returns the refusal.
   Status refusal(Scene& scene, const AmendRequest& request, const ExecuteOptions& options = {}) const {
     const std::string log = encode(Log{scene.log()});
     const FieldsHash before = hash(scene);
@@ -21,7 +21,7 @@ class AmendTest : public StoreTest {
     EXPECT_FALSE(answer.ok());
     return answer.ok() ? Status{} : answer.status();
   }
-  /// What a fresh scene comes to by these steps.
+  /// The fields of a fresh scene after these steps.
   FieldsHash fresh(const std::vector<std::vector<Command>>& steps) const {
     const auto scene = make();
     for (const auto& step : steps) execute(*scene, step);

@@ -69,7 +69,7 @@ TEST_F(BranchTest, NeitherTouchesTheOther) {
   EXPECT_EQ(side->revision(), 2u);
   EXPECT_TRUE(store_->remove(scene->id()).ok());
   EXPECT_EQ(move(*side, Undo{}).fields_hash, begun);
-  open(0);  // of which no step stays in memory
+  open(0);  // keeps no step in memory
   const auto again = *store_->find(side->id());
   EXPECT_EQ(hash(*again), begun);
   EXPECT_EQ(move(*again, Undo{}).fields_hash, hash(*make()));
@@ -172,11 +172,11 @@ TEST(ChangeShares, AreOfWhatCountsAsMuch) {
   FieldSet from(5);
   for (std::uint32_t v = 0; v < 5; ++v) from.set(v, {{0.5f, 0}, 0.02f, 0});
   FieldSet to = from;
-  to.set(1, {{-0.5f, 0}, 0.02f, 0});                        // turned right over
-  to.set(2, {{0.5f, 0.25f}, 0.04f, 0});                     // half the longest fur, a quarter of direction
-  to.set(Field::width, 3, glm::vec4(2, 0, 0, 0));           // from 1 of 4
-  to.set(Field::root_colour, 3, glm::vec4(0.1f, 0, 0, 0));  // less than that
-  to.set(Field::stretch, 4, glm::vec4(1e-6f, 0, 0, 0));     // as good as nothing
+  to.set(1, {{-0.5f, 0}, 0.02f, 0});                        // turned to the opposite side
+  to.set(2, {{0.5f, 0.25f}, 0.04f, 0});                     // by half the longest fur, and by a quarter of a direction
+  to.set(Field::width, 3, glm::vec4(2, 0, 0, 0));           // by 1 of a range of 4
+  to.set(Field::root_colour, 3, glm::vec4(0.1f, 0, 0, 0));  // by less than the width
+  to.set(Field::stretch, 4, glm::vec4(1e-6f, 0, 0, 0));     // by almost nothing
   const std::vector<float> shares = change_shares(from, to);
   EXPECT_EQ(shares[0], 0);
   EXPECT_EQ(shares[1], 1);

@@ -8,7 +8,7 @@ namespace {
 
 class CancelTest : public StoreTest {
  protected:
-  /// A client that waits for as many questions.
+  /// A client that keeps waiting for `left` polls of the cancel, and counts the polls.
   struct Waiting {
     int left = std::numeric_limits<int>::max();
     int asked = 0;
@@ -36,7 +36,7 @@ TEST_F(CancelTest, WhereverItEndsNothingChanges) {
   ExecuteOptions dry = counted.options();
   dry.dry_run = true;
   ASSERT_TRUE(scene->execute(commands(*scene), dry).ok());
-  ASSERT_GT(counted.asked, 15);  // dabs, passes and images, not only commands
+  ASSERT_GT(counted.asked, 15);  // polled by dabs, passes and images, not only by commands
   for (int left = 0; left < counted.asked; ++left) {
     Waiting waiting{left};
     const Result<CommandAnswer> answer = scene->execute(commands(*scene), waiting.options());

@@ -16,12 +16,13 @@ class CheckCostTest : public StoreTest {
     set.symmetry.count = 16;
     return set;
   }
-  /// What is not refused before it begins ends at its first question, so that a missing check does not take minutes.
+  /// Starts commands. If they are not refused, they are cancelled at a poll, so that a missing check does not take
+  /// minutes.
   static Result<CommandAnswer> begin(Scene& scene, const std::vector<Command>& commands) {
     const auto admitted = std::make_shared<std::atomic<bool>>(false);
     return scene.execute(commands, {.cancel = Cancel([admitted] { return admitted->exchange(true); })});
   }
-  /// 5,000 samples, there and back, with distance along the surface.
+  /// A stroke of 5,000 samples back and forth, with falloff along the surface.
   static Comb heavy(const Scene& scene) {
     Comb comb = comb_at(scene, 0);
     comb.brush.falloff_shape = FalloffShape::surface;

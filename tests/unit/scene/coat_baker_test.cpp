@@ -40,7 +40,7 @@ TEST(CoatBaker, BakesOnceForAllWhoAsk) {
 TEST(CoatBaker, EndsWhenItsLastHandleGoes) {
   CoatBaker baker(1, no_bound, [] {});
   CoatBaker::Handle first = baker.ask(coat_of(0.05)), second = first;
-  const CoatBaker::Handle other = baker.ask(coat_of(0.06));  // waits for the first
+  const CoatBaker::Handle other = baker.ask(coat_of(0.06));  // waits for the first one to end
   first.reset();
   std::this_thread::sleep_for(50ms);
   EXPECT_FALSE(second->settled() && !second->slices()) << "somebody still waits for it";

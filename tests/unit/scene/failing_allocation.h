@@ -1,12 +1,12 @@
-// Memory that runs out when a test says so.
+// Lets one memory allocation fail on demand.
 #pragma once
 
 #include <cstddef>
 
 namespace pelage {
 
-/// While it lives, the allocation of this number (from 0) that its thread makes with operator new throws
-/// std::bad_alloc; those before and after it succeed. One at a time for each thread.
+/// While it exists, one allocation with operator new on its thread throws std::bad_alloc: the one with this number,
+/// counted from 0. All others succeed. At most one per thread.
 class FailingAllocation {
  public:
   explicit FailingAllocation(std::size_t number);
@@ -14,7 +14,7 @@ class FailingAllocation {
   FailingAllocation(const FailingAllocation&) = delete;
   FailingAllocation& operator=(const FailingAllocation&) = delete;
 
-  /// Whether there were enough allocations for one to fail.
+  /// Returns whether there were enough allocations for one to fail.
   bool failed() const;
 };
 

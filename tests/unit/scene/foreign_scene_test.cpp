@@ -1,4 +1,4 @@
-// Scenes that no command could have made: each is refused with its reason, and the true one is not.
+// Untrusted scenes that no command could have made are each refused with a reason; a genuine one is accepted.
 #include "server/scene/foreign_scene.h"
 
 #include <functional>
@@ -11,7 +11,7 @@
 namespace pelage::foreign_scene_test {
 namespace {
 
-const std::string nothing = encode(std::vector<Command>{SetSymmetry{}});  // commands that change no field
+const std::string nothing = encode(std::vector<Command>{SetSymmetry{}});  // the JSON of commands that change no field
 
 class ForeignScene : public StoreTest {
  protected:
@@ -34,7 +34,7 @@ class ForeignScene : public StoreTest {
     for (const Entry& entry : entries_) fields_.apply(entry.delta);
   }
 
-  /// What there is against the scene as it stands in a file of its own.
+  /// Saves the scene as it is now to its own file. Returns why it is refused, or "".
   std::string refusal(const std::vector<std::string>& pictures = {}) {
     const std::string path = (folder_ / ("file" + std::to_string(++files_))).string();
     const auto file = Journal::open(path);
@@ -44,7 +44,7 @@ class ForeignScene : public StoreTest {
     return check_foreign(**file, stored_, *scene_->model()).message;
   }
 
-  /// An entry more, of its commands, that sets the number at a vertex.
+  /// Appends an entry with these commands that sets a field at one vertex.
   Entry& add(EntryKind kind, std::string commands, Field field = Field::length, glm::vec4 value = {0.5f, 0, 0, 0}) {
     FieldDelta delta;
     FieldDelta::Part part{field, {}, {}};

@@ -1,4 +1,4 @@
-// What a shutter sees while a scene moves.
+// The mean picture over a shutter interval while a scene moves.
 #include <gtest/gtest.h>
 
 #include <memory>

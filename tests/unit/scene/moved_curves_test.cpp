@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// Straight up, and bent to the side.
+/// A straight whisker and one bent to the side.
 FurCurves whiskers() {
   FurCurves curves;
   curves.guides.push_back({.points = {{0, 0, 0}, {0, 0.05, 0}, {0, 0.1, 0}}});

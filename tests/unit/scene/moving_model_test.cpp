@@ -1,4 +1,4 @@
-// A scene's model elsewhere, with its groom and what stands on it.
+// A scene's model in another pose, with its groom and what stands on it.
 #include "server/scene/moving_model.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,4 +1,4 @@
-// A groom that goes over to a new version of its model.
+// Transfers a groom to a new version of its model.
 #include "server/scene/new_version.h"
 
 #include "server/groom/retarget.h"
@@ -10,7 +10,7 @@ namespace {
 
 class NewVersion : public StoreTest {};
 
-/// Where the fur of a vertex leans, in the room.
+/// The lean of a vertex's fur as a vector in space.
 glm::dvec3 lean(const Mesh& mesh, const FieldSet& fields, std::uint32_t v) {
   const glm::dvec2 direction(fields.value(Field::direction, v));
   const glm::dvec3 normal(mesh.normals[v]), tangent(mesh.tangents[v]);

@@ -1,4 +1,4 @@
-// Whoever reads a scene waits for nobody who changes, exports or syncs it.
+// Readers of a scene never wait for those who change, export or sync it.
 #include <chrono>
 #include <functional>
 #include <future>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::expect_ends, testing::hang_guard, testing::Held, testing::that_waits;
 
-/// All that clients read of a scene as it is.
+/// Reads everything that clients read of a scene's current state.
 void expect_read(Scene& scene, Revision revision) {
   expect_ends("a reader", [&] {
     EXPECT_EQ(scene.snapshot()->revision, revision);
@@ -78,7 +78,7 @@ TEST_F(NobodyWaits, WhileASceneIsExported) {
   Held copy([&](const std::function<void()>& middle) {
     const Result<Revision> saved = store_->save(*scene_, file, that_waits(middle, 0));
     EXPECT_TRUE(saved.ok());
-    EXPECT_EQ(*saved, 1u);  // as it was at the beginning
+    EXPECT_EQ(*saved, 1u);  // the state when the export began
   });
   expect_all_read();
   execute(*other_, {comb_at(*other_, 5)});
@@ -124,7 +124,7 @@ TEST_F(NobodyWaits, NoMoreChangesWaitThanMayAndAllAreMade) {
   EXPECT_EQ(scene_->revision(), 2 + ChangeTurns::max_waiting);
 }
 
-/// A journal whose lock a slow sync holds: another scene is copied into it, and the copy goes no further.
+/// A slow sync holds a journal's lock while another scene is copied into it; only changes wait for it.
 TEST(NobodyWaitsForASync, OfTheirSceneOrAnother) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "pelage_slow_sync";
   std::filesystem::remove_all(folder);

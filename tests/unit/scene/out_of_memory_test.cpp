@@ -1,4 +1,4 @@
-// When memory runs out in the middle of a change, the scene is as it was before, and so is its store.
+// If memory runs out in the middle of a change, the scene and its store stay as they were.
 #include <functional>
 #include <ostream>
 
@@ -12,7 +12,7 @@ class OutOfMemory : public StoreTest {
  protected:
   static constexpr std::size_t rounds_between_openings = 500;
 
-  /// What a client sees of a scene.
+  /// The state of a scene that a client sees.
   struct Seen {
     Revision revision;
     FieldsHash hash;
@@ -40,7 +40,7 @@ class OutOfMemory : public StoreTest {
     return store_ ? *store_->find(id) : nullptr;
   }
 
-  /// Fails each allocation of a change in turn until the change succeeds.
+  /// Fails each allocation of a change in turn, until the change succeeds.
   void fail_each_allocation(const std::function<Result<CommandAnswer>(Scene&)>& change) {
     const Seen before = seen(*scene_);
     for (std::size_t number = 0;; ++number) {
@@ -67,7 +67,7 @@ class OutOfMemory : public StoreTest {
     EXPECT_EQ(seen(*scene_), after);
   }
 
-  /// Commands of many kinds: tools, an edit layer, settings and a picture of all directions.
+  /// Commands of many kinds: tools, an edit layer, settings and an environment picture.
   std::vector<Command> batch() const {
     Length shorter;
     shorter.stroke = stroke_at(*scene_, 9);

@@ -1,4 +1,4 @@
-// Copies of scenes at earlier revisions: what they show, how long they are kept, and when they go.
+// Copies of scenes at earlier revisions: what they show, how long they are cached, and when they are evicted.
 #include "server/frames/past_scenes.h"
 
 #include <thread>
@@ -17,7 +17,7 @@ class PastScenesTest : public StoreTest {
     return copy.ok() ? *copy : nullptr;
   }
   static std::uint64_t present(const Scene& scene) { return scene.memory().copy_id; }
-  /// At revision 3.
+  /// A scene at revision 3.
   std::shared_ptr<Scene> groomed() const {
     const auto scene = make();
     execute(*scene, {comb_at(*scene, 5)});

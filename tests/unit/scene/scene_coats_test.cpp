@@ -1,4 +1,4 @@
-// Coats in a scene: grooming one of several, undo, restarts, the log, other meshes.
+// Coats in a scene: grooming one of several, undo, restarts, the log, subdivided and turned models.
 #include "server/fields/coats.h"
 #include "server/scene/scene.h"
 #include "tests/unit/scene/store_fixture.h"
@@ -17,7 +17,7 @@ class SceneCoatsTest : public StoreTest {
     return comb;
   }
   static std::vector<NamedCoat> coats(const Scene& scene) { return scene.settings()->settings.coats; }
-  /// The largest change of a coat's direction between two scenes of one model.
+  /// The largest difference of a coat's direction between two scenes of one model.
   static double turned(const Scene& a, const Scene& b, CoatId coat) {
     double largest = 0;
     const FieldSet one = a.snapshot()->fields->of_coat(coat), two = b.snapshot()->fields->of_coat(coat);

@@ -1,4 +1,4 @@
-// Edit layers in a scene: which edit layer a command goes to, undo, the log, live strokes, symmetry, erase.
+// Edit layers in a scene: target of a command, undo, the log, live strokes, symmetry, erase.
 #include "server/scene/scene.h"
 #include "tests/unit/scene/store_fixture.h"
 
@@ -22,7 +22,7 @@ class SceneEditLayersTest : public StoreTest {
     comb.edit_layer = layer;
     return comb;
   }
-  /// The largest difference of a field that is seen, in its unit.
+  /// The largest difference of a resulting field between two scenes, in the field's unit.
   static double distance(const Scene& a, const Scene& b, Field field) {
     double largest = 0;
     const auto one = a.snapshot()->fields, two = b.snapshot()->fields;

@@ -1,4 +1,4 @@
-// Scenes that are evicted for others and opened again.
+// Scenes that are evicted for others and reopened.
 #include <algorithm>
 #include <future>
 #include <map>
@@ -11,14 +11,14 @@ namespace {
 
 class SceneMemoryTest : public StoreTest {
  protected:
-  /// A scene that nobody holds, with two steps.
+  /// Makes a scene with two steps that nobody holds. Returns its id.
   std::string make_groomed(std::size_t seed = 5) const {
     const auto scene = make();
     execute(*scene, {comb_at(*scene, seed)});
     execute(*scene, {comb_at(*scene, seed + 40)});
     return scene->id();
   }
-  /// Room for so many scenes of that kind.
+  /// Reopens the store with room for this number of such scenes.
   void open_for(std::size_t scenes) {
     const std::string id = make_groomed();
     const std::size_t bytes = store_->memory().bytes;
@@ -63,7 +63,7 @@ TEST_F(SceneMemoryTest, TheRenderersCopiesCount) {
   EXPECT_EQ(store_->memory().open, 2u);
   const auto copy_of = [&](const std::string& id) { return (*store_->find(id))->memory().copy_id; };
   const std::uint64_t first = copy_of(a), second = copy_of(b);
-  copies = {{first, bare}, {second, bare}};  // both were drawn
+  copies = {{first, bare}, {second, bare}};  // as if both were drawn
   EXPECT_EQ(store_->memory().copies, 2 * bare);
   EXPECT_EQ(store_->memory().bytes, 3 * bare);
   use(b);

@@ -175,7 +175,7 @@ TEST_F(SceneStoreTest, BareSkinFarFromTheModelIsRefused) {
 TEST_F(SceneStoreTest, WhatWasAnsweredIsOnDiskWhenTheServerIsKilled) {
   const auto scene = make();
   for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 10 * i)});
-  // What is on disk now is all that a killed server leaves.
+  // A copy of the files is all that a killed server leaves.
   const std::filesystem::path left = folder_.string() + "_left";
   std::filesystem::remove_all(left);
   std::filesystem::copy(folder_, left);

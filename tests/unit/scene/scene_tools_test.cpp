@@ -1,4 +1,4 @@
-// What tools need a scene for: checkpoints, winds and sticks that stay, symmetry, differences of revisions.
+// Tools that need a scene: checkpoints, persistent blowers and attractors, symmetry, differences of revisions.
 #include "server/scene/scene.h"
 #include "tests/unit/scene/store_fixture.h"
 

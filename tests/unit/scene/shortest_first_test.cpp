@@ -43,7 +43,7 @@ TEST(ShortestFirst, ALongOneDoesNotStarve) {
     if (queue.take()->job == "long") break;
     ++served;
   }
-  EXPECT_EQ(served, 792);  // until one was due when it was
+  EXPECT_EQ(served, 792);  // then the long one has waited long enough
 }
 
 TEST(ShortestFirst, LetsInWhatIsShortBesideARunningOne) {
@@ -55,7 +55,7 @@ TEST(ShortestFirst, LetsInWhatIsShortBesideARunningOne) {
   queue.add("late", 1, 3);
   const auto may = [](const std::string& job) { return job != "barred"; };
   EXPECT_EQ(queue.take_beside(100, pause, may)->job, "short");
-  EXPECT_FALSE(queue.take_beside(100, pause, may));  // so the running one goes on
+  EXPECT_FALSE(queue.take_beside(100, pause, may));  // so the running job goes on
   EXPECT_EQ(queue.take_beside(100, queue.moment(), may)->job, "late");
   EXPECT_EQ(queue.size(), 2u);
 }

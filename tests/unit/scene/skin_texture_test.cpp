@@ -1,4 +1,4 @@
-// Pictures on models: named in the log, kept in the journal, undone like everything else.
+// Skin textures of scenes: named in the log, stored in the journal, undone like every change.
 #include "protocol/json/names.h"
 #include "server/builtin/builtin.h"
 #include "server/history/journal.h"
@@ -27,7 +27,7 @@ class SkinTextureTest : public StoreTest {
     EXPECT_TRUE(scene->replace_model(*model, {}, stored).ok());
     return scene;
   }
-  /// The bytes of the picture that frames of the scene take; empty for the model's own colours.
+  /// The bytes of the skin texture that frames of the scene use; empty for the model's own colours.
   static std::vector<std::uint8_t> picture_of(const Scene& scene) {
     std::vector<std::uint8_t> bytes;
     const SnapshotPtr now = scene.snapshot();

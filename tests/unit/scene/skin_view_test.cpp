@@ -41,7 +41,7 @@ TEST(SkinView, FacingIsACone) {
   EXPECT_NEAR(made(region).cosine_none, 0, 1e-12);
   expect_near(made(region).facing, {0, 1, 0});
   region.facing->angle_degrees = 180;
-  EXPECT_LT(made(region).cosine_whole, -1);  // a rounded normal too
+  EXPECT_LT(made(region).cosine_whole, -1);  // accepts a rounded normal too
   region.facing.reset();
   EXPECT_LT(made(region).cosine_whole, -1);
 }

@@ -1,4 +1,4 @@
-// A store of scenes in a folder of its own, and commands for it.
+// A fixture with a scene store in a temporary folder, and commands for its scenes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class StoreTest : public ::testing::Test {
 
   static FieldsHash hash(const Scene& scene) { return scene.summary().fields_hash; }
 
-  /// A place of the surface in model coordinates.
+  /// A vertex's position in model coordinates.
   static glm::dvec3 place(const Scene& scene, std::size_t vertex) {
     glm::dvec3 found{};
     const SnapshotPtr now = scene.snapshot();

@@ -1,4 +1,4 @@
-// Finer triangles, other scenes' fields and logs for other models, over restarts.
+// Subdivision, retargeting of other scenes' fields, and logs for other models, across restarts.
 #include <cmath>
 
 #include "server/builtin/builtin.h"

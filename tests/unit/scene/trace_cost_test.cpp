@@ -13,7 +13,7 @@ FrameRequest strands_of(int size, int passes) {
   return request;
 }
 
-/// Of a probe of 2 passes.
+/// The report of a probe of 2 passes.
 TraceReport report() {
   TraceReport report;
   report.grow_ms = 500, report.trace_ms = 40;

@@ -12,16 +12,16 @@ namespace {
 using namespace std::chrono_literals;
 using Picture = Result<std::shared_ptr<const LinearPicture>>;
 
-/// What the fake tracer is told to do, and what it has done.
+/// Controls the fake tracer, and counts what it has done.
 struct Stage {
-  std::atomic<int> allowed{1'000'000};  // passes of all jobs before it waits
+  std::atomic<int> allowed{1'000'000};  // passes of all jobs before it blocks
   std::atomic<bool> refuses{false};
   std::atomic<int> begun{0}, resumed{0}, passes{0};
   std::mutex mutex;
-  std::vector<std::string> views;  // in the order they were begun in
+  std::vector<std::string> views;  // in the order in which they were begun
 };
 
-/// Passes take a millisecond, and ask to go on every tenth of one.
+/// A tracer whose passes take a millisecond and poll go_on every tenth of it.
 class FakeTracer : public PictureTracer {
  public:
   explicit FakeTracer(Stage& stage) : stage_(stage) {}
@@ -81,7 +81,7 @@ class TraceQueueTest : public StoreTest {
     return limits;
   }
   void TearDown() override {
-    queue_.reset();  // before the store, whose scenes it holds
+    queue_.reset();  // before the store, since it holds the store's scenes
     StoreTest::TearDown();
   }
 
@@ -98,7 +98,7 @@ class TraceQueueTest : public StoreTest {
     request.knobs.trace.passes = passes;
     return request;
   }
-  /// A better picture, or none within some seconds: as a request that waits.
+  /// Returns a better picture, or none after some seconds, like a request that waits.
   std::optional<Picture> wait_better(const Scene& scene, const FrameRequest& request, SeenPicture seen,
                                      double seconds = 20) {
     scene.wait_newer(seen.revision, seconds, [&] { return queue_->better(scene, request, seen).has_value(); });
@@ -163,7 +163,7 @@ TEST_F(TraceQueueTest, ANewRevisionEndsAProgressivePicture) {
   execute(*scene, {comb_at(*scene, 5)});
   ASSERT_TRUE(soon([&] { return !queue_->better(*scene, request, {}); }));
   const int passes = stage_.passes;
-  ASSERT_TRUE(queue_->improve(scene, request, 0).ok());  // late: nothing comes of it
+  ASSERT_TRUE(queue_->improve(scene, request, 0).ok());  // an outdated revision, so it is ignored
   std::this_thread::sleep_for(50ms);
   EXPECT_LE(stage_.passes, passes + 1);
   EXPECT_EQ(stage_.begun, 1);
@@ -247,7 +247,7 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForIsDropped) {
   limits.idle_timeout = 200ms;
   ASSERT_TRUE(queue(limits).improve(scene, request, 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
-  for (int i = 0; i < 10; ++i) {  // asked for longer than idle_timeout lasts
+  for (int i = 0; i < 10; ++i) {  // polls for longer than idle_timeout
     std::this_thread::sleep_for(50ms);
     ASSERT_TRUE(queue_->improve(scene, request, 0).ok());
   }
@@ -270,14 +270,14 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
   EXPECT_TRUE(queue_->better(*scene, left, {})) << "nobody else waits";
   ASSERT_TRUE(queue_->improve(scene, next, 0).ok());
   EXPECT_TRUE(wait_better(*scene, next, {0, 1})) << "both have their turns while somebody looks";
-  const FrameRequest other = progressive(1'000'000, "other");  // which goes on
+  const FrameRequest other = progressive(1'000'000, "other");  // keeps tracing
   ASSERT_TRUE(queue_->improve(scene, other, 0).ok());
   const auto gone_unasked = [&] {
     for (int i = 0; i < 12; ++i) {
       std::this_thread::sleep_for(50ms);
       EXPECT_TRUE(queue_->improve(scene, other, 0).ok());
     }
-    return !queue_->better(*scene, left, {});  // which asks for it
+    return !queue_->better(*scene, left, {});  // asks for it at the same time
   };
   bool gone = false;
   for (int i = 0; i < 20 && !gone; ++i) gone = gone_unasked();
@@ -307,7 +307,7 @@ TEST_F(TraceQueueTest, TakesWhatWasAskedForLast) {
   ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
   for (const char* view : {"second", "third", "fourth"})
     ASSERT_TRUE(queue_->improve(scene, progressive(2, view), 0).ok());
-  ASSERT_TRUE(queue_->improve(scene, progressive(2, "second"), 0).ok());  // asked for again
+  ASSERT_TRUE(queue_->improve(scene, progressive(2, "second"), 0).ok());  // requested again, so it becomes the latest
   stage_.allowed = 1000;
   ASSERT_TRUE(soon([&] { return stage_.begun == 4; }));
   const std::lock_guard lock(stage_.mutex);
@@ -342,7 +342,7 @@ TEST_F(TraceQueueTest, PicturesThatAreTracedTogetherTakeTurns) {
     pictures.push_back(std::async(std::launch::async, [&] { return queue_->trace(scene, traced(256)); }));
     ASSERT_TRUE(soon([&] { return stage_.begun == 1; }));
   }
-  std::this_thread::sleep_for(50ms);  // until all wait
+  std::this_thread::sleep_for(50ms);  // until all are waiting
   stage_.allowed = 1'000'000;
   for (auto& picture : pictures) {
     const Picture traced_picture = picture.get();
@@ -372,7 +372,7 @@ TEST_F(TraceQueueTest, YieldsWhileAnyoneGoesFirst) {
   ASSERT_TRUE(soon([&] { return stage_.passes > 2; }));
   {
     const YieldGate::Turn turn = gate_.go_first();
-    std::this_thread::sleep_for(20ms);  // what had been let through
+    std::this_thread::sleep_for(20ms);  // lets a pass in progress end
     const int passes = stage_.passes;
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(stage_.passes, passes);
@@ -429,7 +429,7 @@ TEST_F(TraceQueueTest, BoundsTheNumberOfProgressivePictures) {
     ASSERT_TRUE(queue_->improve(scene, progressive(1, view), 0).ok());
     ASSERT_TRUE(wait_better(*scene, progressive(1, view), {}));
     ASSERT_TRUE(soon([&] { return queue_->counts().passes == stage_.passes.load() + 0u; }));
-    std::this_thread::sleep_for(20ms);  // until it has ended
+    std::this_thread::sleep_for(20ms);  // until the job has ended
   }
   EXPECT_FALSE(queue_->better(*scene, progressive(1, "a"), {}));
   EXPECT_TRUE(queue_->better(*scene, progressive(1, "b"), {}));
@@ -443,7 +443,7 @@ TEST_F(TraceQueueTest, StopsAtOnce) {
       std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   std::future<Picture> waiting = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(2)); });
-  const YieldGate::Turn turn = gate_.go_first();  // even what is held at the gate
+  const YieldGate::Turn turn = gate_.go_first();  // stop() also ends work that is held at the gate
   queue_->stop();
   EXPECT_EQ(running.get().status().code, Code::unavailable);
   EXPECT_EQ(waiting.get().status().code, Code::unavailable);

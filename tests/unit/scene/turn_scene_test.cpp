@@ -1,4 +1,4 @@
-// A model that is turned to stand another way, with its fur, over restarts.
+// A model that is rotated to another up and front, with its fur, across restarts.
 #include "server/scene/scene.h"
 #include "server/surface/prepare.h"
 #include "tests/unit/scene/store_fixture.h"
@@ -10,7 +10,7 @@ constexpr TurnModel lying{.up = Axis::plus_z, .front = Axis::minus_y};
 
 glm::dmat3 turn_of(const TurnModel& how) { return pelage::turn_of(how.up, how.front); }
 
-/// Where the fur at each vertex leans, in the room.
+/// The lean of the fur at each vertex as a vector in space.
 std::vector<glm::dvec3> leans(const Scene& scene) {
   const SnapshotPtr now = scene.snapshot();
   const Mesh& mesh = now->model->surface.mesh();

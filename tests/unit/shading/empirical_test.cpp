@@ -1,4 +1,4 @@
-// What the models without a fibre are made of.
+// The building blocks of the models without a fibre.
 #include "tests/double_shading/empirical.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(SinePower, KeepsItsDigitsWherePowDoesNot) {
   EXPECT_LT(ours, 1.5e-7);
 }
 
-/// science.md 4: pow is off by 4.5e-5 at n = 1e3 and 4e-2 at 1e6; the exponential stays below 1e-7.
+/// science.md 4: pow is off by 4.5e-5 at n = 1e3 and by 4e-2 at 1e6; the exponential's error stays below 1e-7.
 TEST(SinePower, PowIsOffByWhatScienceSays) {
   const auto largest_error = [](float n, bool naive) {
     double largest = 0;
@@ -41,7 +41,7 @@ TEST(SinePower, PowIsOffByWhatScienceSays) {
   for (const float n : {1e3f, 1e6f}) EXPECT_LT(largest_error(n, false), 1.2e-7) << n;
 }
 
-/// science.md 4: with T = H, 1 - d^2 is below 0 for a quarter of unit vectors in float.
+/// science.md 4: with T = H, 1 - d^2 is negative in float for a quarter of unit vectors.
 TEST(SinePower, OfADirectionWithItselfIsNothing) {
   Random random(3);
   int below = 0;

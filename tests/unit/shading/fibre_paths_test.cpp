@@ -1,4 +1,4 @@
-// The float form of energy_conserving against the double one, and its sampling against its density.
+// The float version of energy_conserving against the double one, and its sampling against its pdf.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ Inclination inclination_of(glm::vec3 rounded) {
   return {d.x, std::hypot(d.y, d.z)};
 }
 
-/// In double for the same rounded directions.
+/// The double value for the same rounded directions.
 double truth_of(const FibreLobes& lobes, glm::vec3 light, glm::vec3 eye, float h, float sigma_a) {
   const double azimuth = std::atan2(double(light.z), double(light.y)) - std::atan2(double(eye.z), double(eye.y));
   return scatter_at_offset(lobes, inclination_of(light), inclination_of(eye), azimuth, double(h), double(sigma_a));
@@ -88,7 +88,7 @@ TEST(FibrePaths, IsTheDoubleSumEverywhere) {
   EXPECT_GT(compared, 200000);
 }
 
-/// A number of the additive recurrence of Roberts 2018, four dimensions.
+/// A point of the four-dimensional additive recurrence of Roberts 2018.
 glm::vec4 numbers(int i) {
   const double root = 1.1673039782614187;
   glm::vec4 u;
@@ -101,7 +101,7 @@ glm::vec4 numbers(int i) {
   return u;
 }
 
-/// Over all directions, even in sin theta.
+/// Integrates over all directions, in even steps of sin theta.
 double over_directions(const std::function<double(glm::vec3)>& f) {
   constexpr int side = 600;
   double sum = 0;
@@ -209,7 +209,7 @@ TEST(FibrePaths, BlackFibreWithoutASurfaceAnswersNothing) {
 
 TEST(Fibre, LogisticIsSampledByItsInverse) {
   for (const double s : {1e-4, 0.02, 0.3, 4.0}) {
-    double below = 0;  // share up to a place, by quadrature over the widths that matter
+    double below = 0;  // cumulative distribution by quadrature, over the widths that matter
     const double edge = std::min(pi, 30 * s);
     for (int i = 0; i < 20000; ++i) {
       const double step = 2 * edge / 20000, x = -edge + (i + 0.5) * step;

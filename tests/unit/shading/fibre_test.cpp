@@ -1,4 +1,4 @@
-// The values of science.md 4 for the parts of a fibre model, at the digits given there.
+// The values of science.md 4 for the parts of a fibre model, to the digits given there.
 #include "renderer/shading/fibre.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Fibre, ScaledBesselAgreesWithTheLibrary) {
   }
 }
 
-/// Largest relative error of a float Mp over the values that are not lost in the tail.
+/// Largest relative error of Mp in float, over values that are not lost in the tail.
 double largest_float_error(double v) {
   double largest = 0;
   for (int i = -17; i <= 17; ++i) {
@@ -82,7 +82,7 @@ TEST(Fibre, LongitudinalInFloatKeepsItsDigits) {
   for (double v = 1e-7; v <= 10; v *= 1.5) EXPECT_LT(largest_float_error(v), 5e-6) << "v " << v;
 }
 
-/// The shortcut of public code: ten terms of I0 up to 12, one term of its logarithm's expansion above.
+/// The shortcut of published code: ten terms of I0 up to 12, one term of the expansion of its logarithm above.
 template <typename Real>
 Real shortcut(Real cos_in, Real cos_out, Real sin_in, Real sin_out, Real v) {
   const Real x = cos_in * cos_out / v, y = sin_in * sin_out / v;
@@ -147,7 +147,7 @@ TEST(Fibre, DarkerWithMoreAbsorption) {
   EXPECT_EQ(last[1], 0);
 }
 
-/// All light that a white fibre sends anywhere: the integral over the sphere of directions. Nothing in it is chance.
+/// All light that a white fibre scatters: the integral over the sphere of directions, by quadrature only.
 double furnace(const FibreLobes& lobes, const AzimuthalAverage& average, double theta_view) {
   const Inclination eye = inclination(theta_view);
   LobeValues around{};

@@ -76,7 +76,7 @@ TEST(KajiyaKay, IsOneInTheMirrorDirection) {
     look.specular_exponent = exponent;
     EXPECT_NEAR(scatter_kajiya_kay(look, {along, above, {.6, .8, 0}, {-.6, .8, 0}}, glm::dvec3(1)).r, 1, 1e-9);
   }
-  look.specular_exponent = 1;  // on the side of the light: the base that a wrong sign gives in the mirror direction
+  look.specular_exponent = 1;  // on the light's side: the base that a wrong sign gives in the mirror direction
   EXPECT_NEAR(scatter_kajiya_kay(look, {along, above, {.6, .8, 0}, {.6, .8, 0}}, glm::dvec3(1)).r, .28, 1e-14);
 }
 
@@ -108,7 +108,7 @@ TEST(Scheuermann, DiffuseWrapsAndTheSecondLobeIsColoured) {
   EXPECT_NEAR(second.b / second.r, 2, 1e-12);
 }
 
-/// To the same side as Marschner's R for a positive shift, and TRT for a negative one.
+/// A positive shift moves the highlight to the same side as Marschner's R, a negative one as TRT.
 TEST(Scheuermann, ShiftMovesTheHighlight) {
   Look look;
   look.shading = ShadingModel::scheuermann;
@@ -153,8 +153,8 @@ TEST(Marschner, EnergyIsNotConserved) {
   }
 }
 
-/// science.md 4: beta_TT = beta_R / 2, beta_TRT = 2 beta_R; the tilt of R here is a positive turn about the axis of
-/// fibre.h, and TT and TRT have -1/2 and -3/2 of it.
+/// science.md 4: beta_TT = beta_R / 2, beta_TRT = 2 beta_R. The tilt of R is a positive rotation about the axis of
+/// fibre.h; TT and TRT have -1/2 and -3/2 of it.
 TEST(Marschner, LobesHaveThePublishedRatios) {
   FibreOptics fibre;
   fibre.highlight_width = 8, fibre.cuticle_tilt = 6;
@@ -163,7 +163,7 @@ TEST(Marschner, LobesHaveThePublishedRatios) {
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_NEAR(lobes.width[p], widths[p] * degree, 1e-15);
     EXPECT_NEAR(lobes.centre[p], centres[p] * degree, 1e-15);
-    const double at = lobes.centre[p];  // theta_h where both inclinations are this
+    const double at = lobes.centre[p];  // theta_h if both inclinations are this
     const auto m = [&](double theta) {
       const Inclination both{std::sin(theta), std::cos(theta)};
       return marschner_longitudinal(lobes, both, both)[p];
@@ -173,8 +173,8 @@ TEST(Marschner, LobesHaveThePublishedRatios) {
   }
 }
 
-/// The Gaussian of M in a table of `side`^2 over both sines, bilinear, as the survey packs it: the largest error beyond
-/// 60 degrees over the peak.
+/// Largest error beyond 60 degrees, over the peak, of M's Gaussian in a bilinear table of `side`^2 entries over both
+/// sines, as the survey packs it.
 double error_of_table(double width, double centre, int side) {
   const auto value = [&](double light, double eye) {
     const double off = (std::asin(light) + std::asin(eye)) / 2 - centre;
@@ -195,7 +195,8 @@ double error_of_table(double width, double centre, int side) {
   return largest;
 }
 
-/// Why M is computed and not read from a table: science.md 4 has 13% and 24% beyond 60 degrees, at a width of its own.
+/// Shows why M is not read from a table: science.md 4 states errors of 13% and 24% beyond 60 degrees, for another
+/// width.
 TEST(Marschner, ATableOfMWouldNotDo) {
   const MarschnerLobes lobes = marschner_lobes(FibreOptics());
   const double reflected = error_of_table(lobes.width[0], lobes.centre[0], 128);
@@ -206,7 +207,7 @@ TEST(Marschner, ATableOfMWouldNotDo) {
   EXPECT_LT(transmitted, 0.4);
 }
 
-/// Nothing is lost around the strand: R, TT and TRT of a clear fibre add up to 1 less the longer paths.
+/// Around the strand no energy is lost: R, TT and TRT of a clear fibre add up to 1 minus the longer paths.
 TEST(Marschner, AroundTheStrandEnergyIsKept) {
   const FibreOptics fibre;
   const AzimuthalAverage average(ShadingModel::marschner, fibre);
@@ -223,7 +224,7 @@ TEST(Marschner, AroundTheStrandEnergyIsKept) {
   }
 }
 
-/// The closed form of NR is what the average over h gives for a narrow distribution.
+/// The closed form of NR agrees with the average over h for a narrow distribution.
 TEST(Marschner, ReflectionAgreesWithTheAverage) {
   FibreOptics fibre;
   fibre.azimuthal_roughness = 0.09;
@@ -233,7 +234,7 @@ TEST(Marschner, ReflectionAgreesWithTheAverage) {
   }
 }
 
-/// The normals of the scales lean to the root, so reflected light turns there: by the same angle in both models. On a
+/// The cuticle's normals lean towards the root and turn reflected light there, by the same angle in both models. On a
 /// head of hair the white highlight is then seen nearer the tips.
 TEST(FibreShading, ReflectedLightTurnsToTheRoot) {
   for (const ShadingModel model : {ShadingModel::energy_conserving, ShadingModel::marschner}) {
@@ -252,7 +253,7 @@ TEST(FibreShading, ReflectedLightTurnsToTheRoot) {
   }
 }
 
-/// The offset of a hit: with h from the hit's normal, R peaks where a mirror with that normal would send the light.
+/// With h from a hit's normal, R peaks where a mirror with that normal would reflect the light.
 TEST(FibreShading, OffsetFromTheHit) {
   Look look;
   look.shading = ShadingModel::energy_conserving;

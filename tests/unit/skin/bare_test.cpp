@@ -25,7 +25,7 @@ TEST(BareSkin, IsWholeInsideAndEndsAtItsSoftness) {
   const FurSkinRegion region = ball(0.1, 0.5);
   EXPECT_EQ(at(region, 0), 1);
   EXPECT_EQ(at(region, 0.0999), 1);
-  EXPECT_NEAR(at(region, 0.125), 0.5, 1e-12);  // half-way of a smoothstep from 0.1 to 0.15
+  EXPECT_NEAR(at(region, 0.125), 0.5, 1e-12);  // halfway in a smoothstep from 0.1 to 0.15
   EXPECT_NEAR(at(region, 0.1125), 1 - 0.15625, 1e-12);
   EXPECT_NEAR(at(region, 0.1375), 0.15625, 1e-12);
   EXPECT_EQ(at(region, 0.1501), 0);

@@ -5,7 +5,7 @@
 namespace pelage {
 namespace {
 
-/// How often the areas hold each pixel of a picture.
+/// Counts how many areas contain each pixel.
 std::vector<int> counts(const std::vector<Area>& areas, int width, int height) {
   std::vector<int> result(static_cast<std::size_t>(width * height));
   for (const Area& area : areas) {

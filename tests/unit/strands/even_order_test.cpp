@@ -1,4 +1,4 @@
-// Strands in the order in which they are kept.
+// The order in which strands are kept when they are thinned.
 #include "renderer/strands/even_order.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Every row of science.md 7 that strands meet: what is traced is finite, or refused with a reason.
+// The rows of science.md 7 that concern strands: what is traced is finite, or refused with a reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void expect_sane(const Tracer& tracer) {
   }
 }
 
-/// One tracer for all pictures of a test, as a server has it.
+/// One tracer for all pictures of a test, as in a server.
 class Extremes : public ::testing::Test {
  protected:
   static FurFrame usual(Transport transport) {
@@ -61,7 +61,7 @@ TEST_F(Extremes, FoldedFieldsGiveSanePictures) {
     EXPECT_GT(trace(fur, usual(transport)).strands, 0u);
     fur.id = 2;
     for (std::size_t i = 0; i < fur.normals.size(); ++i) {
-      fur.normals[i] = i % 2 ? fur.normals[i] : -fur.normals[i];  // the skin folds too
+      fur.normals[i] = i % 2 ? fur.normals[i] : -fur.normals[i];  // folds the skin too
       if (i % 7 == 0) fur.tangents[i] = fur.normals[i];
     }
     trace(fur, usual(transport));
@@ -198,13 +198,13 @@ TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
       frame.camera.tan_half_fov = tan_half_fov;
       trace(looking(frame, {0, 0, 0.27f}, {0, 0, -1}));         // inside the fur
       trace(looking(frame, {0, 0, 0.25f}, {0, 0, -1}));         // on the skin
-      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));          // along it
+      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));          // along the skin
       trace(looking(frame, {0, 0, 0}, {0, 0, -1}));             // inside the body
       trace(looking(frame, knot(strands, 5, 0).place, along));  // inside a strand
       trace(looking(frame, tip(strands, 5).place + along, -along));
       trace(looking(frame, {0, 0, 1e6f}, {0, 0, -1}));
       trace(looking(frame, {0, -1e6f, 0}, {0, 1, 0}));
-      trace(looking(frame, {0, 1e20f, 1e20f}, {0, -1, -1}));  // beyond what Embree takes
+      trace(looking(frame, {0, 1e20f, 1e20f}, {0, -1, -1}));  // beyond Embree's range
       trace(looking(frame, {1e37f, 0, 0}, {-1, 0, 0}));
     }
   }
@@ -246,7 +246,7 @@ TEST_F(Extremes, EveryScatteringModelGivesSanePictures) {
 TEST_F(Extremes, EyesWhiskersAndBareSkinMayOverlap) {
   FurFrame frame = usual(Transport::transmittance);
   frame.eyes.resize(4);
-  frame.eyes[1].radius = 1e6f, frame.eyes[2].radius = 1e-6f;  // around everything, and nothing
+  frame.eyes[1].radius = 1e6f, frame.eyes[2].radius = 1e-6f;  // one around everything, and a tiny one
   frame.eyes[3].position = glm::vec3(1e30f);
   FurGuide whisker{.points = {{0, 0, 0}, {0, 0, 0.2}, {0, 0, 0.2}, {0, 0, 0.6}}};
   FurGuide dot{.points = {{0, 0, 0.3}, {0, 0, 0.3}}};

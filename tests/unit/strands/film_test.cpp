@@ -73,7 +73,7 @@ TEST(Film, PixelsWithoutHitsAreEmpty) {
     }
   }
   for (int i = 0; i < 3; ++i) film.add(0, 0, i == 0 ? hit(1) : FilmSample{});
-  EXPECT_EQ(pixel_of(film, Aov::depth).r, 0);  // covers less than half
+  EXPECT_EQ(pixel_of(film, Aov::depth).r, 0);  // fur covers less than half of the pixel
 }
 
 TEST(Film, TakesTheMemoryItSays) {
@@ -106,7 +106,7 @@ double shown(double linear) {
   return srgb_from_linear(film);
 }
 
-/// Samples about `mean` with a long tail: the mean of -log(u) is 1.
+/// Samples with mean `mean` and a long tail; the mean of -log(u) is 1.
 float sample_about(float mean, std::uint32_t pixel, std::uint32_t i) {
   const auto scrambled = [](std::uint32_t x) { return Sampler(x * 2654435761u, x ^ 0x55555u, 3).next(); };
   const float u = scrambled(pixel * 4096 + i);
@@ -142,8 +142,8 @@ TEST(Film, NoiseIsInfiniteUntilItIsKnown) {
       film.add(pixel % 20, pixel / 20, pixel < 16 ? hit(float(i)) : FilmSample{});
   }
   EXPECT_GT(film.noise(0, 0), 0);
-  EXPECT_EQ(film.noise(3, 0), 0);              // nothing seen there
-  EXPECT_EQ(film.noise(0), film.noise(0, 0));  // and it does not count
+  EXPECT_EQ(film.noise(3, 0), 0);              // nothing is seen there
+  EXPECT_EQ(film.noise(0), film.noise(0, 0));  // so it does not count in the mean
   const std::vector<Aov> alpha{Aov::alpha};
   EXPECT_TRUE(std::isinf(Film(4, 4, alpha, false).noise(0)));
 }

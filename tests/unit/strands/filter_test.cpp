@@ -29,8 +29,8 @@ Film film_of(const PixelLook& look, int samples, int width = side) {
   return film;
 }
 
-/// Striped fur: its colour changes each 16 pixels, its direction in the middle row, its distance at a step in x; the
-/// strands lie a little apart and the light on each is another.
+/// Striped fur: its colour changes every 16 pixels in y, its direction halfway across, and its distance halfway down.
+/// Distances within it vary a little, and light varies from strand to strand.
 FilmSample striped(int x, int y, Sampler& sampler) {
   const glm::vec2 u = sampler.next2(), v = sampler.next2();
   const bool dark = y / 16 % 2 == 1, turned = x >= side / 2, near = y >= side / 2;
@@ -41,7 +41,7 @@ FilmSample striped(int x, int y, Sampler& sampler) {
   s.normal = {0, 0, 1};
   s.over_depth = (near ? 0.5f : 0.4f) + 0.002f * v.y;
   const float light = (turned ? 1.0f : 0.4f) * (near ? 1.0f : 0.5f);
-  s.radiance = s.albedo * light * -std::log(1 - u.x);  // mean 1, as spread as its mean
+  s.radiance = s.albedo * light * -std::log(1 - u.x);  // mean 1, standard deviation 1
   return s;
 }
 
@@ -60,7 +60,7 @@ struct Errors {
   double rmse = 0, at_edges = 0, mean = 0;
 };
 
-/// How far the mean over some pixels is from the truth, relative.
+/// Relative error of the mean over some pixels.
 double relative_error(const FloatImage& image, glm::ivec2 begin, glm::ivec2 end) {
   double found = 0, truth = 0;
   for (int y = begin.y; y < end.y; ++y) {
@@ -69,7 +69,7 @@ double relative_error(const FloatImage& image, glm::ivec2 begin, glm::ivec2 end)
   return found / truth - 1;
 }
 
-/// At edges: of the pixels that lie along one.
+/// Errors of the picture; `at_edges` is over pixels along an edge.
 Errors errors_of(const FloatImage& image) {
   Errors errors;
   for (int y = 0; y < side; ++y) {
@@ -101,7 +101,7 @@ TEST(Filter, HalvesTheErrorOfFewSamplesAndKeepsEdges) {
   }
 }
 
-/// Of strands at any height the deep ones are dark in colour and in light, and rare.
+/// Strands at random heights: deep ones are dark in colour and in light, and rare.
 FilmSample deep(int, int, Sampler& sampler) {
   const glm::vec2 u = sampler.next2(), v = sampler.next2();
   const float height = 1 - u.x * u.x;
@@ -154,7 +154,7 @@ TEST(Filter, NothingIsLeftOfItAtSixtyFourSamples) {
   EXPECT_EQ(film.aov(Aov::beauty, true).rgba, film.aov(Aov::beauty, false).rgba);
 }
 
-/// A ball over a ground with a soft shadow, in front of nothing; the silhouette is what covers a pixel by chance.
+/// A ball over a ground with a soft shadow, in front of nothing; pixels at the silhouette are covered at random.
 FilmSample ball(int x, int y, Sampler& sampler) {
   const float away = std::hypot(float(x) - 47.5f, float(y) - 47.5f) - 30;
   const glm::vec2 u = sampler.next2();
@@ -195,7 +195,7 @@ TEST(Filter, MixesNothingIntoWhatIsEmpty) {
       }
     }
   }
-  EXPECT_LT(spread, 0.12);  // of the ground, 0.25 before
+  EXPECT_LT(spread, 0.12);  // error of the ground; 0.25 unfiltered
   for (int c = 0; c < 4; ++c) EXPECT_NEAR(sum_after[c] / sum_before[c], 1, 0.01) << c;
 }
 

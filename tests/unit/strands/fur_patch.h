@@ -1,5 +1,5 @@
-// A level patch of fur for tests: n x n quads over a square in the plane z = 0, normals up, tangents and the tile's u
-// along x, the place itself as the place on the tile.
+// A level patch of fur for tests: n x n quads over a square in the plane z = 0. Normals point up, tangents and the
+// tile's u are along x, and positions are also the positions on the tile.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ struct FurPatch {
 
   std::uint64_t id = 1;
   std::vector<glm::vec3> positions, normals, tangents;
-  std::vector<glm::vec3> rest_positions, rest_normals;  // of a patch that has moved
+  std::vector<glm::vec3> rest_positions, rest_normals;  // set for a patch that has moved
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<FurCorner, 3>> corners;
   std::vector<ImageView> images;
@@ -81,9 +81,9 @@ inline const StrandPoint& knot(const StrandSet& set, std::size_t strand, int k) 
 }
 inline const StrandPoint& tip(const StrandSet& set, std::size_t strand) { return knot(set, strand, set.segments); }
 
-/// All that there is of each strand as words, sorted: equal for the same strands in any order.
+/// All data of each strand as words, sorted: equal for the same strands in any order.
 std::vector<std::vector<std::uint32_t>> sorted_strands(const StrandSet& set);
-/// Strands of `part` that are in `whole`, bit for bit.
+/// Number of strands of `part` that are in `whole`, bit for bit.
 std::size_t count_shared(const StrandSet& part, const StrandSet& whole);
 
 }  // namespace pelage

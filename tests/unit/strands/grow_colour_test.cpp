@@ -1,4 +1,4 @@
-// The colours of grown strands beside the formulas of the shaders.
+// The colours of grown strands against the formulas of the shaders.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ TEST(GrowColour, MeanStrandsVaryAsTheirPlaceDoes) {
 }
 
 TEST(GrowColour, ModelGivesTheHue) {
-  // Two texels: a red and a blue one; half grey vertex colours.
+  // A red and a blue texel; half-grey vertex colours.
   const std::vector<std::uint8_t> pixels{255, 0, 0, 255, 0, 0, 128, 255};
   FurPatch patch(0.12);
   patch.images = {{2, 1, pixels}};
@@ -100,7 +100,7 @@ TEST(GrowColour, PicturesHaveVUp) {
   expect_colour(colour_of(patch.grow({plain_coat(50), true}), 0, 0), glm::vec3(1.2f));
 }
 
-/// The colour of a strand whose root stands there and that would be `base` without a pattern.
+/// Colour of a strand with its root at a point, which would be `base` without a pattern.
 glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
   const glm::vec4 varied = pattern_variation(block, place);
   return with_weights(block, pattern_weights(block, place, normal), base) *
@@ -126,7 +126,7 @@ TEST(GrowColour, PaintLiesOverIt) {
   FurPatch patch(0.12);
   const std::vector<glm::vec4> root(4, glm::vec4(1, 0, 0, 1)), tip_paint(4, glm::vec4(0, 0, 1, 0.5f));
   patch.paint.root_colour = root, patch.paint.tip_colour = tip_paint;
-  const Coat coat = plain_coat(50);  // all strands alike, so that none is lighter than the mean
+  const Coat coat = plain_coat(50);  // all strands are alike, so that none is lighter than the mean
   const StrandSet set = patch.grow({coat});
   expect_colour(colour_of(set, 0, 0), {1, 0, 0});
   expect_colour(colour_of(set, 0, 6), coat.ramp[0].colour * 0.5f + glm::vec3(0, 0, 0.5f));

@@ -1,4 +1,4 @@
-// How strands stand: beside the lean curve, the slices and the formulas of the shaders.
+// The shape of grown strands, against the lean curve, the slices and the formulas of the shaders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(GrowForm, FollowsTheLeanCurve) {
   }
 }
 
-/// Shells mix what the corners say: a place halfway between them is halfway between the strands there.
+/// Between corners, strands are interpolated as shells are: halfway between two corners the tip is halfway too.
 TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
   GrowRecipe recipe{plain_coat(3000)};
   FurPatch patch(0.12, 1);
@@ -68,7 +68,7 @@ TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
   };
   for (std::size_t i = 0; i < set.count(); ++i) {
     const glm::dvec2 at = glm::dvec2(knot(set, i, 0).place) / static_cast<double>(patch.positions[3].x);
-    const bool lower = at.x > at.y;  // vertices 0 1 3, or 0 3 2
+    const bool lower = at.x > at.y;  // triangle of vertices 0 1 3, or 0 3 2
     const double third = std::min(at.x, at.y), second = std::abs(at.x - at.y);
     const glm::dvec3 expected =
         (1 - third - second) * corner_tip(0) + second * corner_tip(lower ? 1 : 2) + third * corner_tip(3);
@@ -79,7 +79,7 @@ TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
 TEST(GrowForm, OffsetsAreTheTiles) {
   Coat coat;
   coat.count = 300, coat.curl = 0.1, coat.wave = 0.1, coat.mess = 0.2, coat.fine_clump = 0.5, coat.wetness = 0.3;
-  FurPatch patch(0.12, 1, 0.2f);  // so long that nothing is limited
+  FurPatch patch(0.12, 1, 0.2f);  // so long that no offset is limited
   const std::vector<Strand> strands = make_strands(coat);
   const StrandSet set = patch.grow({coat});
   EXPECT_EQ(set.segments, 24);
@@ -101,7 +101,7 @@ TEST(GrowForm, TileAxesTurnOffsets) {
   coat.bend = 0.5;
   FurPatch patch(0.12, 1, 0.2f);
   for (auto& corners : patch.corners) {
-    for (FurCorner& corner : corners) corner.tile_axis = {0.0f, 0.8f, 0.6f};  // not quite along the skin
+    for (FurCorner& corner : corners) corner.tile_axis = {0.0f, 0.8f, 0.6f};  // not quite in the skin's plane
   }
   const StrandSet set = patch.grow({coat});
   const std::vector<Strand> strands = make_strands(coat);
@@ -171,7 +171,7 @@ TEST(GrowForm, PaintedCurl) {
       ASSERT_LT(glm::distance(more, glm::dvec3(expected, 0)), 5e-7) << k;
     }
   }
-  const std::vector<float> max(4, 0.9f);  // a coat curls by .5 at most
+  const std::vector<float> max(4, 0.9f);  // more than the maximum of .5
   patch.paint.curl = max;
   const StrandSet curliest = patch.grow({coat});
   EXPECT_NEAR(glm::distance(tip(curliest, 0).place, tip(own, 0).place), 0.4 * 0.03, 1e-6);
@@ -201,7 +201,7 @@ TEST(GrowForm, PaintedClumpAndWaterGather) {
   }
 }
 
-/// The place that the shader looks up for a strand's place is where the tile has it.
+/// The tile position that the shader looks up for a pulled strand is that of the strand before the pull.
 TEST(GrowForm, ShadersFindTheStrandThatWasPulled) {
   Coat coat = plain_coat(500);
   coat.bend = 0.4, coat.clump_size = 0.02;
@@ -238,7 +238,7 @@ TEST(GrowForm, TuftsGatherByTheirMiddle) {
   }
 }
 
-/// The patch elsewhere, turned, with what it was at rest.
+/// The patch moved and rotated, with its rest pose.
 FurPatch moved(const FurPatch& rest, const glm::mat3& by, glm::vec3 away) {
   FurPatch patch = rest;
   patch.rest_positions = rest.positions, patch.rest_normals = rest.normals;
@@ -265,7 +265,7 @@ TEST(GrowForm, PatternVariationAndTuftsGoAlongWithAModelThatMoves) {
   for (std::size_t i = 0; i < before.points.size(); ++i)
     ASSERT_LT(glm::distance(by * before.points[i].place + away, after.points[i].place), 1e-5f) << i;
   other.rest_positions.clear(), other.rest_normals.clear();
-  EXPECT_NE(other.grow({coat}).colours, before.colours);  // they would stand in space
+  EXPECT_NE(other.grow({coat}).colours, before.colours);  // without the rest pose the pattern stays in space
 }
 
 TEST(GrowForm, VariationChangesLengthAndLean) {
@@ -288,7 +288,7 @@ TEST(GrowForm, VariationChangesLengthAndLean) {
   EXPECT_GT(highest, 1.3 * lowest);
 }
 
-// Upright here, .8 to 1.25 of the fur's length, with a bow of up to bend + mess.
+// Guard hairs stand upright here, with .8 to 1.25 of the fur's length and a bow of up to bend + mess.
 TEST(GrowForm, GuardHairsReachBeyondTheFur) {
   Coat coat = plain_coat(2000);
   coat.bend = 0.2, coat.clump = 0.5, coat.length_spread = 0.5;
@@ -320,13 +320,13 @@ TEST(GrowForm, WidthIsPaintedAndWidened) {
     EXPECT_FLOAT_EQ(set.points[i].radius, 1.5f * own.points[i].radius);
 }
 
-/// Which share of each texel of a slice strands cover at a height, on a finer grid.
+/// Coverage of each texel of a slice by the strands at a height, supersampled.
 std::vector<float> rasterised(const StrandSet& set, double s, double tile) {
   constexpr int finer = 4, side = slice_texels * finer;
   std::vector<std::uint8_t> covered(static_cast<std::size_t>(side) * side);
   for (std::size_t i = 0; i < set.count(); ++i) {
     const double reach = set.roots[i].reach, at = std::min(1.0, s / reach) * set.segments;
-    const double inside = (reach - s) * slice_count + 0.5;  // the part of the slab that the strand stands in
+    const double inside = (reach - s) * slice_count + 0.5;  // part of the slice's slab below the strand's tip
     if (inside <= 0) continue;
     const int k = std::min(static_cast<int>(at), set.segments - 1);
     const glm::dvec2 place(glm::mix(knot(set, i, k).place, knot(set, i, k + 1).place, static_cast<float>(at - k)));
@@ -361,8 +361,8 @@ TEST(GrowAndSlices, CoverTheSamePlaces) {
       const double share = -std::expm1(-stored / 255 * stored_depth * slices.levels[0].depth_scale[1]);
       sum += share, of_strands += strands[i], apart += std::abs(share - strands[i]);
     }
-    EXPECT_NEAR(of_strands / sum, 0.955, 0.105) << slice;  // slanted rays need the rims at the tips thickened
-    EXPECT_LT(apart / sum, 0.25) << slice;                 // and soft over a texel, sharp here
+    EXPECT_NEAR(of_strands / sum, 0.955, 0.105) << slice;  // the bake thickens rims at the tips, for slanted rays
+    EXPECT_LT(apart / sum, 0.25) << slice;                 // and blurs over a texel, while this is sharp
   }
 }
 

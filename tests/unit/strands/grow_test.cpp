@@ -1,4 +1,4 @@
-// Which strands grow, and where they are rooted.
+// Which strands grow, and where their roots are.
 #include "renderer/strands/grow.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// Moves the inner vertices of a patch about, so that its triangles are all different.
+/// Moves the inner vertices of a patch at random, so that its triangles all differ.
 void shake(FurPatch& patch, int quads, double step, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-1, 1);
@@ -51,7 +51,7 @@ TEST(Grow, OneTileHasEachStrandOnce) {
   for (const int quads : {1, 3, 7}) {
     const float side = static_cast<float>(recipe.coat.tile);
     const StrandSet set = FurPatch(side, quads).grow(recipe);
-    EXPECT_NEAR(static_cast<double>(set.count()), 1000, 1);  // the side is not quite the tile's, in float
+    EXPECT_NEAR(static_cast<double>(set.count()), 1000, 1);  // in float the side is not exactly the tile's
     std::vector<float> found = numbers(set);
     std::sort(found.begin(), found.end());
     EXPECT_LE(std::unique(found.begin(), found.end()) - found.begin(), 1000);
@@ -71,7 +71,7 @@ TEST(Grow, AnySplitOfAPatchGrowsTheSameRoots) {
     for (std::size_t i = 0; i < set.count(); ++i) roots.push_back(knot(set, i, 0).place);
     std::sort(roots.begin(), roots.end(), [](glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     for (std::size_t i = 1; i < roots.size(); ++i)
-      ASSERT_GT(glm::distance(roots[i - 1], roots[i]), 1e-6f) << seed;  // none twice
+      ASSERT_GT(glm::distance(roots[i - 1], roots[i]), 1e-6f) << seed;  // no root twice
   }
 }
 
@@ -140,7 +140,7 @@ TEST(Grow, OtherCopiesOfTheTileKeepOtherStrands) {
     const auto n = std::count(kept.begin(), kept.end(), static_cast<float>(strand.number));
     if (n == 0 || n == 4) ++times[0];
   }
-  EXPECT_NEAR(times[0], 1000 / 8, 60);  // by chance; 1000 if all copies were alike
+  EXPECT_NEAR(times[0], 1000 / 8, 60);  // random; 1000 if all copies kept the same strands
 }
 
 TEST(Grow, ChunksDoNotMatter) {
@@ -185,7 +185,7 @@ TEST(GrowChunks, HoldEachPieceOnceAndLieTogether) {
     extents += glm::length(high - low);
     EXPECT_LE(strands, 8000);
   }
-  EXPECT_LT(extents / static_cast<double>(chunks.size()), 0.25);  // a square of the same area: .16
+  EXPECT_LT(extents / static_cast<double>(chunks.size()), 0.25);  // .16 for a square of the same area
   EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
   EXPECT_TRUE(make_chunks(FurModel{}, coat, 8000).empty());
 }
@@ -251,7 +251,7 @@ TEST(GrowFingerprint, FollowsTheRecipe) {
   region.to_unit = glm::dmat3(1 / 0.05);
   bald_spot.skin.push_back(region);
   EXPECT_NE(bald_spot.grower(recipe).fingerprint(patch.all()), own);
-  bald_spot.skin[0].centre = {9, 9, 9};  // touches nothing
+  bald_spot.skin[0].centre = {9, 9, 9};  // touches no fur
   EXPECT_EQ(bald_spot.grower(recipe).fingerprint(patch.all()), own);
 }
 
@@ -283,7 +283,7 @@ TEST(GrowExtremes, NothingGrowsWithoutDensityOrSkin) {
   EXPECT_EQ(empty.grow({}).count(), 0u);
   FurPatch flat(0.2, 1);
   flat.triangles[0] = {0, 0, 1};
-  for (auto& corners : flat.corners) corners[1].tile_uv = corners[0].tile_uv;  // one vertex repeated
+  for (auto& corners : flat.corners) corners[1].tile_uv = corners[0].tile_uv;  // repeats one vertex
   EXPECT_EQ(flat.grow(recipe).count(), 0u);
   EXPECT_EQ(expected_strands(flat.model(), recipe.coat), 0);
 }
@@ -303,7 +303,7 @@ TEST(GrowExtremes, AHugeTriangleStopsAtItsLimit) {
   const TileCells cells(make_strands(coat), coat.tile);
   cells.find({{{-90, -90}, {90, -90}, {0, 90}}}, found);
   EXPECT_EQ(found.size(), TileCells::max_copies);
-  cells.find({{{-90, -90}, {90, 90}, {90, 90 + 1e-9}}}, found);  // a sliver
+  cells.find({{{-90, -90}, {90, 90}, {90, 90 + 1e-9}}}, found);  // a very thin triangle
   EXPECT_LT(found.size(), 20000u);
   for (const double far : {1e30, static_cast<double>(INFINITY), static_cast<double>(NAN)}) {
     cells.find({{{0, 0}, {far, 0}, {0, 1}}}, found);

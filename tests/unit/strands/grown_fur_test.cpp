@@ -1,4 +1,4 @@
-// Fur that grows again only where it changed.
+// Grown fur grows again only where it has changed.
 #include "renderer/strands/grown_fur.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(GrownFur, HasTheStrandsOfOneGrower) {
   EXPECT_EQ(own, all);
 }
 
-/// Two coats on a patch: long fur, and short fur that stands on its left half alone.
+/// Two coats on a patch: long fur, and short fur on its left half alone.
 struct TwoCoats {
   TwoCoats() {
     for (const glm::vec3 place : patch.positions) density.push_back(place.x < 0.3f ? 1.0f : 0.0f);
@@ -95,7 +95,7 @@ TEST(GrownFur, SkinBetweenTwoCoatsIsUnderBoth) {
   two.recipes[0].coat.ramp = {{0, {1, 0, 0}}}, two.recipes[1].coat.ramp = {{0, {0, 0, 1}}};
   GrownFur fur;
   fur.update(two.patch.model(), two.fields(), two.recipes, 2);
-  const std::size_t last = two.patch.triangles.size() - 1;  // on the right, where the second does not grow
+  const std::size_t last = two.patch.triangles.size() - 1;  // on the right, where the second coat does not grow
   EXPECT_GT(fur.skin()[0][0].under.b, 0.2f);
   EXPECT_GT(fur.skin()[0][0].under.r, 0.2f);
   EXPECT_EQ(fur.skin()[last][2].under.b, 0);
@@ -132,7 +132,7 @@ TEST(GrownFur, GrowsAgainOnlyWhatChanged) {
   EXPECT_GT(kept, before.size() / 2);
 }
 
-/// A patch of fur of many kinds that leans one way, and another way that moved it there.
+/// A patch with all forms of fur that leans one way, and another way into which it has been moved.
 struct BentPatch {
   BentPatch() : patch(0.6, 12) {
     recipe.coat = plain_coat();

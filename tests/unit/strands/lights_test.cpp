@@ -33,7 +33,7 @@ FurLight rectangle(glm::vec3 direction) {
           .extent = {1.5f, 0.5f}};
 }
 
-/// What arrives on a matt surface with that normal: the mean of the red radiance times its cosine.
+/// Irradiance of a matt surface with that normal: the mean of the red radiance times its cosine.
 double mean_on(const StrandLights& lights, glm::vec3 place, glm::vec3 normal) {
   constexpr int side = 400;
   double sum = 0;
@@ -44,7 +44,7 @@ double mean_on(const StrandLights& lights, glm::vec3 place, glm::vec3 normal) {
   return sum / (side * side);
 }
 
-/// The same for a ball of radiance red / radius^2, by patches of its surface.
+/// The same for a ball of radiance red / radius^2, by quadrature over its surface.
 double ball_by_quadrature(const FurLight& light, glm::dvec3 place, glm::dvec3 normal) {
   constexpr int side = 800;
   const double r = double(light.radius);
@@ -69,7 +69,7 @@ TEST(StrandLights, BallIsThatOfItsVisibleCap) {
       EXPECT_NEAR(mean_on(lights, place, normal), truth, 3e-3 * truth + 1e-3);
     }
   }
-  const glm::vec3 towards = glm::normalize(light.position);  // facing it, a ball is its middle
+  const glm::vec3 towards = glm::normalize(light.position);  // facing it, the ball lights like a point in its middle
   EXPECT_NEAR(mean_on(lights, {0, 0, 0}, towards), 3 / double(glm::dot(light.position, light.position)), 1e-3);
 }
 
@@ -83,7 +83,7 @@ TEST(StrandLights, SampledDirectionsEndOnTheBall) {
   }
 }
 
-/// light_at of lighting.glsl for a spot.
+/// A spot's light as in light_at of lighting.glsl.
 double spot_by_shader(const FurLight& light, glm::dvec3 place) {
   const glm::dvec3 apart = glm::dvec3(light.position) - place;
   const double square = glm::dot(apart, apart);
@@ -121,12 +121,12 @@ TEST(StrandLights, DirectionalIsADiscOfDirections) {
       min = std::min(min, double(glm::dot(s.to_light, -light.direction)));
     }
     EXPECT_NEAR(min, std::cos(angle), 2e-3 * angle + 1e-6);
-    // Even over the cone: the mean cosine is halfway to that of its edge.
+    // Directions are uniform over the cone: the mean cosine is halfway between 1 and that of its edge.
     EXPECT_NEAR(mean_on(lights, {}, -light.direction), 3 * (1 + std::cos(angle)) / 2, 1e-4);
   }
 }
 
-/// By patches of the rectangle, whose axes are given.
+/// The same for a rectangle with these axes, by quadrature over its surface.
 double rectangle_by_quadrature(const FurLight& light, glm::dvec3 right, glm::dvec3 place, glm::dvec3 normal) {
   constexpr int side = 700;
   const glm::dvec3 facing(light.direction), up = glm::cross(facing, right);
@@ -158,7 +158,7 @@ TEST(StrandLights, RectangleShinesToOneSideByTheCosine) {
   }
   const FurLight light = rectangle({0, -1, 0});
   const LightSample s = lights_of(light).sample(0, light.position - glm::vec3(0, 200, 0), {0.1f, 0.9f});
-  EXPECT_NEAR(s.radiance.r * 40000, 3, 1e-3);  // from afar as a point
+  EXPECT_NEAR(s.radiance.r * 40000, 3, 1e-3);  // from afar it is a point
   EXPECT_EQ(lights_of(light).sample(0, light.position + glm::vec3(0, 1, 0), {0.1f, 0.9f}).radiance, glm::vec3(0));
 }
 
@@ -186,7 +186,7 @@ TEST(StrandLights, ExtremesStayFinite) {
   }
 }
 
-/// Over all directions, even in height.
+/// Integrates over all directions, in even steps of height.
 double over_directions(const std::function<double(glm::vec3)>& f) {
   constexpr int side = 1024;
   double sum = 0;
@@ -199,7 +199,7 @@ double over_directions(const std::function<double(glm::vec3)>& f) {
 }
 
 Environment lopsided() {
-  SphericalHarmonics harmonics{};  // negative on the far side
+  SphericalHarmonics harmonics{};  // with negative values on the far side
   harmonics[0] = glm::dvec3(2, 1, 0.5);
   harmonics[1] = glm::dvec3(3, 0, -1);
   harmonics[3] = glm::dvec3(-2, 1, 1);

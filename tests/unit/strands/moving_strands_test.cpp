@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t plenty = std::size_t{1} << 30;
 
-/// A patch of upright fur that leans along x by half once the shutter closes.
+/// A patch of fur that is upright when the shutter opens, and leans along x by half when it closes.
 struct MovingPatch {
   FurPatch patch{0.12};
   std::vector<glm::vec2> closing;

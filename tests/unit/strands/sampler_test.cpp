@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// Sample `index` of the pair-th pair of a pixel.
+/// Sample `index` of a pixel, its pair number `pair`.
 glm::vec2 pair_of(std::uint32_t pixel, std::uint32_t index, int pair, std::uint32_t seed = 1) {
   Sampler sampler(pixel, index, seed);
   glm::vec2 result(0);
@@ -69,7 +69,7 @@ TEST(Sampler, PixelsPairsAndSeedsAreUncorrelated) {
     EXPECT_LT(std::abs(correlation(base, numbers(5, k, 1))), 0.08) << k;
     EXPECT_LT(std::abs(correlation(base, numbers(5, 0, 1u + std::uint32_t(k)))), 0.08) << k;
   }
-  // The first sample of neighbours, and both numbers of a pair.
+  // The first samples of neighbouring pixels, and the two numbers of a pair.
   std::vector<double> left, right, x, y;
   for (std::uint32_t pixel = 0; pixel < count; ++pixel) {
     left.push_back(double(pair_of(pixel, 0, 0).x)), right.push_back(double(pair_of(pixel + 1, 0, 0).x));
@@ -79,7 +79,7 @@ TEST(Sampler, PixelsPairsAndSeedsAreUncorrelated) {
   EXPECT_LT(std::abs(correlation(x, y)), 0.06);
 }
 
-/// Root mean square error of the mean of exp(-x) cos(y) over many pixels.
+/// Root mean square error over many pixels, of a mean of exp(-x) cos(y) over `samples` samples.
 double error_at(std::uint32_t samples) {
   const double truth = (1 - std::exp(-1.0)) * std::sin(1.0);
   double sum = 0;
@@ -96,7 +96,7 @@ double error_at(std::uint32_t samples) {
 
 TEST(Sampler, ErrorOfASmoothIntegralFallsFasterThanByChance) {
   const double few = error_at(16), many = error_at(1024);
-  EXPECT_LT(many / few, 0.02);  // by chance an eighth; N^-1.5 is a 512th
+  EXPECT_LT(many / few, 0.02);  // random samples give an eighth, N^-1.5 a 512th
   EXPECT_LT(many, 1e-4);
 }
 

@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// Strands on the knots of a lattice of 8 x 8 over a tile of side 1: many lie right on edges and corners.
+/// Strands on an 8 x 8 lattice over a tile of side 1: many lie exactly on edges and corners.
 std::vector<Strand> lattice() {
   std::vector<Strand> strands(64);
   for (std::size_t i = 0; i < strands.size(); ++i) strands[i].root = glm::dvec2(i % 8, i / 8) / 8.0;
@@ -18,7 +18,7 @@ std::vector<Strand> lattice() {
 
 using Times = std::map<std::tuple<std::uint32_t, int, int>, int>;
 
-/// How often each copy is found in the triangles of a fan around `middle`.
+/// Counts how often each copy is found in the triangles of a fan around `middle`.
 Times found_in_fan(glm::dvec2 middle, std::vector<glm::dvec2> around, bool clockwise) {
   const std::vector<Strand> strands = lattice();
   const TileCells cells(strands, 1);
@@ -38,7 +38,7 @@ TEST(TileCells, CopiesOnSharedEdgesFallIntoOneTriangle) {
   for (const bool clockwise : {false, true}) {
     for (const glm::dvec2 middle : {glm::dvec2(0, 0), glm::dvec2(0.25, -0.5), glm::dvec2(0.1, 0.3)}) {
       const Times times = found_in_fan(middle, square, clockwise);
-      EXPECT_EQ(times.size(), 256u);  // 16 x 16: the square is half open, too
+      EXPECT_EQ(times.size(), 256u);  // 16 x 16: the square is half open too
       EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](const auto& one) { return one.second == 1; }));
     }
   }

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-// science.md 4: nothing is lost or made. The ball cannot be told from the room.
+// science.md 4: energy is conserved, so the ball cannot be told from the room.
 TEST(TraceFurnace, AWhiteFurBallInAWhiteRoomVanishes) {
   FurFrame frame = frame_at(40, coat_of(glm::vec3(1)), Transport::paths, 64);
   frame.knobs.trace.bounces = 4096;
@@ -60,7 +60,7 @@ TEST(Trace, ACropHasTheBitsOfTheWhole) {
   }
 }
 
-/// Pictures of few passes with other seeds, of one scene that is grown once.
+/// Pictures of a few passes with different seeds. The scene is grown once.
 std::vector<FloatImage> pictures(const FurPatch& fur, FurFrame frame, int passes, std::uint32_t count) {
   std::vector<FloatImage> result;
   Tracer tracer(2, plenty, false);
@@ -92,7 +92,7 @@ TEST(Trace, PassesBringNoBiasAndLessNoise) {
     EXPECT_NEAR(sum, mean_of(truth).red, 4 * deviation) << passes;
     EXPECT_LT(deviation, 0.02 * sum);
   }
-  EXPECT_LT(errors[1], 0.55 * errors[0]);  // samples^-0.5 is .5
+  EXPECT_LT(errors[1], 0.55 * errors[0]);  // a half by samples^-0.5
   EXPECT_LT(errors[2], 0.55 * errors[1]);
 }
 
@@ -142,10 +142,10 @@ TEST(Trace, GroundDarkensWhereTheBodyStands) {
   for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
     if (open.rgba[i] == 0) lit += open.rgba[i + 3];
   }
-  EXPECT_LT(lit, 0.05 * shade);  // what is left are strands that no light reached
+  EXPECT_LT(lit, 0.05 * shade);  // the rest are strands that no light has reached
 }
 
-// Strands wider than a part of the fur's height would stand out of it into the light.
+// Strands much wider than the fur is high would stick out of it into the light.
 TEST(Trace, ShortFurKeepsItsStrandsFromAfar) {
   const auto share_from_afar = [](float length) {
     const FurPatch ball = fur_ball(length);
@@ -168,10 +168,10 @@ TEST(Trace, EndsAtALevelOfNoise) {
   EXPECT_EQ(picture.report.end, TraceEnd::noise);
   EXPECT_LE(picture.report.noise, 0.02);
   EXPECT_GE(picture.report.passes, 8);
-  EXPECT_LT(picture.report.samples, picture.report.passes);  // empty parts took fewer
+  EXPECT_LT(picture.report.samples, picture.report.passes);  // empty tiles take fewer samples
 }
 
-// science.md 7.
+// The extremes of science.md 7.
 TEST(TraceExtremes, FiniteForAnyScene) {
   const FurPatch ball = fur_ball(0.05f);
   for (const Transport transport : {Transport::transmittance, Transport::paths}) {
@@ -189,7 +189,7 @@ TEST(TraceExtremes, FiniteForAnyScene) {
     FurFrame one = usual;
     one.coat().count = 1;
     looks_finite(ball, one);
-    for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // lights inside the fur, inside the body, far away
+    for (const float distance : {0.251f, 0.27f, 0.0f, 1e6f}) {  // inside the fur, inside the body, far away
       FurFrame frame = usual;
       FurLight light;
       light.kind = LightKind::point, light.position = {0, 0, distance}, light.radiance = glm::vec3(1e8f),

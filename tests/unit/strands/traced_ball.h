@@ -1,4 +1,4 @@
-// A furred ball for tests, and whole traced pictures of it.
+// A furred ball for tests, and traced pictures of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ inline constexpr std::size_t plenty = std::size_t{1} << 30;
 
 inline bool always() { return true; }
 
-/// A ball of radius .25 with its fur, for a backplate that shows nothing: skin is then matt and as its roots.
+/// A ball of radius .25 with its fur, for a backplate that shows nothing: then its skin is matt and coloured like the
+/// roots.
 inline FurPatch fur_ball(float fur) {
   constexpr int rows = 24, columns = 48;
   constexpr float pi = std::numbers::pi_v<float>;

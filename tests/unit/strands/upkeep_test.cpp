@@ -1,4 +1,4 @@
-// Strands kept over many changes and in any memory; how far thinning changes the picture.
+// Strands over many changes and with any amount of memory; how thinning changes the picture.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ TEST(Upkeep, AnyMemorySufficesOrIsRefused) {
     }
     const Status again = traced_in(tracer, ball, frame);
     EXPECT_EQ(again.code, status.code) << memory;
-    if (traced_in(tracer, bald, frame).ok()) {  // then with the skin, which may have been what did not fit
+    if (traced_in(tracer, bald, frame).ok()) {  // the skin may have been what did not fit
       EXPECT_GT(mean_of(tracer.aov(Aov::beauty)).alpha, 10) << memory;
     }
     const Status fits = tracer.begin(small.model(), small.fields(), less, nothing(), std::array{Aov::beauty}, always);
@@ -60,7 +60,7 @@ TEST(Upkeep, FewerStrandsOfTheSameModelFitAfterTooMany) {
     max = world.bytes();
   }
   World world(max + max / 8);
-  for (const int count : {1000, 3000, 1000, 500, 1000}) {  // what was before makes way
+  for (const int count : {1000, 3000, 1000, 500, 1000}) {  // earlier strands are dropped for later ones
     frame.coat().count = count;
     const auto change = world.update(ball.model(), ball.fields(), frame, GrowRecipe{frame.coat()}, {2, false}, always);
     EXPECT_EQ(bool(change), count <= 1000) << count;
@@ -144,10 +144,11 @@ TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {
   FurPatch bald = ball;
   bald.length.assign(bald.length.size(), 0);
   ASSERT_TRUE(world.update(bald.model(), bald.fields(), {}, GrowRecipe{coat}, {2, false}, always));
-  EXPECT_LT(world.bytes(), first / 10);  // the skin
+  EXPECT_LT(world.bytes(), first / 10);  // only the skin is left
 }
 
-/// A camera whose picture is the part around the ball of one of 64 pixels and a field of view of 23 degrees.
+/// A camera whose picture shows the ball with pixels as large as in a 64-pixel picture with a field of view of 23
+/// degrees.
 FurFrame view_from(double distance) {
   const double pixel = 0.4 / 64 * distance;
   const int size = static_cast<int>(std::ceil(0.7 / pixel));
@@ -159,7 +160,7 @@ FurFrame view_from(double distance) {
   return frame;
 }
 
-/// Share of such a picture that a world covers.
+/// Share of that picture that the world covers, with all strands.
 double covered(const World& world, const FurFrame& frame) {
   constexpr int side = 160;
   int hits = 0;
@@ -172,7 +173,7 @@ double covered(const World& world, const FurFrame& frame) {
   return double(hits) / (side * side);
 }
 
-// Strands that are thinner than a pixel are thinned out and widened: what they cover stays, from wherever it is seen.
+// Strands thinner than a pixel are thinned out and widened, so that their coverage stays the same from any distance.
 TEST(Upkeep, CoverageStaysFromAnyDistance) {
   for (const bool more_fur_than_body : {false, true}) {
     FurPatch ball = fur_ball(0.04f);

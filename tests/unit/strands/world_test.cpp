@@ -1,4 +1,4 @@
-// What rays meet among strands.
+// What rays hit among strands.
 #include "renderer/strands/world.h"
 
 #include <gtest/gtest.h>
@@ -21,14 +21,14 @@ World::Change grown(World& world, const FurPatch& patch, const Coat& coat, FurFr
   return change ? *change : World::Change{};
 }
 
-/// Few upright strands of .002 in width on a patch.
+/// A coat of few upright strands, .002 wide.
 Coat thick_coat() {
   Coat coat = plain_coat(60);
   coat.width_root = coat.width_tip = 0.002;
   return coat;
 }
 
-/// A ray along y at the height of the first strand's middle, `aside` from its axis in x.
+/// A ray along y at half the first strand's height, `aside` from the strand's axis in x.
 Ray past_first(const StrandSet& set, float aside) {
   const StrandPoint root = knot(set, 0, 0), end = tip(set, 0);
   const glm::vec3 middle = 0.5f * (root.place + end.place);
@@ -49,7 +49,8 @@ TEST(World, RaysHitAStrandWhereItIs) {
     EXPECT_NEAR(hit.height, 0.5f, 1e-2f);
     EXPECT_NEAR(hit.radius, 0.001f, 1e-6f);
     EXPECT_NEAR(std::abs(hit.offset), std::abs(offset), 1e-2f);
-    // h as renderer/shading's offset_across: of the normal on the round strand and the way to the eye.
+    // h as in offset_across of tests/double_shading: from the normal on the round strand and the direction to the
+    // camera.
     const glm::vec3 on_strand(offset, -std::sqrt(1 - offset * offset), 0);
     const float h = -glm::dot(hit.tangent, glm::cross(on_strand, glm::vec3(0, -1, 0)));
     EXPECT_NEAR(hit.offset, h, 1e-2f);
@@ -115,7 +116,7 @@ TEST(World, LightPassesStrandsByColourAndCount) {
 }
 
 TEST(World, SkinAndEyesStopLight) {
-  FurPatch patch(0.12, 2, 0);  // no fur
+  FurPatch patch(0.12, 2, 0);  // without fur
   World world(enough_memory);
   FurFrame frame;
   frame.eyes.resize(1);

@@ -32,7 +32,7 @@ Triangle triangle(const RawModel& model, std::size_t t) {
   return {corner(0), corner(1), corner(2)};
 }
 
-/// How often each directed edge occurs.
+/// Counts how often each directed edge occurs.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const RawModel& model) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t t = 0; t < triangle_count(model); ++t)
@@ -40,7 +40,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const RawM
   return edges;
 }
 
-/// The number of edge-connected turns of triangles around vertices; one for each vertex of a manifold.
+/// Number of edge-connected fans of triangles around vertices; one for each vertex of a manifold.
 std::size_t fan_count(const RawModel& model) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> after;  // (hub, rim vertex) -> next rim vertex
   for (std::size_t t = 0; t < triangle_count(model); ++t)
@@ -271,7 +271,7 @@ TEST(Creature, FurIsShortOnTheFaceAndLongOnTheTail) {
 
 TEST(Creature, LookVariesSmoothly) {
   const RawModel model = make_builtin({Builtin::creature, 5000});
-  constexpr double kStep = 1e-5, kSteepest = 120;  // of full range for each unit
+  constexpr double kStep = 1e-5, kSteepest = 120;  // in full ranges per unit of length
   for (const dvec3& p : model.positions)
     for (int axis = 0; axis < 3; ++axis) {
       dvec3 q = p;
@@ -316,7 +316,7 @@ TriangleMesh triangles_of(const RawModel& model) {
 }
 
 TEST(HalfEdgeMesh, RefusesToPinchATube) {
-  // 10 rings of 3 vertices; the vertices of one ring differ by multiples of 10.
+  // 10 rings of 3 vertices; vertices of a ring differ by multiples of 10.
   const HalfEdgeMesh mesh(triangles_of(make_builtin({Builtin::torus, 60})));
   ASSERT_EQ(mesh.vertex_count(), 30u);
   int allowed = 0;

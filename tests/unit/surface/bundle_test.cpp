@@ -1,4 +1,4 @@
-// Models with the files that they name, their poses, and what was left out of them.
+// Models packed with the files that they name, their poses, and what was left out.
 #include "server/import_worker/bundle.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes with the test.
+/// A folder that is deleted after the test.
 class Packing : public ::testing::Test {
  protected:
   Packing() : folder_(fs::temp_directory_path() / ("pelage_pack_" + std::to_string(getpid()))) {
@@ -137,7 +137,7 @@ TEST(ParseGltf, PosesAreRefusedWhereThereAreNone) {
   EXPECT_NE(parse_model(ModelFormat::gltf, broken).status().message.find("base64"), std::string::npos);
 }
 
-// A node that an animation lifts by 2 in one second.
+// Imports a node that an animation lifts by 2 in one second.
 TEST(ParseGltf, ModelsStandInTheirPose) {
   const std::string lifted = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],

@@ -1,4 +1,4 @@
-// What the confined worker can no longer do. Each check runs in a child, which confinement stays in.
+// What the confined worker can no longer do. Each check runs in a child process, since confinement is permanent.
 #include "server/import_worker/confine.h"
 
 #include <fcntl.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t plenty = std::size_t{4} << 30;
 
-/// The exit code of a child that is confined and then runs `action`: 0 when it returns true.
+/// Confines a child and runs `action` in it. Returns the child's exit code: 0 if `action` returns true.
 template <class Action>
 int confined(Action action) {
   const pid_t child = fork();

@@ -1,4 +1,4 @@
-// The worker and its limits: whatever it does, the caller gets a Status and lives on.
+// The import worker and its limits: whatever the worker does, the caller gets a Status and keeps running.
 #include "server/import/import.h"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ const std::string one_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// A folder for the files of one test.
+/// Makes a folder for the files of each test.
 class Import : public testing::Test {
  protected:
   void SetUp() override {
@@ -31,7 +31,7 @@ class Import : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// A shell script in place of the worker.
+  /// Writes a shell script to use in place of the worker.
   std::string script(const std::string& text) const {
     const std::string path = folder_ + "/worker";
     std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
@@ -80,7 +80,7 @@ TEST_F(Import, MemoryLimitIsARefusal) {
   std::string large;
   while (large.size() < 60'000'000) large += "v 0.123456 0.234567 0.345678\nf 1 2 3 4 5 6\n";
   ImportLimits limits;
-  limits.memory_bytes = std::size_t{200} << 20;  // three times the file
+  limits.memory_bytes = std::size_t{200} << 20;  // three times the size of the file
   const Status status = run(PELAGE_IMPORT, large, limits);
   EXPECT_EQ(status.code, Code::invalid);
   EXPECT_TRUE(contains(status.message, "memory")) << status.message;
@@ -127,7 +127,7 @@ TEST_F(Import, WorkerInheritsNoDescriptorAndNoEnvironment) {
   EXPECT_FALSE(contains(status.message, "secret")) << status.message;
 }
 
-/// A reader of a FIFO without a writer waits in open() for ever, so whoever opens it misses the deadline.
+/// Opening a FIFO without a writer blocks for ever, so a reader that opens it misses the deadline.
 TEST_F(Import, FilesNamedInsideAModelAreNotOpened) {
   const std::string fifo = folder_ + "/materials.mtl";
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
@@ -227,7 +227,7 @@ TEST(RawCodec, ModelsComeBack) {
   EXPECT_EQ(back->losses, everything().losses);
 }
 
-/// A model as an earlier journal has it: `version`, and without its last bytes.
+/// Expects that a model is read in an earlier format: with that version digit, and without its last `less` bytes.
 void expect_read(const RawModel& model, char version, std::size_t less) {
   std::string bytes = encode_raw_model(model);
   bytes[6] = version;
@@ -240,7 +240,7 @@ void expect_read(const RawModel& model, char version, std::size_t less) {
 TEST(RawCodec, ModelsOfEarlierJournalsAreRead) {
   RawModel model = everything();
   for (RawMaterial& material : model.materials) material.name.clear();
-  constexpr std::size_t names = 8 + 2 * 8;  // of two materials without one
+  constexpr std::size_t names = 8 + 2 * 8;  // the empty names of two materials
   expect_read(model, '2', names);
   model.front.reset(), model.pose.clear(), model.animations.clear(), model.losses.clear();
   expect_read(model, '1', names + 2 + 8 + 8 + 8 + 8);  // axes, one empty text, no animations, no losses
@@ -272,7 +272,7 @@ TEST(RawCodec, BrokenContentIsRefused) {
   EXPECT_TRUE(refused([](RawModel& m) { m.length_scale[2] = 0; }));
 }
 
-/// Counts that lie are found before memory is asked for; whatever is accepted keeps its promises.
+/// Wrong counts are refused before memory is allocated for them; whatever is accepted is valid.
 TEST(RawCodec, RandomDamageIsRefusedOrHarmless) {
   const std::string bytes = encode_raw_model(everything());
   Random random(7);

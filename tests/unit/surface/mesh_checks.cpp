@@ -10,7 +10,7 @@ namespace {
 
 bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Patches cover every triangle with shares that sum to 1, at finite places.
+/// Expects patches that cover every triangle with weights that sum to 1, at finite positions.
 void expect_patches(const Mesh& mesh) {
   const PatchMap map = lay_patches(mesh);
   std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));

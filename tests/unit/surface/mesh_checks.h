@@ -1,4 +1,4 @@
-// What every prepared mesh promises.
+// Checks the contract of prepared meshes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// Fails the current test where `mesh` breaks a promise of mesh.h.
+/// Fails the current test if `mesh` breaks the contract of mesh.h.
 void expect_groomable(const Mesh& mesh);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// The readers, format by format.
+// The readers of model files, format by format.
 #include "server/import_worker/parse.h"
 
 #include <gtest/gtest.h>
@@ -138,7 +138,7 @@ TEST(ParsePly, ListsLongerThanTheFileAreRefused) {
   EXPECT_FALSE(refusal(ModelFormat::ply, header + "2.5 1 2 3").empty());
 }
 
-/// Two parts, one turned by its node and one mirrored, from one buffer inside the text.
+/// In a strip, -1 starts a new strip.
 TEST(ParsePly, ReadsStripsOfTriangles) {
   const RawModel model =
       parsed(ModelFormat::ply,
@@ -169,7 +169,7 @@ TEST(ParseGltf, AppliesNodeTransformsAndFactors) {
   EXPECT_EQ(model.materials[model.face_material[0]].base_colour, glm::vec3(0.5f, 0.25f, 0.125f));
 }
 
-/// One triangle whose joint stands 5 up and is a hundredth of what its inverse bind matrix undoes.
+/// A triangle whose joint stands 5 up, with a hundredth of the scale that its inverse bind matrix undoes.
 TEST(ParseGltf, SkinsStandAsTheirJointsSay) {
   const std::string bytes =
       "data:application/octet-stream;base64,"
@@ -196,8 +196,8 @@ TEST(ParseGltf, SkinsStandAsTheirJointsSay) {
   EXPECT_NEAR(glm::length(model.positions[2] - glm::dvec3(0, 6, 0)), 0, 1e-6);
 }
 
-/// A triangle with a target that moves all by 4 along z, whose mesh has a weight of a quarter. `buffer`: where its
-/// 72 bytes are.
+/// A triangle with a morph target that moves everything by 4 along z; its mesh gives it a weight of a quarter. `buffer`
+/// names the source of its 72 bytes.
 std::string morphed(const std::string& nodes, const std::string& buffer) {
   return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": )" + nodes + R"(,
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}]}], "weights": [0.25]}],
@@ -233,7 +233,7 @@ TEST(ParseGltf, MorphTargetsCountByTheirWeights) {
   EXPECT_NEAR(glm::length(model.positions[1] - glm::dvec3(1, 0, 1)), 0, 1e-6);
 }
 
-/// Two nodes share a mesh, and one of them has another weight.
+/// Two nodes share a mesh, and one of them has weights of its own.
 TEST(ParseGltf, WeightsOfANodeTakeThePlaceOfItsMeshs) {
   const std::string nodes = R"([{"mesh": 0, "weights": [0.75], "children": [1]}, {"mesh": 0}])";
   for (const auto& [format, bytes] : {std::pair(ModelFormat::gltf, morphed(nodes, in_base64)),
@@ -253,7 +253,7 @@ TEST(ParseGltf, OtherVersionsAndGraphsThatAreNoTreesAreRefused) {
             std::string::npos);
 }
 
-/// Bytes say what they are, and the message what to do with them.
+/// The message names what the bytes are, and says what to do with them.
 TEST(Signature, NamesWhatIsNoModelOfThatFormat) {
   using namespace std::string_literals;
   const struct {

@@ -1,4 +1,4 @@
-// Patches cover, keep their scale, and do so on the models that people bring.
+// Patches cover the surface and keep its scale, also on models that people bring.
 #include "server/patches/patches.h"
 
 #include <gtest/gtest.h>
@@ -24,12 +24,12 @@ double area_of(const Mesh& mesh, std::uint32_t triangle) {
   return glm::length(glm::cross(b - a, c - a)) / 2;
 }
 
-/// What the issue asks of a map.
+/// Measures of a map's quality.
 struct Quality {
   double area_factor = 0;                 // area of pieces over area of the surface
   double flipped = 0;                     // share of the pieces' area
   double stretched = 0;                   // share of the pieces' area with a singular value outside [1/1.4, 1.4]
-  double min_sum = 1e9, largest_sum = 0;  // of the shares at a corner
+  double min_sum = 1e9, largest_sum = 0;  // smallest and largest sum of the weights at a corner
 };
 
 Quality quality_of(const Mesh& mesh, const PatchMap& map) {
@@ -117,7 +117,7 @@ TEST(Patches, AxesLieInTheTangentPlaneAndPointWhereUGrows) {
   EXPECT_NEAR(along / count, 1, 0.1);
 }
 
-/// On a fine mesh the overlap is wider than a triangle: shares between 0 and 1 are common.
+/// On a fine mesh the overlap is wider than a triangle, so weights between 0 and 1 are common.
 TEST(Patches, OverlapsAreSoft) {
   const Mesh mesh = builtin(Builtin::sphere, 40'000);
   const PatchMap map = lay_patches(mesh);
@@ -128,7 +128,7 @@ TEST(Patches, OverlapsAreSoft) {
 
 TEST(Patches, NeighboursLieElsewhereOnTheTile) {
   const Mesh mesh = builtin(Builtin::plane, 2);
-  Mesh two = mesh;  // the same again beside it, touching nowhere
+  Mesh two = mesh;  // with a copy beside it that touches it nowhere
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     two.positions.push_back(mesh.positions[v] + glm::vec3(0, 1, 0));
     two.normals.push_back(mesh.normals[v]), two.tangents.push_back(mesh.tangents[v]);
@@ -145,7 +145,7 @@ TEST(Patches, SurviveWhatPreparationLetsThrough) {
   const RawModel triangle = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const RawModel sliver = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}, {{0, 1, 2}});
   const RawModel fan = shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
-                                        {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // three on one edge
+                                        {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // three triangles on one edge
   for (const RawModel& raw : {triangle, sliver, fan, shapes::cube()}) {
     const Result<Mesh> mesh = shapes::prepared(raw);
     if (!mesh.ok()) continue;
@@ -188,7 +188,7 @@ TEST(Patches, HardPiecesKeepTheLargestShare) {
   EXPECT_TRUE(std::all_of(hard.points.begin(), hard.points.end(), [](const PatchPoint& p) { return p.weight == 1; }));
 }
 
-/// Two squares of side 1; the first on a quarter of its texture, the second mirrored on another one.
+/// Two squares of side 1: the first on a quarter of its texture, the second mirrored on the same quarter.
 RawModel two_squares_with_uvs() {
   RawModel raw =
       shapes::model_of({{0, 0, 0}, {1, 0, 0}, {1, 0, -1}, {0, 0, -1}, {2, 0, 0}, {3, 0, 0}, {3, 0, -1}, {2, 0, -1}},

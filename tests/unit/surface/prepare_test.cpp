@@ -94,7 +94,7 @@ TEST(Prepare, TurnsUpAndFront) {
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->report.bounds.max, glm::dvec3(0, 1, 4));
   EXPECT_EQ(mesh->report.bounds.min, glm::dvec3(0, 0, 0));
-  // A turn, no mirror: what was wound outwards still is.
+  // A rotation and no mirror image: outward winding stays outward.
   for (const auto& [up, front] : {std::pair{Axis::minus_z, Axis::plus_x}, std::pair{Axis::plus_x, Axis::minus_y}}) {
     const Result<Mesh> turned = prepare(cube(), {.up = up, .front = front});
     ASSERT_TRUE(turned.ok());
@@ -160,7 +160,7 @@ TEST(Prepare, APlaneKeepsTheWindingOfMostOfIt) {
 }
 
 TEST(Prepare, ConcaveAndKeyholePolygonsKeepTheirArea) {
-  // An L of area 3, once around each way, and a square with a square hole joined by a bridge: 16 - 4.
+  // An L of area 3 in both directions around, and a square with a square hole joined by a bridge: 16 - 4.
   const std::vector<glm::dvec3> l = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
   for (const auto& order :
        {std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}, std::vector<std::uint32_t>{3, 2, 1, 0, 5, 4}}) {
@@ -209,7 +209,7 @@ TEST(Prepare, TangentsPointTailwards) {
 }
 
 TEST(Prepare, CancellingNormalsFallBackToATriangle) {
-  // Two triangles back to back that differ in one far vertex: at the shared ones the areas cancel.
+  // Two triangles back to back that differ in one distant vertex: at the shared vertices their areas cancel.
   const Result<Mesh> mesh =
       prepared(model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1e-13}}, {{0, 1, 2}, {1, 0, 3}}));
   ASSERT_TRUE(mesh.ok());
@@ -241,7 +241,7 @@ TEST(Prepare, LooksSurviveWelding) {
   EXPECT_TRUE(prepared(cube())->corners.empty());
 }
 
-/// A cube, of whose six faces the first two have one material, the others another.
+/// A cube with one material on its first two faces and another on the rest.
 RawModel cube_of(const char* first, const char* rest) {
   RawModel raw = cube();
   raw.materials = {{{1, 1, 1}, -1, first}, {{1, 1, 1}, -1, rest}, {{1, 1, 1}, -1, rest}};

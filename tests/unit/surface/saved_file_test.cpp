@@ -1,4 +1,4 @@
-// Exported scenes and guide curves, read by the confined worker.
+// The confined worker reads exported scenes and guide curves.
 #include <gtest/gtest.h>
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-// Normals that a surface is seen by, and where fur grows at its edges.
+// Shading normals, and the direction in which fur grows at edges.
 #include "server/surface/shading_normals.h"
 
 #include <gtest/gtest.h>
@@ -28,9 +28,9 @@ TEST(ShadingNormals, SmoothShapesHaveNone) {
   EXPECT_TRUE(prepare(shapes::cube(), {.crease_degrees = 100}).value().shading_normals.empty());
 }
 
-// Vertices of a smooth side keep their bits, so that what has no crease is drawn as before.
+// Vertices without a crease keep their bits, so models without creases are drawn as before.
 TEST(ShadingNormals, ChangeAtCreasesAlone) {
-  RawModel half = shapes::ball(16);  // with a lid
+  RawModel half = shapes::ball(16);  // cut in half, which gives it a flat lid
   const RawModel ball = half;
   for (glm::dvec3& p : half.positions) p.y = std::max(p.y, 0.0);
   const Mesh cut = shapes::prepared(half).value();
@@ -43,7 +43,7 @@ TEST(ShadingNormals, ChangeAtCreasesAlone) {
   EXPECT_GT(kept, cut.triangles.size());
 }
 
-// Area weights would let the large sides alone decide, and fur on the rim would grow along them.
+// With area weights only the large sides would count, and fur on the rim would grow along them.
 TEST(ShadingNormals, FurGrowsOutOfTheRimOfAThinSheet) {
   RawModel raw = shapes::cube();
   for (glm::dvec3& p : raw.positions) p.z *= 0.01;
@@ -55,17 +55,17 @@ TEST(ShadingNormals, FurGrowsOutOfTheRimOfAThinSheet) {
   }
 }
 
-// Otherwise the roots of a cloth's fur are seen from the side, which is dark.
+// Otherwise the roots of a cloth's fur are seen from the side, and look dark.
 TEST(ShadingNormals, FurLeansOverOpenRims) {
   RawModel raw = shapes::cube();
-  raw.face_sizes.pop_back(), raw.corners.resize(raw.corners.size() - 4);  // the side that looks along X
+  raw.face_sizes.pop_back(), raw.corners.resize(raw.corners.size() - 4);  // removes the side that faces along X
   Mesh mesh = shapes::prepared(raw).value();
   lean_over_rims(mesh);
   for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
     EXPECT_EQ(mesh.normals[v].x > 0.3f, mesh.positions[v].x > 0) << v;
     EXPECT_NEAR(glm::dot(mesh.normals[v], mesh.tangents[v]), 0, 1e-6);
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {  // the skin is lit as what it is
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {  // shading normals of the skin stay
     for (const glm::vec3& normal : mesh.shading_normals[t])
       EXPECT_LT(glm::distance(normal, face_normal(mesh, t)), 1e-6f);
   }

@@ -26,7 +26,7 @@ inline RawModel cube(double side = 1, glm::dvec3 offset = glm::dvec3(0)) {
                   {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
-/// A ball of triangles with `rings` rings of twice as many sectors; the poles are on Y.
+/// A ball of triangles with `rings` rings and twice as many sectors; the poles are on Y.
 inline RawModel ball(int rings) {
   RawModel raw;
   const int sectors = 2 * rings;

@@ -1,4 +1,4 @@
-// The models of the shared folder and the tables that say what is expected of them.
+// The models of the shared folder, and the tables of what is expected of them.
 #pragma once
 
 #include <map>
@@ -12,25 +12,25 @@
 
 namespace pelage::shared_models {
 
-/// shared/meshes; empty when it is not there.
+/// Returns shared/meshes, or "" if it does not exist.
 std::string folder();
 
-/// Rows of the table under the heading `## title` of the folder's README.md: column name to cell.
+/// A row of a table: column name to cell. `table` returns those under the heading `## title` of the folder's README.md.
 using Row = std::map<std::string, std::string>;
 std::vector<Row> table(const std::string& title);
 
-/// The pairs that README.md names as equal: "a = b = c" gives (a, b) and (a, c).
+/// Returns the pairs that README.md names as equal: "a = b = c" gives (a, b) and (a, c).
 std::vector<std::pair<std::string, std::string>> equal_pairs();
 
 std::string read_file(const std::string& path);
 
-/// By the file's ending; nothing for files that are no models.
+/// Returns the format by the file's extension; nothing for files that are no models.
 std::optional<ModelFormat> format_of(const std::string& file);
 
-/// Through the confined worker.
+/// Imports a file with the confined worker.
 Result<RawModel> import_file(const std::string& path);
 
-/// import_file and prepare, Y up and Z to the front.
+/// Imports and prepares a file, with Y up and Z to the front.
 Result<Mesh> load_file(const std::string& path);
 
 }  // namespace pelage::shared_models

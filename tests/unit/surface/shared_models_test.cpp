@@ -1,4 +1,4 @@
-// Every file of the shared folder, against the tables of its README.
+// Tests every file of the shared folder against the tables of its README.
 #include "tests/unit/surface/shared_models.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST_F(SharedModels, EveryModelLoadsWithItsCounts) {
 using Corner = std::array<float, 3>;
 using Triangle = std::array<Corner, 3>;
 
-/// Triangles with positions rounded to 32 bits; each begins with its lowest corner.
+/// Triangles with positions rounded to 32 bits; each begins with its smallest corner.
 std::vector<Triangle> triangles_of(const RawModel& raw) {
   std::vector<Triangle> triangles;
   std::size_t begin = 0;
@@ -99,7 +99,7 @@ TEST_F(SharedModels, PairsNamedAsEqualAreEqual) {
   }
 }
 
-/// What the column "expected" asks for.
+/// What the column "expected" requires.
 enum class Wish { load, reject, either };
 
 Wish wish_of(const std::string& expected) {
@@ -173,7 +173,7 @@ TEST_F(SharedModels, TextureCoordinatesOfGlbAndObjAgree) {
     const Result<RawModel> raw = shared_models::import_file(shared_models::folder() + "/" + file);
     glm::dvec3 sum(0);
     for (std::size_t i = 0; raw.ok() && i < raw->corners.size(); ++i) {
-      // Weighted by height, so that a flipped V shows.
+      // Weighted by height, so that a flipped V would show.
       sum += glm::dvec3(raw->corner_uv[i] * raw->positions[raw->corners[i]].y, 1);
     }
     return sum;
@@ -192,7 +192,8 @@ TEST(PackagedModels, HorseAndCatLoad) {
     ASSERT_TRUE(mesh.ok()) << file << ": " << mesh.status().message;
     expect_groomable(*mesh);
     EXPECT_TRUE(mesh->corners.empty()) << "one grey is no colour of its own";
-    // In their own coordinates Y is up: the horse rears and is tallest along Y, the cat lies and is longest along X.
+    // In the files' own coordinates Y is up: the horse rears and is tallest along Y, the cat lies and is longest along
+    // X.
     const glm::dvec3 box = mesh->report.bounds.max - mesh->report.bounds.min;
     EXPECT_EQ(box.y > box.x, std::string(file) == "horse.3ds");
     EXPECT_GT(std::min(box.x, box.y), box.z);

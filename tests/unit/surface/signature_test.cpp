@@ -1,4 +1,4 @@
-// Bytes that are no model of the format that they are called by.
+// Recognizes bytes that are not a model of the claimed format.
 #include "server/import_worker/signature.h"
 
 #include <gtest/gtest.h>

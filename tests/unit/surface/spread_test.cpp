@@ -1,4 +1,4 @@
-// Searches against plain ones that follow the definition.
+// Searches on a surface, against plain ones that follow the definition.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,13 +36,13 @@ TEST(MonotoneQueueTest, GivesWhatABinaryHeapGives) {
       last = heap.top().first;
       heap.pop();
       for (int k = 0; i < 500 && k < 3; ++k) push();
-      if (heap.empty() && i < 400) last += 1000 * reach, push();  // an empty queue may begin anywhere
+      if (heap.empty() && i < 400) last += 1000 * reach, push();  // an empty queue may restart at any distance
     }
     EXPECT_TRUE(queue.empty());
   }
 }
 
-/// Every vertex takes the shortest way over a neighbour until none changes (Bellman and Ford).
+/// Shortest paths by repeated relaxation over neighbours until nothing changes (Bellman and Ford).
 std::vector<double> plain_distances(const Mesh& mesh, std::span<const SpreadSource> sources) {
   std::vector<double> distances(mesh.positions.size(), std::numeric_limits<double>::infinity());
   for (const SpreadSource& source : sources)
@@ -68,7 +68,7 @@ TEST(EdgeSearchTest, FindsTheShortestWaysToTheBit) {
     const auto count = static_cast<double>(surface.mesh().positions.size());
     Random random(3);
     std::vector<SpreadSource> sources;
-    for (const double distance : {0.0, 0.01, 0.3, 1e6, 0.0, 0.3})  // one far behind all others never counts
+    for (const double distance : {0.0, 0.01, 0.3, 1e6, 0.0, 0.3})  // a source far behind all others never counts
       sources.push_back({static_cast<std::uint32_t>(random.uniform(0, count)), distance, {1, 0, 0}});
     EXPECT_EQ(spread_along_edges(surface, sources).distance, plain_distances(surface.mesh(), sources));
   }
@@ -107,7 +107,7 @@ TEST(SidesTest, AreSorted) {
   EXPECT_TRUE(sorted_sides({}).empty());
 }
 
-/// The lattice's values at the eight corners around a place, each hashed for itself.
+/// Value noise, with the lattice values at the eight corners hashed one by one.
 double plain_value_noise(glm::dvec3 place, std::uint64_t seed) {
   const glm::dvec3 low = glm::floor(place), part = place - low;
   const glm::dvec3 blend = part * part * (3.0 - 2.0 * part);

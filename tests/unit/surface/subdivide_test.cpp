@@ -1,4 +1,4 @@
-// Splitting triangles: the shape stays, no crack opens, and places on the sample tile stay linear.
+// Splitting triangles keeps the shape, opens no cracks, and keeps positions on the sample tile linear.
 #include "server/patches/subdivide.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ double area_of(const Mesh& mesh) {
 
 struct Edges {
   long count = 0;
-  std::vector<std::size_t> by_triangles = std::vector<std::size_t>(8, 0);  // how many edges have 1, 2 ... triangles
+  std::vector<std::size_t> by_triangles = std::vector<std::size_t>(8, 0);  // number of edges with 1, 2, ... triangles
 };
 
 Edges edges_of(const Mesh& mesh) {
@@ -58,7 +58,7 @@ long euler(const Mesh& mesh) {
   return static_cast<long>(mesh.positions.size()) - edges_of(mesh).count + static_cast<long>(mesh.triangles.size());
 }
 
-/// The boundary's length: it grows where a crack opens.
+/// Length of the boundary, which grows if a crack opens.
 double boundary_of(const Mesh& mesh) {
   double sum = 0;
   for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
@@ -193,7 +193,7 @@ TEST(Subdivide, OneTriangleManyTimesAndEdgesWithoutAPointBetween) {
   EXPECT_EQ(euler(mesh), 1);
   expect_groomable(mesh);
   expect_shares(mesh, patches);
-  // Two corners that 32 bits hardly tell apart: the side between them stays, and so does the count of its triangle.
+  // Two corners that differ by one bit: the side between them is not split, so the triangle becomes 3 instead of 4.
   Mesh thin = *shapes::prepared(shapes::model_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   thin.positions[1] = thin.positions[0];
   thin.positions[1].x = std::nextafter(thin.positions[0].x, 1.0f);
@@ -204,7 +204,7 @@ TEST(Subdivide, OneTriangleManyTimesAndEdgesWithoutAPointBetween) {
 
 TEST(Subdivide, RefusesTooManyTrianglesAndOnesThatAreNotThere) {
   const Mesh mesh = built_in(Builtin::sphere, 510'000);
-  const PatchMap none;  // is not looked at
+  const PatchMap none;  // not used
   const auto many = subdivide(mesh, none, all_of(mesh));
   ASSERT_FALSE(many.ok());
   EXPECT_EQ(many.status().limit, "at most " + std::to_string(limits::model_triangles));

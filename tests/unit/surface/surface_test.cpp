@@ -24,14 +24,14 @@ Surface surface_of(const RawModel& raw) {
   return Surface(std::move(mesh).value());
 }
 
-const double half = 0.5 / std::sqrt(3.0);  // of the cube's side, when its diagonal is 1
+const double half = 0.5 / std::sqrt(3.0);  // half of the cube's side, when its diagonal is 1
 
 TEST(Surface, RaysHitFromEitherSideAndFromFarAway) {
   const Surface cube = surface_of(shapes::cube());
   for (const double distance : {0.0, 1.0, 1e3, 1e6, 1e12}) {
     const auto hit = cube.raycast({0.1, distance, 0.05}, {0, -3, 0});
     ASSERT_TRUE(hit) << distance;
-    const double expected = distance == 0 ? -half : half;  // from within, the far side
+    const double expected = distance == 0 ? -half : half;  // from inside, the ray hits the far side
     EXPECT_NEAR(glm::length(cube.position(*hit) - glm::dvec3(0.1, expected, 0.05)), 0, 1e-5) << distance;
     EXPECT_NEAR(hit->barycentric.x + hit->barycentric.y + hit->barycentric.z, 1, 1e-12);
   }
@@ -58,7 +58,7 @@ TEST(Surface, RaysFromFarBeyondWhatEmbreeTakesPassBy) {
   for (const double far : {1e7, 1e19, 1e30, 1e200, std::numeric_limits<double>::max()}) {
     EXPECT_FALSE(cube.raycast({far, 0, 0}, {0, 1, 0})) << far;
     EXPECT_FALSE(cube.raycast({far, far, far}, {1, 0, 0})) << far;
-    cube.raycast({0.1, far, 0.05}, {0, -1, 0});  // towards it, but too far to tell
+    cube.raycast({0.1, far, 0.05}, {0, -1, 0});  // towards it, but too far to be exact; must not crash
   }
 }
 
@@ -68,7 +68,7 @@ TEST(Surface, ADirectionMayHaveAnyLength) {
     EXPECT_TRUE(cube.raycast({0.1, 1, 0.05}, {0, -length, 0})) << length;
 }
 
-/// A child whose memory ends: what Embree cannot have it says, in a release too.
+/// Runs out of memory in a child process: if Embree cannot allocate, Surface reports it, in release builds too.
 TEST(SurfaceDeathTest, ReportsThatMemoryIsNotEnough) {
   const auto starved = [] {
     const Result<Mesh> mesh = shapes::prepared(shapes::ball(300));

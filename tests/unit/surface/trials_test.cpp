@@ -1,4 +1,4 @@
-// Small files that failed, each of which stands for a kind: shared/trials and its README.md.
+// Small files that once failed, one for each kind of failure: shared/trials and its README.md.
 #include <gtest/gtest.h>
 
 #include <filesystem>

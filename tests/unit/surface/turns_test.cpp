@@ -1,4 +1,4 @@
-// Surfaces that move, and what turns with them.
+// Rotations of a surface that moves.
 #include "server/surface/turns.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Turns, OfAThingThatIsTurnedAreItsRotation) {
 
 TEST(Turns, OfASheetThatShearsAreItsPolarFactor) {
   const Mesh mesh = mesh_of(Builtin::plane);
-  const double shear = 0.4, angle = std::atan(shear / 2);  // polar factor of ((1, shear), (0, 1))
+  const double shear = 0.4, angle = std::atan(shear / 2);  // rotation by the polar factor of ((1, shear), (0, 1))
   const glm::dvec3 up(mesh.normals[0]);
   const glm::dvec3 x = tailward(up), y = glm::cross(up, x);
   const auto turns = surface_turns(mesh, moved_by(mesh, [&](glm::dvec3 p) { return p + shear * glm::dot(p, y) * x; }));

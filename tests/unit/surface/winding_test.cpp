@@ -1,4 +1,4 @@
-// Which way parts are wound, and what hardly belongs to a model.
+// Winding of parts, and what probably does not belong to a model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(Winding, OpenPartsKeepTheirsAndAreReported) {
   EXPECT_LT(glm::distance(part.centre, glm::dvec3(6, 1, 1)), 1e-6);
 }
 
-/// Without every n-th face.
+/// The model without every n-th face.
 RawModel with_holes(const RawModel& raw, std::size_t n) {
   RawModel holed;
   holed.positions = raw.positions;
@@ -61,7 +61,7 @@ RawModel with_holes(const RawModel& raw, std::size_t n) {
   return holed;
 }
 
-// As scans are.
+// Scans have such holes.
 TEST(Winding, PartsThatAreNearlyClosedFaceOutwards) {
   const RawModel scan = with_holes(shapes::ball(24), 500);
   const Mesh inside_out = shapes::prepared(turned(scan)).value();
@@ -71,7 +71,7 @@ TEST(Winding, PartsThatAreNearlyClosedFaceOutwards) {
   EXPECT_EQ(count_of(shapes::prepared(scan).value(), "flipped_triangles"), 0u);
 }
 
-/// A ball, and beside it a sheet of eight triangles in the plane of x and y, facing z.
+/// A ball, and beside it a sheet of eight triangles in the xy plane that faces along z.
 RawModel ball_and_sheet() {
   RawModel raw = shapes::ball(8);
   const auto first = static_cast<std::uint32_t>(raw.positions.size());

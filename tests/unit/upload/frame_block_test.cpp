@@ -13,7 +13,7 @@ float finest_texel(int drawn) {
   return make_frame_block(frame, Slices{}, false, drawn).tile.y;
 }
 
-// Enlarging blurs: texels of the drawn pixels' size would be blurred twice.
+// Enlarging blurs, and texels as large as the drawn pixels would be blurred twice.
 TEST(FrameBlock, PartSizePicturesReadFinerTexels) {
   EXPECT_NEAR(finest_texel(25) / finest_texel(100), 2, 1e-6);
   EXPECT_NEAR(finest_texel(60) / finest_texel(100), std::sqrt(1 / 0.6), 1e-6);

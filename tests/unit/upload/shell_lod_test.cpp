@@ -94,7 +94,7 @@ TEST(ShellLods, SlabsFillTheHeightAtAnyLevel) {
           EXPECT_EQ(thickness, 0) << shell << " of " << shells << " at " << lod;
         else if (shells % 4 == 0)
           EXPECT_GT(thickness, 0) << shell << " of " << shells << " at " << lod;
-        else  // the last ones have less room to move into
+        else  // the last shells have less room to move into
           EXPECT_GE(thickness, 0) << shell << " of " << shells << " at " << lod;
       }
     }
@@ -104,7 +104,7 @@ TEST(ShellLods, SlabsFillTheHeightAtAnyLevel) {
   EXPECT_EQ(slab_begin(2, 8, 1.5f), 3);
 }
 
-/// Three triangles of three vertices each about `places`: one that is front-facing, one turned a little away, one far.
+/// Three triangles of three vertices each: one front-facing, one slightly back-facing, one that faces straight away.
 struct ThreeTriangles {
   std::vector<glm::uvec3> triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
   std::vector<glm::vec3> centroids = std::vector<glm::vec3>(3, glm::vec3(0));
@@ -127,14 +127,14 @@ TEST(ShellLods, ShellsAreDrawnWhereTheyHaveNotGone) {
     std::array<std::size_t, 3> facing{}, back_facing{};
     for (std::size_t i = 0; i < 3; ++i)
       facing[i] = lists.facing[i].size(), back_facing[i] = lists.back_facing[i].size();
-    EXPECT_EQ(facing, back_facing);  // one of each is seen
+    EXPECT_EQ(facing, back_facing);  // one triangle of each is drawn
     return facing;
   };
   using Counts = std::array<std::size_t, 3>;
   EXPECT_EQ(counts({0, 0.5f, 2}, 32), (Counts{1, 1, 1}));
   EXPECT_EQ(counts({1, 1.5f, 2}, 32), (Counts{0, 1, 1}));
   EXPECT_EQ(counts({2, 2, 2}, 32), (Counts{0, 0, 1}));
-  EXPECT_EQ(counts({1, 1, 1}, 16), (Counts{0, 1, 0}));  // halved once at most
+  EXPECT_EQ(counts({1, 1, 1}, 16), (Counts{0, 1, 0}));  // halved at most once
   EXPECT_EQ(counts({0, 0, 0}, 8), (Counts{1, 0, 0}));
 }
 

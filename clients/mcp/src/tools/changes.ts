@@ -1,4 +1,4 @@
-// One tool for each command of the contract, and those that run several: batches, looks and recipes.
+// One tool for each command of the contract, and tools that run several commands: batches, looks and recipes.
 import {brokenAssert} from "../../../web/src/files/asserts";
 import {rulesOf, type Schema} from "../contract";
 import {namesOf, textOf} from "../library";
@@ -10,7 +10,7 @@ import {changeInWords, previewInWords} from "./words";
 type Answer = Answers["CommandAnswer"];
 type Step = Answers["RecipeStep"];
 
-/** Members of commands that have another name in their tools, where `scene` is the scene that changes. */
+/** Members of commands that have another name in the tools, because there `scene` is the scene to change. */
 const renamed = new Map([["scene", "source_scene"]]);
 const nameInTool = (member: string) => renamed.get(member) ?? member;
 const nameInCommand = (member: string) => [...renamed].find(([, name]) => name === member)?.[0] ?? member;
@@ -35,7 +35,7 @@ function commandTool({service, schemas}: Context, op: string, schema: Schema): T
 }
 const replaces = "It replaces what was set before: read it with `read_settings`, change it and send it back whole.";
 
-/** Runs a command or a batch as one undo step, or says what it would do. */
+/** Runs a command or a batch as one undo step; a dry run says what it would do. */
 async function change(service: Service, input: Input, body: object, caller: Caller) {
   const scene = await findScene(service, textIn(input, "scene"), caller);
   if (dryRunIn(input)) return preview(service, pathOf(scene), body, caller);
@@ -53,7 +53,7 @@ function dryRunIn({dry_run = false}: Input): boolean {
   throw new Refusal({detail: '"dry_run" is neither true nor false.', pointer: "/dry_run", limit: "true | false"});
 }
 
-/** Commands without their members: those would fill an agent's context. */
+/** Returns the schema of a list of commands without their members, which would fill an agent's context. */
 export function commandsMember(): Schema {
   const command = {type: "object", properties: {op: {type: "string"}}, required: ["op"], description: "`op` and the members that `describe_commands` says."};
   return {type: "array", items: command, minItems: 1, maxItems: 1000};
@@ -121,7 +121,7 @@ async function stepsOf(service: Service, path: string, name: string, variables: 
   return (await service.post<Answers["RecipeAnswer"]>(`${path}/recipe`, {file, recipe: files[file], files, variables}, caller)).steps;
 }
 
-/** The last answer, with the results of all steps. */
+/** Sends the steps one after the other. Returns the last answer with the results of all steps. */
 async function runSteps(service: Service, path: string, steps: Step[], caller: Caller): Promise<Answer> {
   const answers: Answer[] = [];
   for (const step of steps) {

@@ -1,4 +1,4 @@
-// Files that a scene is exported as.
+// The tool that exports a scene to a file.
 import {writeFile} from "node:fs/promises";
 import {extname} from "node:path";
 import {Refusal} from "../refusal";

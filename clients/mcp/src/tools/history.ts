@@ -1,4 +1,4 @@
-// Undo, redo, revert and the log.
+// Tools for the history: undo, redo, revert, the log.
 import type {Caller} from "../service";
 import {commandsMember} from "./changes";
 import {arrayIn, changes, findScene, integerIn, pathOf, queryOf, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";

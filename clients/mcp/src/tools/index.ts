@@ -1,4 +1,4 @@
-// All tools, by name and in sets.
+// All tools, grouped in toolsets and by name.
 import {applyLook, commandTools, describeCommands, runCommands, runRecipe} from "./changes";
 import {exportScene} from "./files";
 import {historyTools} from "./history";
@@ -7,10 +7,10 @@ import {previewChange} from "./preview";
 import {branchScene, sceneTools} from "./scenes";
 import type {Context, Tool} from "./tool";
 
-/** Those that agents get unless more is asked for: together below 30 kB of their context. */
+/** The default toolsets; together they take less than 30 kB of an agent's context. */
 const usual = ["scenes", "pictures", "changes", "history"];
 
-/** Throws an Error where names are not known. `only` chooses from all sets. */
+/** Returns the tools of the sets, or those named by `only` from all sets. Throws an Error for unknown names. */
 export async function toolsOf(context: Context, sets: string[] = usual, only?: string[]): Promise<Map<string, Tool>> {
   const all = await toolsets(context);
   const wanted = only || sets.includes("all") ? Object.keys(all) : sets;

@@ -1,4 +1,4 @@
-// Pictures: one frame, several numbered views in one, and what lies under a pixel.
+// Tools for pictures: one frame, a montage of numbered views, and a pick of what lies under a pixel.
 import type {CallToolResult} from "@modelcontextprotocol/sdk/types.js";
 import type {Schema} from "../contract";
 import {montage} from "../montage";
@@ -6,10 +6,10 @@ import {Refusal} from "../refusal";
 import type {Caller, Service} from "../service";
 import {arrayIn, camera_member, integerIn, reads, result, scene_member, scenePath, textIn, without, type Answers, type Context, type Input, type Tool} from "./tool";
 
-/** What all frames of a montage share, and what each of its views has of its own. */
+/** Members of FrameRequest that are common to all views of a montage, and those that each view sets. */
 const shared_members = ["budget_ms", "max_error", "max_seconds", "background", "exposure", "tone_map"];
 const view_members = ["overlay", "overlay_from", "revision"];
-/** Bytes of a picture: many clients take no larger ones. */
+/** Maximum size of a picture in bytes; many MCP clients reject larger ones. */
 const max_bytes = 1_000_000;
 const quality_rule = "Give one of quality, budget_ms and max_error at most.";
 
@@ -33,7 +33,7 @@ async function draw(service: Service, path: string, request: object, caller: Cal
   };
 }
 
-/** As it is asked for where it is small enough, else as JPEG. */
+/** Draws a frame in the requested format; if it exceeds `max_bytes`, as JPEG of lower and lower quality. */
 async function drawSmall(service: Service, path: string, request: object, caller: Caller): Promise<Frame> {
   const ways = [{}, {format: "jpeg", lossy_quality: 88}, {format: "jpeg", lossy_quality: 60}];
   let frame: Frame | undefined;
@@ -86,7 +86,7 @@ function views(context: Context): Tool {
   };
 }
 
-/** A montage of `input.views`; `names` are for the list of what each number is. */
+/** Draws a montage of `input.views`. `names` label the numbers in the text; without them the views are described. */
 export async function drawViews(service: Service, path: string, input: Input, caller: Caller, names: string[] = []): Promise<CallToolResult> {
   const width = integerIn(input, "width", default_side, 16, max_side), height = integerIn(input, "height", default_side, 16, max_side);
   const wanted = input["views"] === undefined ? all_sides : arrayIn(input, "views");
@@ -99,7 +99,7 @@ export async function drawViews(service: Service, path: string, input: Input, ca
     await caller.progress(k + 1, wanted.length);
   }
   const {png, size, corners} = montage(frames.map(({bytes}) => bytes), width, height);
-  const fits = Math.sqrt(max_bytes / png.length) * 0.95;  // of a side, as bytes go with pixels
+  const fits = Math.sqrt(max_bytes / png.length) * 0.95;  // factor for a side; bytes grow with the pixels
   if (fits < 0.95) return drawViews(service, path, {...input, width: Math.floor(width * fits), height: Math.floor(height * fits)}, caller, names);
   const list = wanted.map((view, k) => ({number: k + 1, ...view as object, revision: frames[k]!.revision, width, height, ...corners[k]!}));
   const lines = wanted.map((view, k) => `${k + 1}: ${names[k] ?? viewInWords(view as Input)}, revision ${frames[k]!.revision}`);

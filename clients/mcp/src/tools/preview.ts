@@ -1,4 +1,4 @@
-// A dry run of any commands; with a camera also a picture of what would change.
+// The tool that makes a dry run of commands; with a camera also a picture of what would change.
 import type {CallToolResult} from "@modelcontextprotocol/sdk/types.js";
 import type {Caller, Service} from "../service";
 import {commandsMember, preview} from "./changes";
@@ -11,7 +11,7 @@ export function previewChange(context: Context): Tool {
   const pictured = "With a camera also in pictures: 1 before, 2 after, 3 what changed (grey unchanged, then dark violet to yellow).";
   return {
     name: "preview_change",
-    // A picture takes a branch for as long as it is drawn, so this is not read-only to the letter.
+    // Not read-only in the strict sense: drawing a picture creates a temporary branch.
     annotations: {...changes, idempotentHint: true},
     description: "Says what commands would do, and changes nothing: vertices touched, mean and largest change of each field. " + pictured,
     inputSchema: schemas.input({scene: scene_member, commands: commandsMember(), camera}, ["scene", "commands"]),
@@ -27,7 +27,7 @@ export function previewChange(context: Context): Tool {
 const addPicture = (said: CallToolResult, drawn: CallToolResult): CallToolResult =>
   ({content: [...drawn.content.slice(0, 1), ...said.content, ...drawn.content.slice(1)], structuredContent: {...said.structuredContent, ...drawn.structuredContent}});
 
-/** The commands run on a branch, which is gone afterwards. */
+/** Runs the commands on a temporary branch and draws it before, after, and the difference. */
 async function drawOnBranch(service: Service, path: string, body: object, camera: unknown, caller: Caller): Promise<CallToolResult> {
   const {id, revision} = await service.post<Answers["Scene"]>(`${path}/branch`, {name: "preview"}, caller);
   const branch = `/v1/scenes/${id}`;
@@ -36,7 +36,7 @@ async function drawOnBranch(service: Service, path: string, body: object, camera
     const views = [{camera, revision}, {camera}, {camera, overlay: "difference", overlay_from: revision}];
     return await drawViews(service, branch, {views, width: 384, height: 384}, caller, ["before", "after", "what would change"]);
   } finally {
-    // Also where the agent has given up, whose signal would end this call too.
+    // A fresh signal, so that the branch is removed even if the agent has cancelled the call.
     await service.remove(branch, {...caller, signal: new AbortController().signal});
   }
 }

@@ -1,4 +1,4 @@
-// Scenes: list, make, load, describe, remove.
+// Tools for scenes: list, create, load, describe, remove.
 import {readFile} from "node:fs/promises";
 import {extname} from "node:path";
 import {Refusal, unknownName} from "../refusal";

@@ -1,4 +1,4 @@
-// What every tool is made of.
+// The Tool interface, and helpers that all tools share.
 import type {CallToolResult, ToolAnnotations} from "@modelcontextprotocol/sdk/types.js";
 import type {components} from "contract";
 import type {Cameras} from "../cameras";
@@ -9,7 +9,7 @@ import type {Caller, Service} from "../service";
 
 export type Answers = components["schemas"];
 export type Input = Record<string, unknown>;
-/** What tools work with: the server, and what its contract says. */
+/** What tools work with: the server, its contract's schemas, and the named cameras. */
 export interface Context { service: Service; schemas: Schemas; cameras: Cameras }
 
 export interface Tool {
@@ -21,19 +21,19 @@ export interface Tool {
 }
 
 export const reads: ToolAnnotations = {readOnlyHint: true, openWorldHint: false};
-/** Every change can be undone. */
+/** For tools that change a scene; not destructive, since every change can be undone. */
 export const changes: ToolAnnotations = {readOnlyHint: false, destructiveHint: false, openWorldHint: false};
 export const destroys: ToolAnnotations = {readOnlyHint: false, destructiveHint: true, openWorldHint: false};
 
 export const scene_member: Schema = {type: "string", description: "Id or name of the scene."};
-/** In a few words: the contract's schema of a camera in each tool would fill an agent's context. */
+/** A short schema of a camera; the contract's full schema in each tool would fill an agent's context. */
 export const camera_member = ({cameras}: Context): Schema => ({
   type: ["string", "object"], default: "three_quarter",
   description: `A name: ${cameras.names().join(", ")}, or one of name_camera. Or {"position": [x, y, z], "target": [x, y, z], "up": [0, 1, 0], "fov_degrees": 35}.`,
 });
 export const dry_run_member: Schema = {type: "boolean", default: false, description: "Only say what would change; nothing changes."};
 
-/** Words for the agent, and the same as data. */
+/** Builds a tool's result from text for the agent and the same content as data. */
 export const result = (text: string, structuredContent: object): CallToolResult =>
   ({content: [{type: "text", text}], structuredContent: structuredContent as Record<string, unknown>});
 
@@ -59,18 +59,18 @@ export const pathMember = (more = ""): Schema => ({type: "string", description: 
 
 export const queryOf = (members: Input) => new URLSearchParams(Object.entries(members).map(([name, value]): [string, string] => [name, String(value)])).toString();
 
-/** All but these members. */
+/** Returns `input` without these members. */
 export const without = (input: Input, ...names: string[]): Input =>
   Object.fromEntries(Object.entries(input).filter(([name]) => !names.includes(name)));
 
-/** The path of the scene that an agent means by an id or a name. */
+/** Returns the URL path of the scene that an agent gives by id or name. */
 export async function scenePath(service: Service, wanted: string, caller: Caller): Promise<string> {
   return pathOf(await findScene(service, wanted, caller));
 }
 
 export const pathOf = ({id}: {id: string}) => `/v1/scenes/${id}`;
 
-/** `pointer` is where the agent named it. */
+/** Finds a scene by id or unique name. `pointer` is the JSON pointer of the input that names it. */
 export async function findScene(service: Service, wanted: string, caller: Caller, pointer = "/scene"): Promise<Answers["Scene"]> {
   const {scenes} = await service.get<Answers["SceneList"]>("/v1/scenes", caller);
   const named = scenes.filter(({id}) => id === wanted).concat(scenes.filter(({name}) => name === wanted));

@@ -1,4 +1,4 @@
-// Answers of the server in short words, each with the next step.
+// Describes answers of the server in short texts for agents, with the next step.
 import type {Answers} from "./tool";
 
 type Answer = Answers["CommandAnswer"];
@@ -19,9 +19,9 @@ function resultInWords({op, touched, fields, clamped, warnings}: Result, dry_run
   ].filter(Boolean).join(" ");
 }
 
-/** A stroke can miss, or the mask can protect what it hits. */
+/** Returns true if a command touched nothing: its stroke missed, or the mask protects what it hit. */
 const missed = (results: Result[]) => results.some(({op, touched}) => touched === 0 && !setsSomething(op));
-/** Commands that set the scene touch no vertex. */
+/** Returns true for commands that set properties of the scene; they touch no vertex. */
 const setsSomething = (op: string) => /^(set_|checkpoint$|edit_layer$|mask$)/.test(op);
 
 const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, or the fur is already so "
@@ -29,7 +29,7 @@ const miss_hint = "Touched 0: the stroke lies farther from the surface than the 
 
 const max_lines = 20;
 
-/** Of a long batch only the first results; the data have all. */
+/** Describes only the first `max_lines` results of a batch; the structured data have all. */
 function resultsInWords(results: Result[], dry_run: boolean): string[] {
   const lines = results.slice(0, max_lines).map((one) => resultInWords(one, dry_run));
   return results.length > max_lines ? [...lines, `And ${results.length - max_lines} more commands.`] : lines;
@@ -61,7 +61,7 @@ export function entryInWords({revision, kind, touched, in_effect, author, comman
   return `${in_effect ? "*" : " "} ${revision} ${what.filter(Boolean).join(", ")}`;
 }
 
-/** The log has one command, or a list of them. */
+/** Returns the ops in a log entry, which has one command or a list of them. */
 export function opsOf(commands: unknown): string[] {
   const list = Array.isArray(commands) ? commands : [commands];
   return list.flatMap((command: {op?: string; commands?: unknown} | undefined) => command?.op ?? (command?.commands ? opsOf(command.commands) : []));

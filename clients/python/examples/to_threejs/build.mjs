@@ -17,7 +17,8 @@ const {outputFiles: [script]} = await esbuild.build({
   nodePaths: [packages], alias: {exported: folder}, legalComments: "none", logLevel: "warning",
   loader: {".glb": "binary", ".glsl": "text"},
 });
-// A script in a page ends at the first </script, wherever it stands. As a function: in a text, $& would have a meaning.
+// HTML ends a script at the first </script, even inside a string. The replacement is a function because $& in a
+// replacement string would be special.
 const page = readFileSync(join(here, "page.html"), "utf8").replace("SCRIPT", () => script.text.replaceAll("</script", "<\\/script"));
 writeFileSync(join(folder, "index.html.part"), page);
 renameSync(join(folder, "index.html.part"), join(folder, "index.html"));

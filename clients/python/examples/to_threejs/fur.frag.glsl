@@ -1,4 +1,4 @@
-// Strands of the atlas, lit as thin fibres: diffuse by the sine to the light, a highlight by Kajiya and Kay.
+// Shades the atlas's strands as thin fibres (Kajiya and Kay): diffuse by the sine to the light, and a highlight.
 uniform sampler2D atlas;
 uniform float layers;
 uniform float columns;
@@ -12,15 +12,15 @@ in vec3 fur;
 in float share;
 flat in float layer;
 
-const float headroom = 1.6;       // the atlas has lightness over the mean, over this
-const float deepest_light = .35;  // that reaches the skin, as the shells of the export have it
-const float sharpness = .5;       // a level finer than a pixel needs: strands rather than haze
-const float inset = .5 / 256.;    // of a tile, so that its neighbours in the atlas do not bleed in
+const float headroom = 1.6;       // the atlas stores lightness divided by its mean and by this
+const float deepest_light = .35;  // light at the skin relative to the tips, as in the export "shells"
+const float sharpness = .5;       // scales the derivatives: one mipmap level finer, for strands rather than haze
+const float inset = .5 / 256.;    // margin inside each atlas tile, in tiles; keeps neighbours from bleeding in
 
 void main() {
   vec2 tile = clamp(fract(place), inset, 1. - inset);
   vec2 corner = vec2(mod(layer, columns), floor(layer / columns));
-  // Derivatives of the place that does not wrap: no seam of coarse mipmap levels where the tile repeats.
+  // Derivatives of the coordinate before wrapping avoid a seam of coarse mipmap levels where the tile repeats.
   vec2 dx = sharpness * dFdx(place) / columns, dy = sharpness * dFdy(place) / columns;
   vec4 strand = textureGrad(atlas, (corner + tile) / columns, dx, dy);
   float opacity = strand.a * share;

@@ -1,9 +1,9 @@
-// Shells from the export "fields": one mesh, drawn once for each layer, its vertices moved along the strands.
+// Draws shells from the export "fields": one mesh, instanced once for each shell, its vertices moved along the strands.
 import * as three from "three";
 import fragmentShader from "./fur.frag.glsl";
 import vertexShader from "./fur.vert.glsl";
 
-/** The skin with its fur. model: The loaded file. lights, ambient: Those of the scene. anisotropy: Of the texture. */
+/** Returns the skin with its fur. model: the loaded file. lights, ambient: the scene's. anisotropy: the atlas's. */
 export function shellsOf(model, {lights, ambient, anisotropy}) {
   const fur = new three.Group();
   const [skin] = meshesOf(model);
@@ -32,7 +32,7 @@ function meshesOf(model) {
   return found;
 }
 
-/** The file carries the layers as an occlusion texture, which viewers read as data: its grey is sRGB. */
+/** Returns the atlas of shells, which is sRGB; the file stores it as an occlusion texture, which loaders take as linear. */
 function atlasOf({material}, anisotropy) {
   const atlas = material.aoMap;
   atlas.anisotropy = anisotropy;

@@ -1,15 +1,15 @@
-// A shell is the skin, moved along the curve that each strand follows: an arc that leaves the skin upright and ends as
-// far inclined as the direction is long.
+// Moves the skin's vertices to a shell, along the curve of the strands: an arc that leaves the skin along the normal
+// and ends at an inclination given by the length of `_direction` (1: 90 degrees).
 attribute float _length;
 attribute float _density;
 attribute float _weight;
 attribute vec3 _direction;
 uniform float layers;
-out vec2 place;     // on the coat's tile, which repeats
-out vec3 tangent;   // of the strand here
+out vec2 place;     // texture coordinate on the coat's repeating tile
+out vec3 tangent;   // of the strand at this vertex
 out vec3 view;
 out vec3 fur;
-out float share;    // of the strands that stand here
+out float share;    // fraction of the strands that grow here, [0, 1]
 flat out float layer;
 
 const float quarter = 1.5707963;

@@ -1,4 +1,4 @@
-// Shows the same groom as glTF alone has it, #shells and #cards, and with shells that a shader makes of the fields, #shader.
+// Shows a groom in three forms: #shells and #cards are plain glTF, #shader draws shells made from the fields.
 import * as three from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import {GLTFLoader} from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -10,7 +10,7 @@ import {shellsOf} from "./fur.js";
 
 const renderer = new three.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
 renderer.setPixelRatio(Math.max(devicePixelRatio, 2));  // strands are finer than a pixel
-const anisotropy = renderer.capabilities.getMaxAnisotropy();  // and are seen along the skin
+const anisotropy = renderer.capabilities.getMaxAnisotropy();  // strands are seen at grazing angles
 renderer.setSize(about.size, about.size);
 document.body.append(renderer.domElement);
 const scene = new three.Scene();
@@ -38,7 +38,7 @@ function addLights() {
   }
 }
 
-/** The layers of the file are blended in their order over the skin; none of them hides those above it. */
+/** Blends the shells over the skin in the file's order; they write no depth, so none hides those above it. */
 function addShells({scene: model}) {
   let order = 0;
   model.traverse((part) => {
@@ -51,7 +51,7 @@ function addShells({scene: model}) {
   scene.add(model);
 }
 
-/** The scene of the finest level; edges of strands are smoothed by the samples of a pixel. */
+/** Shows the finest level of detail; alpha-to-coverage with multisampling smooths the edges of strands. */
 function addCards({scene: model}) {
   model.traverse((part) => {
     if (!part.material?.map) return;
@@ -62,7 +62,7 @@ function addCards({scene: model}) {
 }
 
 async function show() {
-  globalThis.createImageBitmap = undefined;  // pictures as elements: a headless browser waits for these alone
+  globalThis.createImageBitmap = undefined;  // so textures load as <img>, which headless browsers wait for
   const loader = new GLTFLoader();
   if (location.hash === "#cards") addCards(await loader.parseAsync(cards.buffer, ""));
   else if (location.hash === "#shader") scene.add(shellsOf((await loader.parseAsync(fields.buffer, "")).scene, {...about, anisotropy}));

@@ -71,7 +71,7 @@ def export(scene: pelage.Scene, camera: PinholeCamera, args: argparse.Namespace)
 
 
 def take_pictures(args: argparse.Namespace) -> None:
-    window = max(args.size, 500) + 200  # no window is narrower than 500, and its frame needs room
+    window = max(args.size, 500) + 200  # Chromium's windows are at least 500 wide, and the window frame needs room
     pictures = [("Pelage", common.load_image(args.output / "pelage.png"))]
     for kind, label in PICTURES.items():
         file, page = (args.output / name for name in (f"{kind}.png", "index.html"))

@@ -1,1 +1,1 @@
-"""`pelage farm`: frames on many machines, what is missing of them, and clips and contact sheets of what is there."""
+"""`pelage farm`: draws frames on many machines, finds missing ones, and makes clips and contact sheets."""

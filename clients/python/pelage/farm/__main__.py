@@ -24,7 +24,7 @@ WATCHED_EVERY = 2.0  # seconds
 
 
 def parser() -> argparse.ArgumentParser:
-    """Takes the whole line of `pelage`, which has checked it and explains the options: `pelage farm submit --help`."""
+    """Returns a parser for the whole command line, which `pelage` has checked already; `pelage farm --help` explains it."""
     made = argparse.ArgumentParser("pelage-farm", description=__doc__, allow_abbrev=False)
     made.add_argument("farm", choices=["farm"])
     actions = made.add_subparsers(dest="action", required=True)
@@ -123,7 +123,7 @@ def run_status(line: argparse.Namespace) -> int:
 
 
 def show(status: Status) -> None:
-    """A bar that is drawn over on a terminal, else a line each time."""
+    """Shows a progress bar that is redrawn in place on a terminal, else prints a line each time."""
     if sys.stderr.isatty():
         print(f"\r\033[K{bar(status)}", end="", file=sys.stderr, flush=True)
     else:
@@ -183,14 +183,14 @@ def advice(error: Exception) -> "tuple[int, str]":
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """The exit code: 0 done, 1 failed or frames with faults, 2 wrong use, 3 the input was refused."""
-    everywhere = argparse.ArgumentParser(add_help=False, allow_abbrev=False)  # they may stand anywhere in the line
+    """Returns the exit code: 0 done, 1 failed or frames with faults, 2 wrong use, 3 the input was refused."""
+    everywhere = argparse.ArgumentParser(add_help=False, allow_abbrev=False)  # options that are valid anywhere
     for name in ("--server", "--token", "--author"):
         everywhere.add_argument(name)
     everywhere.add_argument("--json", action="store_true")
     line, rest = everywhere.parse_known_args(arguments)
     line = parser().parse_args(rest, line)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # so that it ends its tasks too
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # so that SIGTERM, too, ends the tasks
     try:
         return RUNNERS[line.action](line)
     except KeyboardInterrupt:

@@ -1,4 +1,4 @@
-"""Frames that are missing, short, of another size, black, or not of this job."""
+"""Finds frames that are missing, truncated, of a wrong size, black, or not of this job."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .folder import FarmFolder
 from .frame_files import FrameFile, ShortFile, inspect
 from .plan import Plan, PlannedFrame, plan_of
 
-BLACK = 0.02  # a frame in which no pixel is brighter, of 1, shows nothing
+BLACK = 0.02  # a frame counts as black if no pixel is brighter than this, [0, 1]
 KINDS = ("missing", "short", "size", "black", "stale")
 
 
@@ -30,13 +30,13 @@ class Fault(NamedTuple):
 
 
 def plan_for(path: str) -> Plan:
-    """Of a folder that `submit` made, or of a job's file. Raises FarmError."""
+    """Returns the plan of a folder made by `submit`, or of a job file. Raises FarmError."""
     given = pathlib.Path(path)
     return FarmFolder(given).plan() if given.is_dir() else plan_of(path)
 
 
 def faults_of(plan: Plan, black: float = BLACK) -> List[Fault]:
-    """By frame. black: The brightness, 0 to 1, that a pixel must exceed. Raises FarmError where ffmpeg is missing."""
+    """Returns the faults by frame. black: Brightness, 0 to 1, that a pixel must exceed. Raises FarmError without ffmpeg."""
     ffmpeg_program()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         looks = list(pool.map(look_at, plan.frames))
@@ -44,7 +44,7 @@ def faults_of(plan: Plan, black: float = BLACK) -> List[Fault]:
 
 
 class Look(NamedTuple):
-    """file: None where it is missing or short. brightest: Of all pixels, 0 to 1. fault: Kind and words, or None."""
+    """file: None if missing or truncated. brightest: Maximum over all pixels, 0 to 1. fault: Kind and text, or None."""
 
     planned: PlannedFrame
     file: Optional[FrameFile]
@@ -63,7 +63,7 @@ def look_at(planned: PlannedFrame) -> Look:
 
 
 def brightest_of(path: str) -> float:
-    """Of all pixels, decoded. Raises ShortFile where they cannot be."""
+    """Returns the maximum brightness of all decoded pixels, 0 to 1. Raises ShortFile if decoding fails."""
     with input_of([path], 1) as given:
         command = [ffmpeg_program(), "-v", "error", "-xerror", "-err_detect", "crccheck+explode", *given]
         command += ["-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "gray", "-"]

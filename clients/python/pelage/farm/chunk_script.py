@@ -1,10 +1,10 @@
-"""What each engine runs for a chunk: one line of chunks.txt through pelage-render."""
+"""The script that every engine runs for a chunk: it passes one line of chunks.txt to pelage-render."""
 
 from __future__ import annotations
 
 import shlex
 
-# The shell becomes pelage-render, so that a signal for the task's first process comes to it.
+# The shell execs pelage-render, so that a signal to the task's first process reaches it.
 CHUNK_SCRIPT = """\
 #!/bin/sh
 # Draws the frames in line N + 1 of chunks.txt that are not there yet, or a tile of them. usage: sh chunk.sh N
@@ -19,6 +19,6 @@ exec "${{PELAGE_RENDER:-$renderer}}" job.json "--frames=$frames" ${{tile:+"--til
 
 
 def chunk_script(renderer: str, threads: int) -> str:
-    """renderer: Program or path. threads: 0 for all cores that the task has."""
+    """Returns the script. renderer: Program name or path. threads: 0 for all cores of the task."""
     given = str(threads) if threads else '"${SLURM_CPUS_ON_NODE:-0}"'
     return CHUNK_SCRIPT.format(renderer=shlex.quote(renderer), threads=given)

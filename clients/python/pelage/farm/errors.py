@@ -1,10 +1,10 @@
-"""What goes wrong, with what to do next."""
+"""Errors of `pelage farm`, with advice and exit code."""
 
 from __future__ import annotations
 
 from ..errors import PelageError
 
-FAILED, WRONG_USE, BAD_INPUT = 1, 2, 3  # exit codes, as of `pelage`
+FAILED, WRONG_USE, BAD_INPUT = 1, 2, 3  # exit codes, same as those of `pelage`
 
 
 class FarmError(PelageError):

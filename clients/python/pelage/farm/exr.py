@@ -6,7 +6,7 @@ import io
 import struct
 from typing import BinaryIO, Dict, List, NamedTuple, Tuple
 
-# Lines in a block, by compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
+# Scan lines in a block, indexed by compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
 BLOCK_LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
 REQUIRED = (
     "channels",
@@ -21,7 +21,7 @@ REQUIRED = (
 
 
 class Header(NamedTuple):
-    """attributes: Type and value, by name. offsets: Of blocks of lines; 0 for one that was not written."""
+    """attributes: Type and value by name. offsets: File offset of each block of lines; 0 if it was not written."""
 
     attributes: Dict[str, Tuple[bytes, bytes]]
     offsets: List[int]
@@ -30,7 +30,7 @@ class Header(NamedTuple):
 
 
 def read_header(file: BinaryIO) -> Header:
-    """Leaves the file where the blocks begin. Raises ValueError, IndexError, KeyError and struct.error for what is none."""
+    """Reads a header; the file is then at the first block. Raises ValueError, IndexError, KeyError or struct.error."""
     file.seek(8)
     attributes: Dict[str, Tuple[bytes, bytes]] = {}
     while True:
@@ -58,7 +58,7 @@ def read_text(file: BinaryIO) -> bytes:
 
 
 def without_extras(content: bytes) -> bytes:
-    """The same picture with the required attributes alone: ffmpeg 5.1 loses its way after a value above 255 bytes."""
+    """Returns the file with only the required attributes, because ffmpeg 5.1 fails after a value above 255 bytes."""
     file = io.BytesIO(content)
     header = read_header(file)
     begin = file.tell()

@@ -1,4 +1,4 @@
-"""Calls of ffmpeg."""
+"""Runs ffmpeg."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ENDINGS = (".png", ".exr")
 
 
 def ffmpeg_program() -> str:
-    """Raises FarmError."""
+    """Returns the path of ffmpeg. Raises FarmError if there is none."""
     found = shutil.which("ffmpeg")
     if found is None:
         raise FarmError("There is no program ffmpeg", "install it: apt-get install ffmpeg")
@@ -30,7 +30,7 @@ def ending_of(path: str) -> str:
 
 @contextlib.contextmanager
 def input_of(files: Sequence[str], fps: float) -> Iterator[List[str]]:
-    """Arguments that make pictures of one format, in their order, the input of ffmpeg. Raises FarmError."""
+    """Yields ffmpeg's arguments for a sequence of pictures of one format as input. Raises FarmError."""
     ending = ending_of(files[0])
     if ending not in ENDINGS:
         raise FarmError(f"{files[0]} is neither PNG nor EXR", "name frames of these formats", BAD_INPUT)
@@ -41,12 +41,12 @@ def input_of(files: Sequence[str], fps: float) -> Iterator[List[str]]:
                 path.write_bytes(without_extras(pathlib.Path(file).read_bytes()))
             else:
                 path.symlink_to(os.path.abspath(file))
-        shown = ["-apply_trc", "iec61966_2_1"] if ending == ".exr" else []  # it holds linear light
+        shown = ["-apply_trc", "iec61966_2_1"] if ending == ".exr" else []  # EXR is linear
         yield [*shown, "-f", "image2", "-framerate", f"{fps:g}", "-i", os.path.join(folder, f"%08d{ending}")]
 
 
 def convert(files: Sequence[str], fps: float, arguments: Sequence[str], output: str) -> None:
-    """Makes one file of pictures; it appears whole. Raises FarmError."""
+    """Converts pictures to one file, which is written atomically. Raises FarmError."""
     part = os.path.join(os.path.dirname(os.path.abspath(output)), f".part-{os.getpid()}-{os.path.basename(output)}")
     try:
         with input_of(files, fps) as given:

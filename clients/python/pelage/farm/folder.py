@@ -29,13 +29,13 @@ from .plan import Piece, Plan, plan_from
 from .ranges import Chunk, chunk_from
 
 JOB = "job.json"
-MODELS = "models"  # files that the job moves by
-LOCK = "lock"  # with the engine `local`, `submit` holds it until all is drawn
+MODELS = "models"  # subfolder for copies of the job's `motion` files
+LOCK = "lock"  # held by `submit`; with the engine `local` until all chunks are drawn
 
 
 class Sent(NamedTuple):
-    """What an engine was given last. job: Its name there; "" where it has none. chunks: Numbers from 0. at: Seconds of
-    the epoch."""
+    """The last submission to an engine. job: Its id there; "" if it has none. chunks: Numbers from 0. at: Time in seconds
+    since the epoch."""
 
     engine: str
     job: str
@@ -45,7 +45,7 @@ class Sent(NamedTuple):
 
 
 class FarmFolder:
-    """A folder as above. path: Absolute."""
+    """A job's folder, as described above. path: Absolute."""
 
     def __init__(self, path: pathlib.Path) -> None:
         self.path = path.absolute()
@@ -60,14 +60,14 @@ class FarmFolder:
 
     @property
     def name(self) -> str:
-        """Of the job, for the lists of an engine."""
+        """Name of the job, shown by engines."""
         return self.path.name.replace(".farm", "") or "frames"
 
     def exists(self) -> bool:
         return self.job.exists() and (self.path / "plan.json").exists()
 
     def plan(self) -> Plan:
-        """Raises FarmError where there is none."""
+        """Reads the plan. Raises FarmError if there is none."""
         try:
             document = json.loads((self.path / "plan.json").read_text(encoding="utf-8"))
         except OSError as error:
@@ -92,7 +92,7 @@ class FarmFolder:
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:
-        """Makes the folder; nobody else may submit it until the end of the block. Raises FarmError."""
+        """Creates the folder and locks it against other submits until the end of the block. Raises FarmError."""
         self.path.mkdir(parents=True, exist_ok=True)
         with open(self.path / LOCK, "ab") as file:
             try:
@@ -111,7 +111,7 @@ class FarmFolder:
         return False
 
     def remove_leftovers(self) -> None:
-        """Of tasks that were killed while they wrote a file. Only while no task runs."""
+        """Removes temporary files of tasks that were killed while writing. Call it only while no task runs."""
         planned = self.plan().frames
         for file in [frame.file for frame in planned] + [tile.file for frame in planned for tile in frame.tiles]:
             folder, name = os.path.split(file)
@@ -119,7 +119,7 @@ class FarmFolder:
                 os.unlink(left)
 
     def write_plan(self, plan: Plan) -> None:
-        """Files below this folder are written as relative to it, so that the folder can be moved."""
+        """Writes the plan; paths below this folder become relative, so that the folder can be moved."""
         document = plan.to_json()
         for frame in document["frames"]:
             for planned in (frame, *frame["tiles"]):
@@ -134,7 +134,7 @@ class FarmFolder:
         write_whole(self.path / name, text.encode())
 
     def copy_job(self, source: pathlib.Path) -> bool:
-        """Copies a job, its scene and what it moves by. Gives whether they differ from what was there. Raises FarmError."""
+        """Copies a job, its scene and its motion files. Returns True if any of them changed. Raises FarmError."""
         document = read_job(source)
         self.logs.mkdir(parents=True, exist_ok=True)
         changed = False
@@ -157,7 +157,7 @@ class FarmFolder:
 
 
 def read_job(path: pathlib.Path) -> Dict[str, Any]:
-    """Raises FarmError for what cannot be read or is no object."""
+    """Reads a job file. Raises FarmError if it cannot be read or is not a JSON object."""
     try:
         document = json.loads(bytes_of(path))
     except (OSError, ValueError) as error:
@@ -169,7 +169,7 @@ def read_job(path: pathlib.Path) -> Dict[str, Any]:
 
 
 def numbered_files(pattern: pathlib.Path) -> List[pathlib.Path]:
-    """The files that a name with a run of # stands for, in order; the file itself without one. Raises FarmError."""
+    """Returns the files that match a name with a run of #, in order; without #, the file itself. Raises FarmError."""
     if "#" not in pattern.name:
         return [pattern]
     number = re.compile(re.sub(r"(\\#)+", r"-?\\d+", re.escape(pattern.name)))
@@ -180,7 +180,7 @@ def numbered_files(pattern: pathlib.Path) -> List[pathlib.Path]:
 
 
 def bytes_of(path: pathlib.Path) -> bytes:
-    """Raises OSError for what cannot be read, and for a pipe or a device, for which it would wait."""
+    """Reads a file. Raises OSError if it cannot be read, also for pipes and devices, which could block."""
     if path.exists() and not path.is_file():
         raise OSError(f"{path} is a folder, a pipe or a device")
     return path.read_bytes()
@@ -202,11 +202,11 @@ def copy_changed(source: pathlib.Path, target: pathlib.Path, member: str) -> boo
 
 
 def farm_folder(path: str) -> FarmFolder:
-    """Of a folder that `submit` made, or of the job that it was made of."""
+    """Returns the FarmFolder at a path: a folder made by `submit`, or the job file that it was made from."""
     given = pathlib.Path(path)
     return FarmFolder(given if given.is_dir() else default_folder(given))
 
 
 def default_folder(job: pathlib.Path) -> pathlib.Path:
-    """Beside the job: fox.json has fox.farm."""
+    """Returns the default folder of a job, beside it: fox.farm for fox.json."""
     return job.with_suffix(".farm")

@@ -1,4 +1,4 @@
-"""Whether a frame's file is whole, and what it says about itself. Reads headers and lengths, decodes no pixel."""
+"""Checks that a frame's file is complete and reads its metadata, from headers and lengths, without decoding pixels."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ FINGERPRINT = "pelage/fingerprint"
 
 
 class ShortFile(Exception):
-    """The file ends too early, or is no picture."""
+    """The file is truncated or not a picture."""
 
 
 class FrameFile(NamedTuple):
-    """fingerprint: Of scene, frame, settings and version, as pelage-render writes it; "" where there is none."""
+    """fingerprint: Hash of scene, frame, settings and version, written by pelage-render; "" if there is none."""
 
     width: int
     height: int
@@ -25,8 +25,8 @@ class FrameFile(NamedTuple):
 
 
 def inspect(path: str) -> FrameFile:
-    """Of a whole PNG or EXR file. Raises ShortFile, and OSError."""
-    if not stat.S_ISREG(os.stat(path).st_mode):  # a pipe would be waited for
+    """Inspects a complete PNG or EXR file. Raises ShortFile if it is not, and OSError."""
+    if not stat.S_ISREG(os.stat(path).st_mode):  # opening a pipe would block
         raise ShortFile("it is a folder, a pipe or a device")
     with open(path, "rb") as file:
         start = file.read(8)

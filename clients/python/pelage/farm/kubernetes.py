@@ -9,17 +9,17 @@ from .folder import FarmFolder
 
 GRACE_SECONDS = 30
 MOUNT = "/farm"
-TRIES = 3  # of a pod after its first
-# pelage-render's exit codes for wrong use and a bad job or scene: another try ends in the same way.
+TRIES = 3  # retries of a pod
+# pelage-render's exit codes for wrong use and for a bad job or scene, which a retry cannot fix.
 HOPELESS_CODES = [2, 3]
 
 
 def manifest(
     folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int, image: str, claim: str
 ) -> Dict[str, Any]:
-    """at_once: Pods at the same time; 0 for all. image: Of containers. claim: Of the volume that holds the folder.
+    """at_once: Maximum of parallel pods; 0 for all. image: Container image. claim: Volume claim that holds the folder.
 
-    An index counts 0, 1, 2, ...; PELAGE_CHUNKS says which chunk each one is, for a second run has only some.
+    Pod indices count 0, 1, 2, ...; PELAGE_CHUNKS maps them to chunks, because a second run has only some of them.
     """
     pod = {
         "restartPolicy": "Never",
@@ -63,5 +63,5 @@ def container(folder: FarmFolder, chunks: Sequence[int], threads: int, image: st
 
 
 def label(name: str) -> str:
-    """A name that Kubernetes takes: lower case letters, digits and dashes, at most 50."""
+    """Returns a valid Kubernetes name: lower-case letters, digits and dashes, at most 50 characters."""
     return re.sub(r"[^a-z0-9]+", "-", name.lower())[:50].strip("-") or "frames"

@@ -1,4 +1,4 @@
-"""The engine `local`: several pelage-render on this machine, until all chunks were tried."""
+"""The engine `local`: runs several pelage-render processes on this machine until all chunks were tried."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ STOP_SECONDS = 30.0
 
 
 class LocalTasks:
-    """Runs chunks, so many at once, each with a log in logs/N.log. `with` ends what still runs when it is left."""
+    """Runs chunks, `at_once` in parallel, each with a log in logs/N.log. Leaving the `with` block ends running ones."""
 
     def __init__(self, folder: FarmFolder, chunks: Sequence[int], at_once: int) -> None:
         self._folder = folder
-        self._left: List[int] = list(chunks)  # running ones too
+        self._left: List[int] = list(chunks)  # chunks that wait or run
         self._waiting: List[int] = list(reversed(chunks))
         self._running: Dict[int, "subprocess.Popen[bytes]"] = {}
         self._lock = threading.Lock()
         self._stopped = False
-        self._ended = threading.Event()  # all chunks were tried
+        self._ended = threading.Event()  # set once all chunks were tried
         self._threads = [
             threading.Thread(target=self._work, daemon=True) for _ in range(min(at_once, len(chunks)))
         ]
@@ -45,15 +45,15 @@ class LocalTasks:
                 process.kill()
 
     def live(self) -> Dict[int, str]:
-        """Chunks that wait or run, as `status_of` takes them."""
+        """Returns the chunks that wait or run, in the form that `status_of` takes."""
         with self._lock:
             return {chunk: "running" if chunk in self._running else "waiting" for chunk in self._left}
 
     def follow(self, every: float, report: Callable[[], None]) -> None:
-        """Calls report at once, then every so many seconds, and when all chunks were tried."""
+        """Calls `report` at once, then every `every` seconds, and when all chunks were tried."""
         report()
         while self.live():
-            self._ended.wait(every)  # no join: Python takes a thread whose join Ctrl-C interrupts for ended
+            self._ended.wait(every)  # not join(): if Ctrl-C interrupts it, Python takes the thread for ended
             report()
 
     def _work(self) -> None:

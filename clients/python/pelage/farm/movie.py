@@ -13,12 +13,12 @@ from .ffmpeg import convert, ending_of
 from .frame_files import ShortFile, inspect
 
 FRAMES_STEP = "name a folder of `pelage farm submit`, a job, or frames as out/fox.####.png"
-# Straight alpha over black; EXR is premultiplied as it is.
+# Filters that composite a frame over black, by file extension: PNG has straight alpha, EXR is premultiplied already.
 OVER_BLACK = {".png": "format=rgba,premultiply=inplace=1,"}
 
 
 class Clip(NamedTuple):
-    """files: By frame. missing: Frames that should be there and are not."""
+    """files: Paths by frame. missing: Planned frames without a complete file."""
 
     files: Dict[int, str]
     missing: List[int]
@@ -26,7 +26,7 @@ class Clip(NamedTuple):
 
 
 def clip_of(path: str) -> Clip:
-    """Raises FarmError where there is no frame."""
+    """Returns the frames of a folder, job or file pattern. Raises FarmError if there are none."""
     if "#" in path:
         found = Clip(files_like(path), [], 24)
     else:
@@ -47,7 +47,7 @@ def is_whole(file: str) -> bool:
 
 
 def files_like(pattern: str) -> Dict[int, str]:
-    """Files by frame; # stands for digits."""
+    """Returns the files that match a pattern, by frame; # stands for digits."""
     name = re.escape(pattern).replace(re.escape("#"), "#")
     matcher = re.compile(re.sub("#+", r"(-?\\d+)", name))
     matches = (matcher.fullmatch(file) for file in glob.glob(re.sub("#+", "*", glob.escape(pattern))))
@@ -55,7 +55,7 @@ def files_like(pattern: str) -> Dict[int, str]:
 
 
 def make_movie(frames: Clip, output: str, fps: float, width: int) -> None:
-    """MP4, WebP or GIF, by the ending. fps: 0 for the job's. width: Pixels; 0 for the frames' own. Raises FarmError."""
+    """Makes an MP4, WebP or GIF, by extension. fps: 0 for the job's. width: Pixels; 0 for the frames'. Raises FarmError."""
     files = list(frames.files.values())
     ending = ending_of(output)
     if ending not in MOVIES:
@@ -65,20 +65,20 @@ def make_movie(frames: Clip, output: str, fps: float, width: int) -> None:
 
 
 def mp4_arguments(chain: str) -> List[str]:
-    """H.264 that every browser plays: even sides, 4:2:0, and the colours said."""
+    """Arguments for H.264 that every browser plays: even sides, 4:2:0, explicit colour space."""
     chain += "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
     colours = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"]
     return ["-vf", chain, "-c:v", "libx264", "-crf", "18", *colours, "-movflags", "+faststart", "-f", "mp4"]
 
 
 def webp_arguments(chain: str) -> List[str]:
-    """Below quality 92, plain backgrounds show ghosts of earlier frames."""
+    """Arguments for WebP. Below quality 92, plain backgrounds show ghosts of earlier frames."""
     codec = ["-c:v", "libwebp_anim", "-quality", "92", "-compression_level", "6"]
     return ["-vf", chain + "format=yuv420p", *codec, "-loop", "0", "-f", "webp"]
 
 
 def gif_arguments(chain: str) -> List[str]:
-    """With a palette of these frames."""
+    """Arguments for GIF with a palette computed from these frames."""
     palette = f"{chain}split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"
     return ["-vf", palette, "-loop", "0", "-f", "gif"]
 
@@ -88,8 +88,8 @@ SHEETS = {".png": ["-c:v", "png"], ".jpg": ["-c:v", "mjpeg", "-q:v", "3"], ".jpe
 
 
 def make_sheet(frames: Clip, output: str, count: int, columns: int, width: int) -> List[int]:
-    """A contact sheet; gives the frames that it shows. count: Pictures, evenly from all; 0 for all. width: Pixels of
-    each. Raises FarmError."""
+    """Makes a contact sheet and returns the frames that it shows. count: Number of pictures, evenly spaced; 0 for all.
+    width: Width of each in pixels. Raises FarmError."""
     ending = ending_of(output)
     if ending not in SHEETS:
         raise FarmError(f"{output} is no kind of sheet", f"name a file that ends in {', '.join(SHEETS)}", BAD_INPUT)
@@ -105,7 +105,7 @@ def make_sheet(frames: Clip, output: str, count: int, columns: int, width: int) 
 
 
 def spread(frames: Sequence[int], count: int) -> List[int]:
-    """So many of them, with even steps between, the first among them; a loop's end is not shown twice."""
+    """Returns `count` evenly spaced frames, starting with the first. Leaves out the last, so that loops do not repeat."""
     if not count or count >= len(frames):
         return list(frames)
     return [frames[index * len(frames) // count] for index in range(count)]

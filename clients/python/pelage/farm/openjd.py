@@ -1,4 +1,4 @@
-"""Open Job Description: a template of revision 2023-09."""
+"""Writes templates of Open Job Description, revision 2023-09."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MAX_NAME = 128
 
 
 def template(folder: FarmFolder, chunks: Sequence[int], threads: int) -> Dict[str, Any]:
-    """A step with a task for each chunk. It stands in the folder of the job, where its paths begin."""
+    """Returns a template with one step and a task for each chunk. Its paths are relative to the job's folder."""
     all_chunks = folder.chunks()
     wanted = [all_chunks[chunk] for chunk in chunks]
     tiled = any(chunk.tile for chunk in wanted)
@@ -36,7 +36,7 @@ def task_parameters(chunks: Sequence[Chunk], tiled: bool) -> Dict[str, Any]:
     if not tiled:
         return {"taskParameterDefinitions": [frames]}
     tiles = {"name": "Tile", "type": "INT", "range": [chunk.tile for chunk in chunks]}
-    return {"taskParameterDefinitions": [frames, tiles], "combination": "(Frames, Tile)"}  # the first with the first
+    return {"taskParameterDefinitions": [frames, tiles], "combination": "(Frames, Tile)"}  # pairs of equal index
 
 
 def action(threads: int, tiled: bool) -> Dict[str, Any]:

@@ -1,4 +1,4 @@
-"""A .pelage file for a job: of a scene on a server, or of a model and a recipe on a private one."""
+"""Makes a .pelage file for a job, from a scene on a server, or from a model and a recipe on a private server."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ SCENE = "packed"
 
 
 def pack_scene(server: Server, scene: str, output: str) -> int:
-    """Of a scene on a server, by id or name. Gives the file's bytes."""
+    """Packs a scene of a server, given by id or name. Returns the file's size in bytes."""
     server.open(scene).export(output, format="pelage")
     return os.path.getsize(output)
 
 
 def is_on_server(scene: str) -> bool:
-    """Whether a job's scene is one of a server, as http://localhost:8080/fox."""
+    """Returns True if a job's scene is on a server, such as http://localhost:8080/fox."""
     return urlsplit(scene).scheme in ("http", "https")
 
 
 def fetch_scene(scene: str, folder: pathlib.Path) -> pathlib.Path:
-    """The file of a job's scene on a server, in a folder. Raises FarmError, and what the server says."""
+    """Downloads a job's scene from a server into a folder. Raises FarmError, and the server's errors."""
     address = urlsplit(scene)
     name = unquote(address.path.strip("/"))
     if not name or "/" in name:
@@ -41,7 +41,7 @@ def fetch_scene(scene: str, folder: pathlib.Path) -> pathlib.Path:
 
 
 def pack_model(model: Sequence[str], recipe: Optional[str], variables: Sequence[str], output: str) -> int:
-    """Of a model and a recipe, on a server that is started for it. Gives the file's bytes.
+    """Packs a model and a recipe, using a private server. Returns the file's size in bytes.
 
     model: Options of `pelage new`, such as ["--file", "fox.glb"]. variables: NAME=VALUE of the recipe. Raises FarmError.
     """
@@ -53,7 +53,7 @@ def pack_model(model: Sequence[str], recipe: Optional[str], variables: Sequence[
 
 
 def client(server: Server, words: List[str]) -> None:
-    """Runs `pelage`, which knows recipes, on the server; what goes wrong it says where we do."""
+    """Runs `pelage`, which handles recipes, on the server. Its errors appear on our standard error."""
     program = shutil.which(CLIENT)
     if program is None:
         raise FarmError(f"There is no program {CLIENT}", "build or install all programs in one folder, and set PATH")

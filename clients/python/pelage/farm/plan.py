@@ -1,4 +1,4 @@
-"""What a job would draw, as `pelage-render --check` says it."""
+"""The frames that a job will draw, as `pelage-render --check` reports them."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .frame_files import ShortFile, inspect
 RENDERER = "pelage-render"
 RENDERER_VARIABLE = "PELAGE_RENDER"
 MEASURED_FRAMES = 3
-REFUSED_CODES = (2, 3)  # of pelage-render: wrong use, bad job or scene
+REFUSED_CODES = (2, 3)  # exit codes of pelage-render: wrong use, bad job or scene
 
 
 class PlannedTile(NamedTuple):
-    """A part of a frame. As PlannedFrame."""
+    """A tile of a frame; members as in PlannedFrame."""
 
     file: str
     fingerprint: str
@@ -27,8 +27,8 @@ class PlannedTile(NamedTuple):
 
 
 class PlannedFrame(NamedTuple):
-    """file: Its path. fingerprint: What a file that was drawn of this job has. width, height: Pixels. tiles: That it is
-    drawn in; whoever draws the last one puts them together and removes them. None where it is drawn at once."""
+    """file: Path. fingerprint: Identifies files that were drawn for this job. width, height: Pixels. tiles: The tiles that
+    it is drawn in, empty if drawn at once; the task that draws the last tile combines and removes them."""
 
     frame: int
     file: str
@@ -39,22 +39,22 @@ class PlannedFrame(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """What a chunk draws of a frame. tile: From 1; 0 for all of it."""
+    """The part of a frame that a chunk draws. tile: From 1; 0 for the whole frame."""
 
     frame: PlannedFrame
     tile: int
 
     @property
     def files(self) -> List[str]:
-        """It is done once one of them is there."""
+        """The files any of which shows that the piece is done."""
         return [self.frame.file] + ([self.frame.tiles[self.tile - 1].file] if self.tile else [])
 
 
 def done_pieces(frames: Sequence[PlannedFrame], running: bool) -> Set[Tuple[int, int]]:
-    """Frame and tile, 0 for all of it, of frames whose file is whole and of this job, and of tiles whose is.
+    """Returns pairs of frame and tile (0: whole frame) whose files are complete and of this job.
 
-    running: Whether a task may still put tiles together. Where none does, and all tiles of a frame are there without
-    it, whoever should have done it was killed: none of them counts, so that they are sent again.
+    running: True if a task may still combine tiles. If False, and all tiles of a frame exist but not the frame, the task
+    that should have combined them was killed: none of them counts, so that they are sent again.
     """
     done: Set[Tuple[int, int]] = set()
     for frame in frames:
@@ -68,7 +68,7 @@ def done_pieces(frames: Sequence[PlannedFrame], running: bool) -> Set[Tuple[int,
 
 
 def is_whole(planned: Union[PlannedFrame, PlannedTile]) -> bool:
-    """Whether its file is whole and of this job."""
+    """Returns True if the file is complete and of this job."""
     try:
         return inspect(planned.file) == (planned.width, planned.height, planned.fingerprint)
     except (OSError, ShortFile):
@@ -76,7 +76,7 @@ def is_whole(planned: Union[PlannedFrame, PlannedTile]) -> bool:
 
 
 class Plan(NamedTuple):
-    """frames: In ascending order. frame_seconds: Measured on this machine; None where it was not asked for."""
+    """frames: In ascending order. frame_seconds: Time of a frame, measured on this machine; None if not measured."""
 
     frames: List[PlannedFrame]
     fps: float
@@ -84,12 +84,12 @@ class Plan(NamedTuple):
 
     @property
     def tile_count(self) -> int:
-        """Of each frame; 0 where frames are drawn at once."""
+        """Number of tiles of each frame; 0 if frames are drawn at once."""
         return len(self.frames[0].tiles) if self.frames else 0
 
     @property
     def unit(self) -> str:
-        """What is counted."""
+        """What progress counts."""
         return "tiles" if self.tile_count else "frames"
 
     def to_json(self) -> Dict[str, Any]:
@@ -98,7 +98,7 @@ class Plan(NamedTuple):
 
 
 def plan_from(document: Dict[str, Any], folder: str) -> Plan:
-    """folder: Where relative paths of files begin."""
+    """Reads a plan. folder: Base of relative paths."""
     def tile(one: Dict[str, Any]) -> PlannedTile:
         return PlannedTile(os.path.join(folder, one["file"]), one["fingerprint"], one["width"], one["height"])
 
@@ -111,7 +111,7 @@ def plan_from(document: Dict[str, Any], folder: str) -> Plan:
 
 
 def renderer_program() -> str:
-    """The path of pelage-render: PELAGE_RENDER, else the one on the PATH. Raises FarmError."""
+    """Returns the path of pelage-render: PELAGE_RENDER, else the one on the PATH. Raises FarmError."""
     wanted = os.environ.get(RENDERER_VARIABLE, RENDERER)
     found = shutil.which(wanted)
     if found is None:
@@ -120,7 +120,7 @@ def renderer_program() -> str:
 
 
 def plan_of(job: str, measured_frames: int = 0) -> Plan:
-    """Checks a job's file with pelage-render. measured_frames: How many frames to draw, to learn what one costs.
+    """Checks a job's file with pelage-render. measured_frames: Number of frames to draw to measure their time.
 
     Raises FarmError with what pelage-render says about the job.
     """

@@ -1,4 +1,4 @@
-"""Frames as text, such as `1-10,20-30x5`, and chunks of them."""
+"""Frame ranges as text, such as `1-10,20-30x5`, and their division into chunks."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import re
 from typing import List, NamedTuple, Sequence
 
 PART = re.compile(r"(-?\d+)(?:-(-?\d+)(?:[x:](\d+))?)?")
-# Slurm takes 1,000 tasks in an array unless MaxArraySize says more; Open Job Description takes a list of 1,024.
+# Slurm's default limit (MaxArraySize) is 1,000 tasks in an array; Open Job Description allows a list of 1,024.
 MAX_CHUNKS = 1000
 
 
 def frames_of(text: str) -> List[int]:
-    """Of a range, in its order. Raises ValueError for what is none."""
+    """Parses a range and returns its frames in order. Raises ValueError if it is invalid."""
     frames: List[int] = []
     for part in text.strip().split(","):
         match = PART.fullmatch(part.strip())
@@ -26,7 +26,7 @@ def frames_of(text: str) -> List[int]:
 
 
 def range_of(frames: Sequence[int]) -> str:
-    """The shortest text with runs of even steps. frames: ascending."""
+    """Returns the shortest range text with runs of even steps. frames: Ascending."""
     parts: List[str] = []
     start = 0
     while start < len(frames):
@@ -34,7 +34,7 @@ def range_of(frames: Sequence[int]) -> str:
         step = frames[start + 1] - frames[start] if end > start else 1
         if end == start:
             parts.append(str(frames[start]))
-        elif end == start + 1 and step > 1:  # two frames are no run
+        elif end == start + 1 and step > 1:  # two frames do not make a run
             parts.append(str(frames[start]))
             end = start
         else:
@@ -44,7 +44,7 @@ def range_of(frames: Sequence[int]) -> str:
 
 
 def end_of_run(frames: Sequence[int], start: int) -> int:
-    """The index of the last frame that goes on with the step of the first two."""
+    """Returns the index of the last frame that continues the step of the first two."""
     end = min(start + 1, len(frames) - 1)
     while end + 1 < len(frames) and frames[end + 1] - frames[end] == frames[start + 1] - frames[start]:
         end += 1
@@ -52,18 +52,18 @@ def end_of_run(frames: Sequence[int], start: int) -> int:
 
 
 class Chunk(NamedTuple):
-    """What one task draws. tile: Of each of the frames, from 1; 0 for whole frames."""
+    """The frames of one task. tile: The tile of each frame to draw, from 1; 0 for whole frames."""
 
     frames: List[int]
     tile: int
 
     def to_text(self) -> str:
-        """A line of chunks.txt."""
+        """Returns the chunk's line in chunks.txt."""
         return range_of(self.frames) + (f" {self.tile}" if self.tile else "")
 
 
 def chunk_from(line: str) -> Chunk:
-    """Of Chunk.to_text."""
+    """Parses a line that Chunk.to_text wrote."""
     frames, _, tile = line.partition(" ")
     return Chunk(frames_of(frames), int(tile or 0))
 
@@ -71,8 +71,8 @@ def chunk_from(line: str) -> Chunk:
 def tiled_chunks_of(
     frames: Sequence[int], tile_count: int, frame_seconds: float, chunk_seconds: float, at_once: int
 ) -> List[Chunk]:
-    """As chunks_of, of frames in tiles: for each chunk of frames as many chunks as there are tiles. tile_count: 0 for
-    whole frames; at most MAX_CHUNKS."""
+    """Like chunks_of, for frames in tiles: each chunk of frames becomes one chunk per tile. tile_count: 0 for whole
+    frames; at most MAX_CHUNKS."""
     tiles = list(range(1, tile_count + 1)) or [0]
     at_least = math.ceil(at_once / len(tiles))
     parts = chunks_of(frames, frame_seconds / len(tiles), chunk_seconds, at_least, MAX_CHUNKS // len(tiles))
@@ -82,10 +82,9 @@ def tiled_chunks_of(
 def chunks_of(
     frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1, most: int = MAX_CHUNKS
 ) -> List[List[int]]:
-    """Frames in neighbouring chunks whose sizes differ by at most one.
+    """Divides frames into contiguous chunks whose sizes differ by at most one.
 
-    A chunk takes about chunk_seconds; there are at least as many chunks as run at once, so that no node waits, and at
-    most `most`.
+    A chunk takes about chunk_seconds. There are at least `at_once` chunks, so that no node is idle, and at most `most`.
     """
     in_one = max(1, int(chunk_seconds / max(frame_seconds, 1e-6)))
     count = max(math.ceil(len(frames) / in_one), at_once)

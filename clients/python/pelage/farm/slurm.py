@@ -12,7 +12,7 @@ from .errors import FarmError
 from .folder import FarmFolder
 from .ranges import range_of
 
-# Slurm sends SIGTERM so many seconds before a time limit ends the task.
+# Slurm sends SIGTERM this many seconds before a time limit ends the task.
 GRACE_SECONDS = 30
 SCRIPT = """\
 #!/bin/sh
@@ -25,7 +25,7 @@ SCRIPT = """\
 {more}# A task of a node that died is queued again by Slurm; of its chunk it draws what is missing.
 exec sh chunk.sh "$SLURM_ARRAY_TASK_ID"
 """
-# Of Slurm's states, what a task is to `pelage farm status`; all others are over.
+# States of `pelage farm status` by Slurm's state; in all other states the task is over.
 LIVE = {
     "PENDING": "waiting",
     "CONFIGURING": "waiting",
@@ -39,7 +39,7 @@ LIVE = {
 
 
 def script(folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int) -> str:
-    """The text for sbatch. at_once: Tasks that may run at the same time; 0 for all. threads: Cores; 0 for the default."""
+    """Returns the script for sbatch. at_once: Maximum of parallel tasks; 0 for all. threads: Cores; 0 for the default."""
     array = range_of(chunks).replace("x", ":") + (f"%{at_once}" if at_once else "")
     more = f"#SBATCH --cpus-per-task={threads}\n" if threads else ""
     name = re.sub(r"[^\w.-]+", "-", folder.name)
@@ -47,18 +47,18 @@ def script(folder: FarmFolder, chunks: Sequence[int], at_once: int, threads: int
 
 
 def submit(folder: FarmFolder) -> str:
-    """Hands submit.sbatch to Slurm; gives the job's number. Raises FarmError."""
+    """Submits submit.sbatch to Slurm; returns the job's number. Raises FarmError."""
     printed = run("sbatch", "--parsable", f"--chdir={folder.path}", str(folder.path / "submit.sbatch"))
     return printed.strip().partition(";")[0]
 
 
 def task_states(job: str) -> Dict[int, str]:
-    """Slurm's word for each task, by chunk; of those that are over only for some minutes. Raises FarmError where Slurm
-    does not answer."""
+    """Returns Slurm's state of each task, by chunk. Slurm reports finished tasks for some minutes only. Raises FarmError if
+    Slurm does not answer."""
     try:
         printed = run("squeue", "--noheader", "--array", "--states=all", "--job", job, "--format=%K %T")
     except FarmError as error:
-        if "Invalid job id" in str(error):  # long over, so that Slurm has forgotten it
+        if "Invalid job id" in str(error):  # over for so long that Slurm has forgotten it
             return {}
         raise
     pairs: List[List[str]] = [line.split() for line in printed.splitlines()]
@@ -66,7 +66,7 @@ def task_states(job: str) -> Dict[int, str]:
 
 
 def run(*command: str) -> str:
-    """What a program of Slurm prints."""
+    """Runs a program of Slurm and returns its output."""
     if shutil.which(command[0]) is None:
         step = "install slurm-client, or take another --engine; --dry-run only writes the folder"
         raise FarmError(f"There is no program {command[0]}", step)

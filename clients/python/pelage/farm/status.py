@@ -1,4 +1,4 @@
-"""How far a job on a farm is, by the frames on disk, by what the engine says of its tasks, and by their logs."""
+"""The status of a job on a farm, from the frames on disk, the engine's task states and the tasks' logs."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from .plan import Piece, done_pieces
 from .ranges import range_of
 
 BAR_CELLS = 20
-LOG_END = 20_000  # bytes of a log that are looked at
+LOG_END = 20_000  # bytes at the end of a log that are read
 REASON = re.compile(r"^(?:openjd_fail|pelage-render|sh): (?!heartbeat|done)(.*)$", re.M)
 PROGRESS = re.compile(r"^openjd_progress: ([\d.]+)$", re.M)
 
 
 class ChunkState(NamedTuple):
-    """state: done, running, waiting, failed; sent where the engine tells us nothing, unsent where none has it.
+    """state: done, running, waiting or failed; sent if the engine reports nothing, unsent if no engine has it.
 
-    missing: Frames that are not there, or whose tile is not. reason: The last complaint in the log of a failed chunk.
+    missing: Frames whose file or tile is missing. reason: The last error in the log of a failed chunk.
     """
 
     chunk: int
@@ -35,7 +35,7 @@ class ChunkState(NamedTuple):
 
 
 class Status(NamedTuple):
-    """total, done, failed: Of the unit, which is frames or tiles. seconds_left: None while nothing runs."""
+    """total, done, failed: Counts of the unit, frames or tiles. seconds_left: Estimate; None while nothing runs."""
 
     unit: str
     total: int
@@ -54,7 +54,7 @@ class Status(NamedTuple):
 
 
 class Tasks(NamedTuple):
-    """By chunk. live: Those that wait, run, or of which nobody knows (sent). ended: The engine's word for others."""
+    """Task states by chunk. live: waiting, running, or sent (unknown). ended: The engine's state of finished tasks."""
 
     live: Dict[int, str]
     ended: Dict[int, str]
@@ -64,7 +64,7 @@ NO_TASKS = Tasks({}, {})
 
 
 def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
-    """tasks: Asked of the engine unless given. Raises FarmError."""
+    """Returns the status. tasks: Queried from the engine by default. Raises FarmError."""
     sent = folder.sent()
     if tasks is None:
         tasks = tasks_of(folder, sent) if sent else NO_TASKS
@@ -82,7 +82,7 @@ def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
 
 
 def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
-    """Raises FarmError."""
+    """Queries the engine for its task states. Raises FarmError."""
     if sent.engine == "slurm":
         states = slurm.task_states(sent.job)
         live = {chunk: slurm.LIVE[state] for chunk, state in states.items() if state in slurm.LIVE}
@@ -98,11 +98,11 @@ def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
 def chunk_state(
     folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, pieces: Sequence[Piece], done: Set[Tuple[int, int]]
 ) -> ChunkState:
-    """The files count, not the engine's word: a chunk is done when they are there, and failed when it was sent, its
-    task is over, and one is not there."""
+    """Returns a chunk's state. Files decide, not the engine: a chunk is done if all its files exist, and failed if it was
+    sent, its task is over, and a file is missing."""
     missing = [piece.frame.frame for piece in pieces if (piece.frame.frame, piece.tile) not in done]
     state = tasks.live.get(chunk, "done")
-    if not missing and sent and sent.engine != "slurm":  # which alone says when a task is over
+    if not missing and sent and sent.engine != "slurm":  # only Slurm reports when a task is over
         state = "done"
     if missing and chunk not in tasks.live:
         state = "failed" if sent and chunk in sent.chunks else "unsent"
@@ -120,7 +120,7 @@ def log_end(folder: FarmFolder, chunk: int) -> str:
 
 
 def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
-    """What the log complains of last, and the engine's word, such as OUT_OF_MEMORY."""
+    """Returns the last error in the log, with the engine's state, such as OUT_OF_MEMORY."""
     text = log_end(folder, chunk)
     reasons: List[str] = REASON.findall(text)
     reason = reasons[-1] if reasons else "its log ends without an error: it was killed" if text else "it has no log"
@@ -130,7 +130,7 @@ def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
 def seconds_left(
     folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[Piece]], waited_for: int, running: int
 ) -> Optional[float]:
-    """From the files that came since the job was sent; before there are enough, from the measured cost."""
+    """Estimates the seconds left from the files made since submission, or from the measured cost while there are few."""
     if not sent or not running or not waited_for:
         return None
     times = sorted(max(map(time_of, piece.files)) for pieces in planned for piece in pieces)
@@ -150,7 +150,7 @@ def time_of(file: str) -> float:
 
 
 def bar(status: Status) -> str:
-    """One line for a terminal."""
+    """Returns a progress bar in one line."""
     share = status.done / max(1, status.total)
     full = int(share * BAR_CELLS)
     return f"[{'#' * full}{'.' * (BAR_CELLS - full)}] {share:4.0%}, {summary(status)}"
@@ -163,7 +163,7 @@ def summary(status: Status) -> str:
 
 
 def table(folder: FarmFolder, status: Status) -> str:
-    """All chunks that are not done, a line each."""
+    """Returns a summary and a line for each chunk that is not done."""
     lines = [summary(status)]
     for chunk in status.chunks:
         if chunk.state == "done":

@@ -1,4 +1,4 @@
-"""Hands a job to an engine: all chunks at first, later those with frames that are missing."""
+"""Submits a job to an engine: all chunks at first, later those with missing frames."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ LOOKED_EVERY = 1.0  # seconds
 
 
 class Options(NamedTuple):
-    """job: A job's file, or a folder that was made of one. folder: "" for the default. at_once: 0 for the engine's
-    default. threads: 0 for all of a task. image, claim: Of Kubernetes."""
+    """job: A job file, or a folder made from one. folder: "" for the default. at_once: 0 for the engine's default.
+    threads: 0 for all cores of a task. image, claim: For Kubernetes."""
 
     job: str
     engine: str = "slurm"
@@ -49,7 +49,7 @@ class Options(NamedTuple):
     dry_run: bool = False
 
     def line(self, folder: FarmFolder) -> str:
-        """The line that submits the folder with the same options."""
+        """Returns the command line that submits the folder with the same options."""
         words = ["pelage", "farm", "submit", str(folder.path)]
         for name, flag in FLAGS.items():
             value = getattr(self, name)
@@ -59,11 +59,11 @@ class Options(NamedTuple):
 
 
 def submit(options: Options) -> bool:
-    """Gives whether all frames that it waited for came. Raises FarmError."""
+    """Submits the job. Returns False if it waited for frames and some are missing. Raises FarmError."""
     given = pathlib.Path(options.job)
     if given.is_dir():
         folder = FarmFolder(given)
-        folder.plan()  # refuses other folders
+        folder.plan()  # raises if it is not a folder of a farm job
     else:
         read_job(given)
         folder = FarmFolder(pathlib.Path(options.folder or default_folder(given)))
@@ -97,7 +97,7 @@ def refuse_while_running(folder: FarmFolder) -> None:
 
 
 def prepare(folder: FarmFolder, given: pathlib.Path, options: Options) -> None:
-    """The copies, the plan and the chunks. Chunks stay while the job does, so that a task keeps its number."""
+    """Writes the copies, the plan and the chunks. Keeps the chunks of an unchanged job, so that tasks keep their numbers."""
     changed = not given.is_dir() and folder.copy_job(given)
     known = folder.sent() is not None and not changed
     plan = checked_plan(folder, 0 if known else MEASURED_FRAMES)
@@ -126,7 +126,7 @@ def checked_plan(folder: FarmFolder, measured_frames: int) -> Plan:
 
 
 def write_engine_files(folder: FarmFolder, chunks: List[int], options: Options) -> None:
-    """chunk.sh, and what the engine takes. It says what was written."""
+    """Writes chunk.sh and the engine's files, and prints what was written."""
     renderer = RENDERER if options.engine == "kubernetes" else renderer_program()
     threads = options.threads
     if options.engine == "local" and not threads:
@@ -164,7 +164,7 @@ def send(folder: FarmFolder, chunks: List[int], options: Options) -> bool:
 
 
 def run_here(folder: FarmFolder, chunks: List[int], at_once: int) -> bool:
-    """Waits for all chunks, with a bar on a terminal."""
+    """Runs all chunks on this machine and waits for them, with a bar on a terminal."""
     folder.write_sent(Sent("local", "", chunks, at_once, time.time()))
     with LocalTasks(folder, chunks, at_once) as tasks:
         tasks.follow(LOOKED_EVERY, lambda: show_bar(folder, tasks.live()))

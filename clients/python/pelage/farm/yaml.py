@@ -1,4 +1,4 @@
-"""Objects, lists, texts, numbers and truths as YAML. Texts are quoted as JSON quotes them, so that none is misread."""
+"""Writes objects, lists, strings, numbers and booleans as YAML. Strings are quoted as in JSON, so that none is misread."""
 
 from __future__ import annotations
 

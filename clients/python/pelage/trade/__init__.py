@@ -1,1 +1,1 @@
-"""`pelage trade`: what each quality costs on a server, and how far its pictures are from the truth."""
+"""`pelage trade`: measures the cost and the error of each quality on a server."""

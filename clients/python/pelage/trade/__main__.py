@@ -21,7 +21,7 @@ from .sweep import Options, Report, sweep
 from .table import Row, from_csv, to_csv
 
 WRONG_USE = 2
-# What an exception means: the exit code, as of `pelage`, and what to do next. The first that fits counts.
+# Exit code (same as those of `pelage`) and advice for an exception; the first class that matches counts.
 ADVICE: List[Tuple[Type[Exception], int, str]] = [
     (Unreachable, 1, "start a server with `pelaged`, or name it with --server or PELAGE_SERVER"),
     (Busy, 1, "try again in a moment; the server has other work"),
@@ -40,7 +40,7 @@ def advice(error: Exception) -> Tuple[int, str]:
 
 
 def parser() -> argparse.ArgumentParser:
-    """Takes the whole line of `pelage`, which has checked it and explains the options: `pelage trade --help`."""
+    """Returns a parser for the whole command line, which `pelage` has checked already; `pelage trade --help` explains it."""
     made = argparse.ArgumentParser("pelage-trade", description=__doc__, allow_abbrev=False)
     made.add_argument("action", nargs="?", choices=["trade"])
     for name in ("--server", "--token", "--author"):
@@ -55,14 +55,14 @@ def parser() -> argparse.ArgumentParser:
 
 
 def options_of(line: argparse.Namespace) -> Options:
-    passes = max(line.passes, 2)  # half of them are a picture as well
+    passes = max(line.passes, 2)  # half of the passes must be a picture, too
     if line.quick:
         return Options(True, min(line.size, 96), min(passes, 16), 1)
     return Options(False, line.size, passes, line.repeats)
 
 
 def cases_for(server: Server, names: Sequence[str], quick: bool) -> List[Case]:
-    """Of the scenes that the user names, or else the built-in ones."""
+    """Returns the cases of the scenes that the user names, else the built-in ones."""
     if not names:
         return built_in_cases(quick)
     return [case for name in names for case in cases_of(server.open(name)) if case.swept or not quick]
@@ -111,7 +111,7 @@ def write_report(server: Server, line: argparse.Namespace) -> None:
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """The exit code: 0 done, 1 failed, 2 wrong use, 3 the input was refused."""
+    """Returns the exit code: 0 done, 1 failed, 2 wrong use, 3 the input was refused."""
     line = parser().parse_intermixed_args(arguments)
     try:
         server = Server(line.server, line.token, timeout=LONGEST_SECONDS)

@@ -1,4 +1,4 @@
-"""The scenes that are measured, and the knobs that are tried on them."""
+"""The scenes to measure, and the quality settings to try on them."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from ..schemas import BuiltinModel, Knobs
 
 Vector = Tuple[float, float, float]
 
-NEAR, NEAR_PATCH, FAR = 1.35, 0.9, 4.0  # sizes from the middle; the model's ball fills the picture at 1.7
+NEAR, NEAR_PATCH, FAR = 1.35, 0.9, 4.0  # camera distances in sizes; the bounding sphere fills the picture at 1.7
 COATS = {"white": "#efeae2", "dark": "#221c18"}
 
 
 class Case(NamedTuple):
     """A scene seen from one side.
 
-    towards: From the middle of its box to the camera, in sizes.
-    swept: Whether all knobs and pictures are wanted, and not tiers and strands alone.
-    scene: One that is there already; else `model` and `commands` make it.
+    towards: Vector from the middle of its box to the camera, in sizes.
+    swept: True to measure all knobs and show pictures; False for tiers and strand counts only.
+    scene: An existing scene; if None, `model` and `commands` create it.
     """
 
     name: str
@@ -41,7 +41,7 @@ def times(vector: Vector, factor: float) -> Vector:
 
 
 def lights(lit_from: str, view: Vector) -> Dict[str, Any]:
-    """A light from behind the camera or one that shines at it, and a weak one from above."""
+    """Returns the command for a key light, from behind the camera or facing it, and a weak light from above."""
     x, y, z = view
     shines = [0.4 - x, -0.5 - y, -z] if lit_from == "the front" else [x, y - 0.6, z]
     directions = ((shines, 1.6), ([0, -1, 0.1], 0.3))
@@ -71,7 +71,7 @@ def built_in(
 
 
 def built_in_cases(quick: bool) -> List[Case]:
-    """White and dark, lit from the front and from behind, near and far. quick: One small sphere."""
+    """Returns cases with white and dark fur, front-lit and back-lit, near and far. quick: One small sphere only."""
     if quick:
         return [built_in("sphere", "white", "the front", "near", swept=True, triangles=300)]
     return [
@@ -90,7 +90,7 @@ def built_in_cases(quick: bool) -> List[Case]:
 
 
 def cases_of(scene: Scene) -> List[Case]:
-    """A scene of the user's as it is, near and far."""
+    """Returns the cases of a user's scene, unchanged, near and far."""
     side = direction(20, 35)
     return [
         Case(f"{scene.name}, near", times(side, NEAR), True, scene),
@@ -99,7 +99,7 @@ def cases_of(scene: Scene) -> List[Case]:
 
 
 def raster(strands: float = 1.4, light_of: int = 4, scale: float = 1.0, eye_steps: int = 8) -> Knobs:
-    """The tier `interactive`, but for what is given."""
+    """Returns the knobs of the tier `interactive`, except for the given ones."""
     return {
         "method": "raster", "scale": scale, "eye_steps": eye_steps,
         "raster": {"strands": strands, "light_of": light_of},
@@ -149,7 +149,7 @@ def grid(quick: bool) -> List[Setting]:
 
 
 def settings_for(swept: bool, quick: bool) -> List[Setting]:
-    """Tiers and strands; `swept`: every knob of `interactive` and a grid as well. quick: Few values."""
+    """Returns the tiers and strand counts; with `swept` also every knob of `interactive` and a grid. quick: Few values."""
     settings = [Setting("tier", name, knobs) for name, knobs in TIERS.items()] + strands_settings(quick)
     if swept:
         settings += light_of_settings(quick) + scale_settings(quick) + grid(quick)

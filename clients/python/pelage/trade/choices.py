@@ -1,4 +1,4 @@
-"""What is worth its cost: means over scenes, the Pareto front and the best choice."""
+"""Weighs error against cost: means over scenes, the Pareto front and the best choice."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Point = Tuple[float, float]
 
 
 class Mean(NamedTuple):
-    """A setting over all scenes that have it. cost: Milliseconds, geometric mean. flip, silhouette: Means."""
+    """A setting averaged over scenes. cost: Milliseconds, geometric mean. flip, silhouette: Arithmetic means."""
 
     name: str
     cost: float
@@ -20,7 +20,7 @@ class Mean(NamedTuple):
 
 
 def means_over(rows: Sequence[Row], scenes: Sequence[str]) -> List[Mean]:
-    """Of the settings that every one of these scenes has, in the order of the rows."""
+    """Returns the means of the settings that all these scenes have, in the order of the rows."""
     of_knobs: Dict[str, Dict[str, Row]] = {}
     for row in rows:
         if row.scene in scenes:

@@ -56,7 +56,7 @@ def image(content: bytes, kind: str, text: str) -> Element:
 
 
 def document(title: str, content: List[Element]) -> str:
-    """A whole page, well-formed XML that browsers read as HTML. Nothing in it comes from elsewhere."""
+    """Returns a page that is well-formed XML and valid HTML, without external resources."""
     head = tag("head", tag("meta", charset="utf-8"), tag("title", title), tag("style", STYLE))
     page = tag("html", head, tag("body", tag("h1", title), *content), lang="en")
     return "<!DOCTYPE html>\n" + ElementTree.tostring(page, encoding="unicode", short_empty_elements=False) + "\n"

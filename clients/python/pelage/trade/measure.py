@@ -1,4 +1,4 @@
-"""Frames, what they cost, and how far they are from the truth."""
+"""Draws frames and measures their cost and their error against the truth, a traced reference picture."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from .cases import Vector
 CLIENT = "pelage"
 LUMINANCE = [0.2126, 0.7152, 0.0722]
 PAPER = [0.35, 0.35, 0.35]  # linear grey behind the pictures of the report
-LONGEST_SECONDS = 86400  # of a frame: the truth takes long
+LONGEST_SECONDS = 86400  # timeout of a frame; the reference picture takes long
 
 
 class Shot(NamedTuple):
     """A frame in linear light, and what it cost.
 
-    non_finite: Pixels. luminance: Mean over alpha. coverage: Sum of alpha.
-    draw_ms, cpu_ms: Of drawing; cpu_ms of all threads, 0 where the server does not say.
+    non_finite: Number of pixels. luminance: Mean weighted by alpha. coverage: Sum of alpha.
+    draw_ms, cpu_ms: Time of drawing; cpu_ms is the sum of all threads, 0 if the server does not report it.
     """
 
     exr: bytes
@@ -38,10 +38,10 @@ class Shot(NamedTuple):
 
 
 class View:
-    """Where frames of a scene are seen from."""
+    """A scene and the viewpoint from which its frames are drawn."""
 
     def __init__(self, scene: Scene, towards: Vector, size: int) -> None:
-        """towards: From the middle of the scene's box, in sizes. size: Pixels of a side."""
+        """towards: Vector from the middle of the scene's box to the camera, in sizes. size: Width and height in pixels."""
         info = scene.info()
         self.middle = [(low + high) / 2 for low, high in zip(info["bounds"]["min"], info["bounds"]["max"])]
         self.towards = [info["size"] * part for part in towards]
@@ -51,14 +51,14 @@ class View:
         return self._frame(knobs, format="exr", exr_type="float").bytes
 
     def jpeg(self, knobs: Knobs) -> bytes:
-        """As it is shown, over grey."""
+        """Draws a tone-mapped JPEG over grey."""
         return self._frame(knobs, format="jpeg", lossy_quality=84, background=PAPER).bytes
 
     def shoot(self, knobs: Knobs, repeats: int = 1) -> Shot:
-        """Each time is the least of so many frames."""
+        """Draws a frame; its times are the minimum of `repeats` frames."""
         numpy = numpy_module()
-        exr = self.exr(knobs)  # first, so that what frames share, such as grown strands, is in no time
-        # The camera is moved a little each time: a server does not draw again what it has drawn.
+        exr = self.exr(knobs)  # first, so that work that frames share, such as growing strands, is not timed
+        # The camera moves a little each time, because the server caches frames.
         moves = [1 + 1e-5 * count for count in range(1, repeats + 1)]
         frames = [self._frame(knobs, move, format="npy_linear") for move in moves]
         pixels = frames[0].array()
@@ -82,7 +82,7 @@ class View:
 
 
 class Difference(NamedTuple):
-    """FLIP of a picture over the fur: mean and 95th percentile, the same in its silhouette, and a PNG of the errors."""
+    """FLIP over the fur: mean and 95th percentile; the same at the silhouette; and a PNG map of the errors."""
 
     flip: float
     flip_95: float
@@ -91,11 +91,11 @@ class Difference(NamedTuple):
     map: bytes
 
 
-BROKEN = Difference(1.0, 1.0, 1.0, 1.0, b"")  # of a picture that is not finite: as wrong as can be
+BROKEN = Difference(1.0, 1.0, 1.0, 1.0, b"")  # for a picture with NaN or infinity: the largest error
 
 
 def client_program() -> str:
-    """Raises PelageError where it is not on the PATH."""
+    """Returns the path of `pelage`. Raises PelageError if it is not on the PATH."""
     found = shutil.which(CLIENT)
     if found is None:
         raise PelageError(f"There is no program {CLIENT} on the PATH; it compares pictures, and belongs beside pelage-trade.")
@@ -103,7 +103,7 @@ def client_program() -> str:
 
 
 def difference(truth: bytes, picture: bytes) -> Difference:
-    """As `pelage compare` measures two EXR."""
+    """Compares two EXR files with `pelage compare`."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "truth.exr").write_bytes(truth)
@@ -118,10 +118,10 @@ def difference(truth: bytes, picture: bytes) -> Difference:
 
 
 class Truth(NamedTuple):
-    """What pictures are measured against: every strand traced.
+    """The picture that others are measured against: every strand traced.
 
-    luminance, coverage: As of a `Shot`, from half the passes, which are enough for means.
-    floor: FLIP against half the passes. It is about what all passes differ from endless ones.
+    luminance, coverage: As in `Shot`, from half the passes, which are enough for means.
+    floor: FLIP against half the passes; it estimates the error of all passes against infinitely many.
     """
 
     knobs: Knobs
@@ -135,7 +135,7 @@ class Truth(NamedTuple):
 
 
 def traced(passes: int) -> Knobs:
-    """The tier `reference`, without its filter: noise that a truth has left is to be seen as such."""
+    """Returns the tier `reference` without its filter, so that remaining noise stays visible."""
     return {"method": "strands", "eye_steps": 16, "trace": {"passes": passes, "filter": False}}
 
 

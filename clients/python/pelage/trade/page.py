@@ -12,12 +12,12 @@ from .table import Row, milliseconds, swept_scenes
 
 BUDGETS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)  # milliseconds
 ERRORS = (0.2, 0.16, 0.14, 0.12, 0.1, 0.08)
-NO_DEARER = 1.02  # measured costs differ by so much from run to run
-MAX_NOISE = 1 / 3  # of the truth, over an error that it hardly changes
+NO_DEARER = 1.02  # factor by which measured costs vary from run to run
+MAX_NOISE = 1 / 3  # largest ratio of the truth's noise to a measured error at which the error is trusted
 
 
 def page(report: Report) -> str:
-    """The whole page; it needs nothing beside itself."""
+    """Returns the page, which has no external resources."""
     rows, scenes = report.rows, swept_scenes(report.rows)
     scatters = [tag("div", tag("h3", scene), scatter_plot(rows, scene)) for scene in scenes]
     knobs = [tag("div", tag("h3", scene), knob_plots(rows, scene)) for scene in scenes]
@@ -100,7 +100,7 @@ def error_table(settings: Sequence[Mean]) -> Element:
 
 
 def judgement(settings: Sequence[Mean], tier: Mean) -> List[Content]:
-    """Whether another setting is as cheap and better, in words."""
+    """Describes if another setting is as cheap and better."""
     better = best_within(settings, tier.cost * NO_DEARER)
     verdict = "Nothing measured is better for its time."
     if better and better.flip <= 0.95 * tier.flip:
@@ -145,7 +145,7 @@ def all_rows(rows: Sequence[Row]) -> Element:
 
 
 def checks(rows: Sequence[Row]) -> Element:
-    """How sure the truth is, and whether a pixel was broken."""
+    """Describes the accuracy of the truth and the number of non-finite pixels."""
     floor = max((row.floor for row in rows), default=0.0)
     noisy = sum(row.floor > MAX_NOISE * row.flip for row in rows)
     verdict = "That is little beside every error: more passes would change them by about a hundredth."

@@ -24,12 +24,12 @@ class Axis(NamedTuple):
     end: float
 
     def __call__(self, value: float) -> float:
-        """The pixel of a value, held to the ends."""
+        """Returns the pixel of a value, clamped to the axis."""
         held = min(max(value, self.low), self.high)
         return self.start + math.log(held / self.low) / math.log(self.high / self.low) * (self.end - self.start)
 
     def ticks(self, room: float) -> List[float]:
-        """At 1, 2 and 5 of every decade, or at 1 alone where the numbers have not that many pixels each."""
+        """Returns ticks at 1, 2 and 5 of every decade, or at 1 only if labels `room` pixels wide would not fit."""
         first, last = math.floor(math.log10(self.low)), math.ceil(math.log10(self.high))
         is_dense = abs(self.end - self.start) / math.log10(self.high / self.low) > 3 * room
         ticks = [step * 10.0**power for power in range(first, last + 1) for step in ((1, 2, 5) if is_dense else (1,))]
@@ -37,7 +37,7 @@ class Axis(NamedTuple):
 
 
 def axis_for(values: Sequence[float], start: float, end: float) -> Axis:
-    """A little wider than the values, at least a factor of 2; values that are not above 0 are passed over."""
+    """Returns an axis a little wider than the values, at least a factor of 2. Ignores values that are not positive."""
     shown = [value for value in values if 0 < value < math.inf] or [0.3]
     low, high = min(shown), max(shown)
     middle = math.sqrt(low * high)
@@ -50,7 +50,7 @@ def label(x: float, y: float, text: str, anchor: str = "start", fill: str = "#33
 
 
 def dot(x: float, y: float, radius: float, colour: str, hint: str = "", hollow: bool = False) -> Element:
-    """hint: What it says when the pointer rests on it."""
+    """hint: Tooltip text."""
     fill, stroke = ("#fff", colour) if hollow else (colour, "none")
     return tag("circle", tag("title", hint), cx=x, cy=y, r=radius, fill=fill, stroke=stroke, stroke_width=1.5)
 
@@ -83,7 +83,7 @@ def axes(x: Axis, y: Axis, x_title: str, y_title: str) -> List[Element]:
 
 
 def svg(width: float, height: float, title: str, parts: Sequence[Element]) -> Element:
-    """title: What a screen reader says."""
+    """title: Text for screen readers."""
     return tag("svg", tag("title", title), *parts, width=width, height=height, viewBox=f"0 0 {width:g} {height:g}",
                role="img", font_size="12", font_family="sans-serif")
 
@@ -93,7 +93,7 @@ def hint_of(row: Row) -> str:
 
 
 def scatter_plot(rows: Sequence[Row], scene: str) -> Element:
-    """Error against cost of every setting on one scene, with the Pareto front and the tiers."""
+    """Plots error against cost for every setting on one scene, with the Pareto front and the tiers."""
     ours = [row for row in rows if row.scene == scene]
     tiers = [row for row in ours if row.series == "tier"]
     others: Dict[str, Row] = {row.knobs: row for row in ours if row.series != "tier"}
@@ -111,7 +111,7 @@ def scatter_plot(rows: Sequence[Row], scene: str) -> Element:
 
 
 def knob_plots(rows: Sequence[Row], scene: str) -> Element:
-    """One small plot for each knob: the way that turning it takes through error and cost on one scene."""
+    """Returns a small plot for each knob: the curve of error against cost as the knob varies, on one scene."""
     ours = [row for row in rows if row.scene == scene]
     knobs = dict.fromkeys(row.series for row in ours if row.series not in ("tier", "grid"))
     return tag("div", *(knob_plot(ours, knob) for knob in knobs), class_="panels")
@@ -127,13 +127,13 @@ def knob_plot(rows: Sequence[Row], knob: str) -> Element:
     places = [(x(row.cost), y(row.flip)) for row in turned]
     parts.append(line(places, colour, 2))
     parts += [dot(*place, 4, colour, hint_of(row)) for place, row in zip(places, turned)]
-    parts += [label(a + 6, b + (15 if n % 2 else -5), row.value, "start", colour)  # beside its neighbours
+    parts += [label(a + 6, b + (15 if n % 2 else -5), row.value, "start", colour)  # alternates above and below
               for n, ((a, b), row) in enumerate(zip(places, turned))]
     return svg(300, 220, f"What {knob} buys", parts)
 
 
 def tier_plot(rows: Sequence[Row]) -> Element:
-    """Where the tiers' errors lie on every scene, over the fur and in its silhouette."""
+    """Plots the tiers' errors on every scene, over the fur and at its silhouette."""
     scenes = scenes_of(rows)
     tiers = [row for row in rows if row.series == "tier"]
     left, top, step = 390.0, 34.0, 26.0
@@ -158,7 +158,7 @@ def tier_key(y: float) -> List[Element]:
 
 
 def strands_plot(rows: Sequence[Row]) -> Element:
-    """Error against the strands of a pixel on every scene."""
+    """Plots error against strands per pixel on every scene."""
     turned = [row for row in rows if row.series == "strands"]
     x, y = axis_for([row.strands for row in turned], 64, 544), axis_for([row.flip for row in turned], 346, 16)
     parts = axes(x, y, "strands a pixel; 1000 keeps all", ERROR)

@@ -14,7 +14,7 @@ from .table import Row, milliseconds
 
 
 class Options(NamedTuple):
-    """size: Pixels of a side. passes: Of the truth. repeats: Timed frames, of which the least counts."""
+    """size: Width and height in pixels. passes: Passes of the truth. repeats: Timed frames; the fastest counts."""
 
     quick: bool
     size: int
@@ -33,7 +33,7 @@ class Shown(NamedTuple):
 
 
 class Report(NamedTuple):
-    """renderer: What drew, as the server says."""
+    """renderer: Name of the renderer, as the server reports it."""
 
     renderer: str
     options: Options
@@ -43,7 +43,7 @@ class Report(NamedTuple):
 
 @contextlib.contextmanager
 def staged(server: Server, case: Case) -> Iterator[Scene]:
-    """The scene of a case. One that is made for it is removed again, also when something fails."""
+    """Yields the scene of a case. A scene created for it is removed afterwards, also after an error."""
     if case.scene is not None:
         yield case.scene
         return
@@ -58,12 +58,12 @@ def staged(server: Server, case: Case) -> Iterator[Scene]:
 def sweep(server: Server, case: Case, report: Report, done: Callable[[], None]) -> None:
     """Adds the rows and pictures of a scene to the report, and calls `done` after each setting.
 
-    What the report has of the same scene, size, passes and knobs is not drawn again. Rows of other sizes go.
+    Rows of the same scene, size, passes and knobs are reused, not drawn again. Rows of other sizes are dropped.
     """
     options, rows = report.options, report.rows
     others = [row for row in rows if row.scene != case.name and row.size == options.size]
     before = [row for row in rows if row.scene == case.name and (row.size, row.passes) == (options.size, options.passes)]
-    rows[:] = others + before  # all of them until the end, for a run that is stopped
+    rows[:] = others + before  # keeps this scene's earlier rows until the end, in case the run is stopped
     known = {row.knobs: row for row in before}
     with staged(server, case) as scene:
         sweeper = Sweeper(case, View(scene, case.towards, options.size), report)
@@ -83,7 +83,7 @@ class Sweeper:
 
     @functools.cached_property
     def truth(self) -> Truth:
-        """Traced when it is first asked for: a report that goes on may not need it."""
+        """The truth; traced on first use, because a resumed report may not need it."""
         return trace_truth(self.view, self.report.options.passes)
 
     def show_truth(self) -> None:
@@ -91,8 +91,8 @@ class Sweeper:
         self._show("truth", caption, self.view.jpeg(self.truth.knobs))
 
     def row_of(self, setting: Setting, known: Dict[str, Row]) -> Row:
-        """Measures a setting, or copies what is known of its knobs. Tiers are drawn where their pictures are shown, and
-        keep what was known of them.
+        """Measures a setting, or reuses the known row of its knobs. Tiers whose pictures are shown are drawn in any case,
+        but keep a known row.
         """
         is_shown = self.case.swept and setting.series == "tier"
         if is_shown or setting.json not in known:

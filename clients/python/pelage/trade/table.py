@@ -10,15 +10,15 @@ from typing import List, NamedTuple, Sequence, get_type_hints
 class Row(NamedTuple):
     """A setting of the knobs on a scene, measured against its traced truth. FLIP is in [0, 1], over the fur.
 
-    size: Pixels of a side.
-    passes: Of the truth.
-    series, value: What is turned ("tier", "grid" or a knob of `interactive`), and to what.
+    size: Width and height in pixels.
+    passes: Passes of the truth.
+    series, value: What is varied ("tier", "grid" or a knob of `interactive`), and its value.
     strands, light_of, scale: The knobs.
     silhouette: FLIP in the band around the fur's edge; 0 where there is no edge.
-    luminance, coverage: Mean luminance of the fur and sum of alpha, over those of the truth.
-    floor: FLIP that the truth itself may be off.
-    non_finite: Pixels with NaN or infinity.
-    draw_ms, cpu_ms: The least of the repeats; cpu_ms of all threads, 0 where the server does not say.
+    luminance, coverage: Mean luminance of the fur and sum of alpha, relative to the truth.
+    floor: Estimated FLIP error of the truth itself.
+    non_finite: Number of pixels with NaN or infinity.
+    draw_ms, cpu_ms: Minimum of the repeats; cpu_ms is the sum of all threads, 0 if the server does not report it.
     knobs: JSON, as a request's `quality`.
     """
 
@@ -53,7 +53,7 @@ class Row(NamedTuple):
 
     @property
     def cost(self) -> float:
-        """Milliseconds of CPU where the server says them, else those that passed."""
+        """CPU milliseconds if the server reports them, else elapsed ones."""
         return self.cpu_ms if self.cpu_ms > 0 else self.draw_ms
 
 
@@ -67,7 +67,7 @@ def to_csv(rows: Sequence[Row]) -> str:
 
 
 def from_csv(text: str) -> List[Row]:
-    """The rows again. Raises ValueError for other columns or a broken line."""
+    """Parses the CSV table. Raises ValueError for wrong columns or an invalid line."""
     lines = csv.reader(io.StringIO(text, newline=""))
     if tuple(next(lines, ())) != Row._fields:
         raise ValueError("The table has other columns.")
@@ -87,10 +87,10 @@ def scenes_of(rows: Sequence[Row]) -> List[str]:
 
 
 def swept_scenes(rows: Sequence[Row]) -> List[str]:
-    """Those with a grid of settings."""
+    """Returns the scenes that have a grid of settings."""
     return scenes_of([row for row in rows if row.series == "grid"])
 
 
 def milliseconds(value: float) -> str:
-    """Three digits, without an exponent."""
+    """Formats with three significant digits, without an exponent."""
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"

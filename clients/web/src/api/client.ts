@@ -1,35 +1,35 @@
-// Calls of the server. Every refusal becomes a Refusal with the words of its problem document.
+// Calls the server. An error answer is thrown as a Refusal with its problem document.
 import type {CommandAnswer, Comparison, FrameCounters, FrameEstimate, FrameRequest, Knobs, LogEntry, Pick, Problem, RecipeStep, Scene, SceneList, Settings, TraceReport} from "./types";
 import {author, otherToken, token} from "./identity";
 
-/** The server said no, and why. */
+/** The server refused the request; `problem` says why. */
 export class Refusal extends Error {
   constructor(readonly status: number, readonly problem: Problem) {
     super(problem.detail || problem.title);
   }
 }
-/** Nothing was heard from the server. */
+/** The server did not answer. */
 export class Offline extends Error {}
-/** The request was given up by whoever sent it. */
+/** The sender aborted the request. */
 export class Aborted extends Error {}
 
 export interface CallOptions { method?: string; body?: BodyInit | null; json?: unknown; headers?: Record<string, string>; signal?: AbortSignal; keepalive?: boolean }
 
-/** For answers that are no problem document: a proxy before the server writes its own. */
+/** Reasons by HTTP status, for answers that are not problem documents, such as those of a proxy. */
 const reasons: Record<number, string> = {
   401: "it wants a token", 403: "it is forbidden", 404: "there is nothing at this address", 408: "the request took too long", 413: "what was sent is too large",
   429: "too many requests came at once", 502: "the server behind the proxy does not answer", 503: "the server is not there or too busy",
   504: "the server behind the proxy took too long",
 };
 
-/** Words for an answer without a problem document, with its first line of plain text where there is one. */
+/** Makes a problem document for an answer without one, from its first line of plain text or its status. */
 function unexplained(status: number, text: string): Problem {
   const line = /^\s*[<{]/.test(text) ? "" : text.trim().split("\n")[0]!.slice(0, 160);
   const reason = line || reasons[status] || (status >= 500 ? "the server failed" : "no reason was given");
   return {type: "about:blank", title: "The request failed.", status, detail: `The request was answered with ${status}: ${reason}.`};
 }
 
-/** Headers that every request has. */
+/** Returns the headers of every request. */
 export function commonHeaders(method: string): Record<string, string> {
   const headers: Record<string, string> = {};
   if (token.value) headers["Authorization"] = `Bearer ${token.value}`;
@@ -37,7 +37,7 @@ export function commonHeaders(method: string): Record<string, string> {
   return headers;
 }
 
-/** The refusal of an answer that is not of 200 to 304. */
+/** Returns the Refusal for an error answer. */
 export function refusalOf(status: number, text: string): Refusal {
   try {
     const problem = JSON.parse(text) as Partial<Problem> | null;
@@ -48,7 +48,7 @@ export function refusalOf(status: number, text: string): Refusal {
   return new Refusal(status, unexplained(status, text));
 }
 
-/** Tries again with another token as long as the server wants one and somebody gives it. */
+/** Repeats the attempt with another token while the server asks for one and the user provides it. */
 export async function withToken<T>(attempt: () => Promise<T>): Promise<T> {
   for (;;) {
     const tried = token.value;
@@ -76,7 +76,7 @@ async function callOnce(path: string, options: CallOptions): Promise<Response> {
   throw refusalOf(answer.status, await answer.text().catch(() => ""));
 }
 
-/** Answers of 200 to 304; anything else is thrown. */
+/** Returns answers with the status 200 to 304; anything else is thrown. */
 export const call = (path: string, options: CallOptions = {}): Promise<Response> => withToken(() => callOnce(path, options));
 
 async function read<T>(path: string, options: CallOptions = {}): Promise<T> {
@@ -94,13 +94,13 @@ export const readLines = async (id: string) => (await call(`${at(id)}/log?format
 export const branchScene = (id: string, json: unknown) => read<Scene>(`${at(id)}/branch`, {json});
 export const compareRevisions = (id: string, from: number, to: number) => read<Comparison>(`${at(id)}/compare?from=${from}&to=${to}`);
 export const pick = (id: string, json: unknown) => read<Pick>(`${at(id)}/pick`, {json});
-/** The steps of a recipe for this scene's model; nothing changes. */
+/** Returns the steps of a recipe for this scene's model; changes nothing. */
 export const expandRecipe = async (id: string, json: unknown) => (await read<{steps: RecipeStep[]}>(`${at(id)}/recipe`, {json})).steps;
-/** What an amendment would do; nothing changes. */
+/** Returns what an amendment would do; changes nothing. */
 export const tryAmend = (id: string, json: unknown, signal?: AbortSignal) => read<CommandAnswer>(`${at(id)}/amend?dry_run=1`, {json, ...(signal ? {signal} : {})});
 export const scenePath = at;
 
-/** A change of a scene: what the outbox sends. `path` is below the scene's. */
+/** Sends a change of a scene; called by the outbox. `path` is relative to the scene's. `key` makes repeats harmless. */
 export const change = (id: string, path: string, json: unknown, key: string) =>
   read<CommandAnswer>(`${at(id)}/${path}`, {json, headers: {"Idempotency-Key": key}});
 
@@ -110,9 +110,9 @@ export interface Picture {
   knobs: Knobs;
   trace: TraceReport | null;
   estimate: FrameEstimate | null;
-  /** Share of it that was drawn for this answer: 0 where it was cached. */
+  /** Fraction of the picture that was drawn for this answer, [0, 1]; 0 if it was cached. */
   redrawn: number;
-  /** Milliseconds by name, from Server-Timing. */
+  /** Milliseconds by stage, from the header Server-Timing. */
   timings: Record<string, number>;
 }
 export interface FrameNews { after: number; after_pass?: number; wait: number }
@@ -131,8 +131,7 @@ export function timingsOf(text: string): Record<string, number> {
   return timings;
 }
 
-/** A frame; null where nothing newer came within `news.wait` seconds. */
-/** What an answer holds. Its request may be given up, or the connection lost, while it still comes. */
+/** Reads an answer's body. Throws Aborted or Offline if the request is aborted or the connection lost meanwhile. */
 async function bytesOf(answer: Response, signal?: AbortSignal): Promise<Blob> {
   try {
     return await answer.blob();
@@ -141,6 +140,7 @@ async function bytesOf(answer: Response, signal?: AbortSignal): Promise<Blob> {
   }
 }
 
+/** Draws a frame; null if nothing newer came within `news.wait` seconds. */
 export async function drawFrame(id: string, request: FrameRequest, news: FrameNews | null, signal?: AbortSignal): Promise<Picture | null> {
   const query = news ? "?" + Object.entries(news).map(([name, value]) => `${name}=${value}`).join("&") : "";
   const answer = await call(`${at(id)}/frames${query}`, {json: request, ...(signal ? {signal} : {})});

@@ -1,4 +1,5 @@
-// News of a scene as they happen: server-sent events, read with fetch so that the token can be sent, resumed where they broke.
+// Receives a scene's changes as server-sent events. Uses fetch, because EventSource cannot send the token, and resumes
+// after the last event when the connection breaks.
 import {signal} from "@preact/signals";
 import {Aborted, Refusal, call, scenePath} from "./client";
 import {offline} from "./outbox";
@@ -6,13 +7,13 @@ import {offline} from "./outbox";
 export interface ServerEvent { id: string; name: string; data: string }
 export type Hear = (event: ServerEvent) => void;
 
-/** Whether the stream of news stands. */
+/** True while the event stream is connected. */
 export const connected = signal(false);
 
 const retry_ms = [250, 500, 1000, 2000, 4000];
-const silent_ms = 40000;  // the server says something every 15 s
+const silent_ms = 40000;  // ms without data until a reconnect; the server sends a comment every 15 s
 
-/** One event from its lines; null of a comment. */
+/** Parses the lines of one event; null for a comment. */
 export function parseEvent(block: string): ServerEvent | null {
   const event: ServerEvent = {id: "", name: "message", data: ""};
   for (const line of block.split("\n")) {
@@ -27,7 +28,7 @@ export function parseEvent(block: string): ServerEvent | null {
   return event.data ? event : null;
 }
 
-/** Calls `hear` until `stop` aborts or the stream ends. Gives the last id. */
+/** Calls `hear` for each event and `heard` for any data, until the stream ends. Returns the last event's id. */
 async function readStream(body: ReadableStream<Uint8Array>, last: string, hear: Hear, heard: () => void): Promise<string> {
   const reader = body.pipeThrough(new TextDecoderStream() as unknown as ReadableWritablePair<string, Uint8Array>).getReader();
   let text = "";
@@ -46,7 +47,7 @@ async function readStream(body: ReadableStream<Uint8Array>, last: string, hear: 
   }
 }
 
-/** Hears of one scene until the signal aborts. */
+/** Calls `hear` for each event of a scene and reconnects as needed, until `stop` aborts or the scene is removed. */
 export async function hearEvents(id: string, hear: Hear, stop: AbortSignal) {
   let last = "";
   for (let tries = 0; !stop.aborted; ++tries) {

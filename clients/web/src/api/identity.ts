@@ -1,7 +1,7 @@
-// Who sits here, and the server's token: kept in this browser.
+// The user's name and the server's token, stored in this browser.
 import {effect, signal} from "@preact/signals";
 
-/** A signal whose value is kept in this browser under `name`. */
+/** Returns a signal whose value is stored in this browser under `name`. */
 export function kept<T>(name: string, initial: T) {
   const key = `pelage.${name}`;
   let value = initial;
@@ -9,29 +9,29 @@ export function kept<T>(name: string, initial: T) {
     const text = localStorage.getItem(key);
     if (text !== null) value = JSON.parse(text) as T;
   } catch {
-    // what cannot be read is as if it were not there
+    // an unreadable value counts as absent
   }
   const held = signal(value);
   effect(() => {
     const text = JSON.stringify(held.value);
-    try { localStorage.setItem(key, text); } catch { /* a full or forbidden store: it lasts for this page */ }
+    try { localStorage.setItem(key, text); } catch { /* the storage is full or forbidden: the value lasts until the page is closed */ }
   });
   return held;
 }
 
 const animals = ["otter", "lynx", "marten", "hare", "badger", "fox", "stoat", "bear", "vole", "wolf", "deer", "yak"];
 
-/** Shown beside edits; others see it. */
+/** The user's name, recorded with each edit and shown to others. */
 export const author = kept("author", `${animals[Math.floor(Math.random() * animals.length)]} ${Math.floor(Math.random() * 90 + 10)}`);
-/** Bearer token of a server that needs one; "" for none. */
+/** Bearer token for a server that needs one; "" for none. */
 export const token = kept("token", "");
-/** This page among all that are open. */
+/** A random id of this page, different from those of all other open pages. */
 export const page_id = crypto.getRandomValues(new Uint32Array(2)).join("-");
 
-/** The token that the server refused, while it wants another one; null when it wants none. */
+/** The refused token while the server asks for another one; else null. */
 export const refused_token = signal<string | null>(null);
 
-/** Waits until another token than `refused` is given; false where whoever sits here gives none. */
+/** Waits until the user gives another token than `refused`; resolves with false if the user gives none. */
 export function otherToken(refused: string): Promise<boolean> {
   if (token.value !== refused) return Promise.resolve(true);
   refused_token.value = refused;

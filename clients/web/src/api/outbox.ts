@@ -1,4 +1,4 @@
-// Changes on their way to the server: sent in order, one at a time, again after a lost connection, and kept in this browser
+// The queue of changes to send: one at a time and in order, repeated after a lost connection, and stored in this browser
 // until they are answered, so that closing the page loses nothing.
 import {signal} from "@preact/signals";
 import {Offline, Refusal, change} from "./client";
@@ -7,10 +7,10 @@ import type {CommandAnswer} from "./types";
 
 export interface Change {
   scene: string;
-  /** Below the scene's address: "commands", "undo", ... */
+  /** URL path relative to the scene's: "commands", "undo", ... */
   path: string;
   body: unknown;
-  /** The same each time that it is sent, so that it is done once. */
+  /** Idempotency key: the same each time the change is sent, so that the server runs it once. */
   key: string;
 }
 interface Waiting extends Change { done: (answer: CommandAnswer) => void; failed: (error: Error) => void }
@@ -18,11 +18,11 @@ interface Waiting extends Change { done: (answer: CommandAnswer) => void; failed
 const store = "pelage.outbox";
 const retry_seconds = [0.25, 0.5, 1, 2, 4];
 
-/** How many changes are not answered yet. */
+/** Number of changes that are not answered yet. */
 export const unsent = signal(0);
-/** Whether the changes that are not answered yet are kept in this browser: not where its store is full or forbidden. */
+/** True if the unanswered changes are stored in this browser; false if its storage is full or forbidden. */
 export const keeps = signal(true);
-/** Whether the last try found no server. */
+/** True if the last attempt got no answer from the server. */
 export const offline = signal(false);
 
 const queue: Waiting[] = [];
@@ -77,7 +77,7 @@ async function work() {
   busy = false;
 }
 
-/** Resolves with the server's answer, or is rejected with its Refusal. */
+/** Queues a change. Resolves with the server's answer, or is rejected with its Refusal. */
 export function send(scene: string, path: string, body: unknown, key = `${page_id}-${++serial}`): Promise<CommandAnswer> {
   return new Promise((done, failed) => {
     queue.push({scene, path, body, key, done, failed});
@@ -86,7 +86,7 @@ export function send(scene: string, path: string, body: unknown, key = `${page_i
   });
 }
 
-/** What another page left under `name`, which is taken away. */
+/** Removes the storage entry `name` of another page, and returns the changes in it. */
 function takeLeft(name: string): Change[] {
   const text = localStorage.getItem(name) ?? "[]";
   localStorage.removeItem(name);
@@ -98,18 +98,18 @@ function takeLeft(name: string): Change[] {
   }
 }
 
-/** What pages left in this browser; nothing where it keeps nothing. */
+/** Removes and returns the unanswered changes that other pages stored in this browser. */
 function leftovers(): Change[] {
   try {
     return Object.keys(localStorage).filter((name) => name.startsWith(`${store}.`) && name !== `${store}.${page_id}`).flatMap(takeLeft);
   } catch {
-    return [];  // the store is forbidden
+    return [];  // the storage is forbidden
   }
 }
 
-/** Sends what a page left that was closed before its answers came; gives how many changes that were. */
+/** Sends the changes of pages that were closed before the answers came. Returns the number of changes. */
 export function sendLeftovers(): number {
   const all = leftovers();
-  for (const left of all) send(left.scene, left.path, left.body, left.key).catch(() => undefined);  // its scene may be gone
+  for (const left of all) send(left.scene, left.path, left.body, left.key).catch(() => undefined);  // the scene may be gone
   return all.length;
 }

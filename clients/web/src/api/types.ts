@@ -1,4 +1,4 @@
-// The contract's shapes under short names. They come from openapi.json: what it does not say does not compile.
+// Short names for the contract's types, which are generated from openapi.json.
 import type {components} from "contract";
 
 type Schemas = components["schemas"];
@@ -37,5 +37,5 @@ export type Op = Schemas["Command"]["op"];
 export type Vector = [number, number, number];
 /** A pinhole camera in the model's coordinates; fov_degrees is vertical. */
 export interface Pinhole { position: Vector; target: Vector; up: Vector; fov_degrees: number }
-/** A command as it is sent: `op` and the members of its schema, which the server checks. */
+/** A command: `op` and the members of its schema. Only the server checks the members. */
 export type Command = {op: Op} & Record<string, unknown>;

@@ -1,4 +1,4 @@
-// Uploads of files: XMLHttpRequest, since fetch does not say how far an upload has come.
+// Uploads files with XMLHttpRequest, because fetch does not report the progress of an upload.
 import {Aborted, Offline, commonHeaders, refusalOf, withToken} from "./client";
 
 function put<T>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal, headers: Record<string, string>): Promise<T> {
@@ -20,6 +20,6 @@ function put<T>(path: string, body: Blob, progress: (share: number) => void, sto
   });
 }
 
-/** PUTs the bytes. `progress` hears the share that is sent; at 1 the server works. */
+/** Sends the bytes with PUT. Calls `progress` with the fraction sent, [0, 1]; at 1 the server still works on them. */
 export const upload = <T,>(path: string, body: Blob, progress: (share: number) => void, stop: AbortSignal, headers: Record<string, string> = {}): Promise<T> =>
   withToken(() => put<T>(path, body, progress, stop, headers));

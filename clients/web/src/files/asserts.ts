@@ -1,7 +1,7 @@
-// What recipes assert of their steps. The agents' tools check it too.
+// Checks the asserts of recipe steps. clients/mcp uses it, too.
 import type {CommandAnswer, RecipeStep} from "../api/types";
 
-/** What a step touched against its recipe's word, in words; "" where that holds. */
+/** Describes the first command that touched more or fewer vertices than its assert allows; "" if all asserts hold. */
 export function brokenAssert({asserts}: {asserts?: RecipeStep["asserts"]}, {results}: Pick<CommandAnswer, "results">): string {
   for (const {command, min_vertices = 0, max_vertices = Infinity} of asserts ?? []) {
     const result = results[command];

@@ -1,4 +1,4 @@
-// What can be taken away: pictures, maps, the steps of the groom.
+// Downloads: pictures, maps, the steps of the groom.
 import {signal} from "@preact/signals";
 import {Aborted, call, drawFrame, readLines, scenePath, type Picture} from "../api/client";
 import {page_id} from "../api/identity";
@@ -12,7 +12,7 @@ import {dial, plain_request, rest_quality, shared_request} from "../view/quality
 import {traceToEnd} from "../view/trace";
 import {viewport_size} from "../view/surface";
 
-/** What is made now; `share` null where nobody knows how far it is. */
+/** The file being made; `share` is the done fraction, null while progress is unknown. */
 export interface Making { says: string; share: number | null; stop: AbortController }
 export const making = signal<Making | null>(null);
 
@@ -28,10 +28,10 @@ export function save(bytes: Blob, name: string) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
-/** Of letters, digits and a few signs, as every system takes them. */
+/** Returns a file name that is valid on every system: letters, digits and a few signs. */
 export const fileName = ({name}: {name: string}, ending: string) => `${name.replace(/[^\p{L}\p{N} ._-]+/gu, "_")}.${ending}`;
 
-/** Runs one download at a time, with its words and a way to stop it. */
+/** Runs a download unless one is running; shows the text `says` and lets the user stop it. */
 export async function make(says: string, work: (open: Scene, stop: AbortController) => Promise<void>) {
   const open = scene.value;
   if (!open || making.value) return;
@@ -49,7 +49,7 @@ export async function make(says: string, work: (open: Scene, stop: AbortControll
 export type Size = "1x" | "2x" | "4K";
 export const sizes: Size[] = ["1x", "2x", "4K"];
 
-/** Pixels of a picture with the window's shape. */
+/** Returns the size in pixels of a picture with the window's aspect ratio. */
 export function pixelsOf(size: Size): {width: number; height: number} {
   const {width, height} = viewport_size.value;
   const factor = size === "4K" ? wide_pixels / width : size === "2x" ? 2 : 1;
@@ -68,7 +68,7 @@ function draw(open: Scene, request: FrameRequest, says: string, stop: AbortContr
   return traceToEnd(open.id, request, {passes: picture_passes, noise: picture_noise}, seen, stop.signal);
 }
 
-/** The picture on the screen where it is what is asked for: at rest, of now and of these pixels. */
+/** Returns the picture on the screen if it is up to date, of final quality and of this size; else null. */
 function seenPicture({width, height}: {width: number; height: number}): Blob | null {
   const seen = shown.value;
   if (!seen || outdated.value || seen.width !== width || seen.height !== height) return null;
@@ -87,7 +87,7 @@ export const downloadPicture = (format: "png" | "exr", size: Size, transparent: 
   if (picture) save(picture.bytes, fileName(open, format));
 });
 
-/** `request` has the members of MapRequest. */
+/** Downloads a map; `request` has the members of MapRequest. */
 export const downloadMap = (request: Values) => make(`Making the map of ${String(request["field"])}`, async (open, stop) => {
   const {field, ...rest} = request;
   const query = new URLSearchParams(Object.entries(rest).map(([name, value]) => [name, String(value)]));
@@ -99,7 +99,7 @@ export const downloadLog = () => make("Reading the steps", async (open) => {
   save(new Blob([await readLines(open.id)], {type: "application/jsonl"}), fileName(open, "jsonl"));
 });
 
-/** The steps as docs/recipes.md has them. `pelage run` and a drop onto this page do them again. */
+/** Downloads the steps as a recipe (docs/recipes.md), which `pelage run` or a drop onto this page runs again. */
 export const downloadRecipe = () => make("Reading the steps", async (open) => {
   const steps = (await readLines(open.id)).split("\n").filter((line) => line.trim()).map((line) => JSON.parse(line) as unknown);
   const recipe = {description: `The groom of ${open.name}.`, steps};

@@ -1,4 +1,4 @@
-// The upload of a model into a scene of its own, from the question about its axes to the report.
+// Uploads a model into a scene, from the question about its axes to the report. Also takes dropped recipes and pictures.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
 import {kept} from "../api/identity";
@@ -13,12 +13,12 @@ import {brokenAssert} from "./asserts";
 import {stepsOf} from "./steps";
 import {endingOf, folderOf, type Taken} from "./take";
 
-/** A new model takes what an upload made of its scene, up to a revision. */
+/** A repeated upload with other axes may discard the scene's groom, but only if the scene is still at `revision`. */
 export type Loss = {revision: number};
 
 export type Import =
   | {stage: "reading"}
-  | {stage: "asking"; plan: Plan; into: string; loss?: Loss}     // into: id of the scene that gets it; "" for a new one
+  | {stage: "asking"; plan: Plan; into: string; loss?: Loss}     // into: id of the target scene; "" for a new one
   | {stage: "sending" | "preparing"; plan: Plan; what: string; share: number; stop: AbortController}
   | {stage: "done"; plan: Plan; into: string; revision: number; triangles: number; repairs: Repair[]; notes: string[]}
   | {stage: "failed"; says: string; next: string; plan: Plan | null; into: string};
@@ -28,7 +28,7 @@ export const leave = () => { importing.value = null; };
 
 const max_name_bytes = 200;
 
-/** What the user can do about a refusal. */
+/** Returns advice for the user on a refusal. */
 function nextOf(error: unknown): string {
   if (error instanceof Offline) return "Nothing was changed. Try again once the server answers.";
   if (!(error instanceof Refusal)) return "Try again, or export the model in another format.";
@@ -70,14 +70,14 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
   return {description, notes};
 }
 
-/** After an upload that was refused or given up. */
+/** Returns the state of the card after an upload that failed or was aborted. */
 function asideFrom(error: unknown, plan: Plan, into: string): Import {
   if (error instanceof Aborted) return {stage: "asking", plan, into};
   const says = error instanceof Offline ? "The connection to the server broke." : (error as Error).message;
   return {stage: "failed", says, next: nextOf(error), plan, into};
 }
 
-/** What the card says of a model as it stands. */
+/** Returns the card's notes on a loaded model. */
 function notesOn({materials, carried}: Scene): string[] {
   const bare = materials.filter((material) => material.bare).map(({name}) => name);
   const notes = bare.length > 0 ? [`Left bare: ${bare.join(", ")}. Paint Bare skin with 0 where fur is to grow.`] : [];
@@ -86,10 +86,10 @@ function notesOn({materials, carried}: Scene): string[] {
   return [...notes, `It has the groom.${far}`, "The scene as it was, with its steps, is in the list."];
 }
 
-/** Bytes a second of the newest upload; 0 before there was one. */
+/** Speed of the latest upload in bytes per second; 0 before the first. */
 export const upload_speed = kept("upload-speed", 0);
 
-/** Uploads the plan; a new scene is taken away again where the model is refused. */
+/** Uploads the plan. A scene that was created for it is removed if the upload fails. */
 export async function startImport(plan: Plan, into: string, loss?: Loss): Promise<void> {
   const stop = new AbortController();
   let made = "";
@@ -102,12 +102,12 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
     importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes: [...notes, ...notesOn(description)]};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
-    if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: that goes over
+    if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: keep the groom
     importing.value = asideFrom(error, plan, into);
   }
 }
 
-/** What the recipe can include: files that came with it, and recipes of the program as if they lay beside it. */
+/** Returns the recipes that `main` can include, by path: the files dropped with it, and the built-in recipes. */
 async function recipesBeside(main: Taken, all: Taken[]): Promise<Record<string, unknown>> {
   const own = Object.entries((await import("./sample_grooms")).recipes).map(([name, recipe]) => [`${folderOf(main.path)}${name}`, recipe]);
   const others = all.filter((one) => one !== main && endingOf(one.path) === "json");
@@ -122,7 +122,7 @@ async function runFile(main: Taken, all: Taken[]) {
   const steps = await stepsOf(open.id, main.path, await main.file.text(), await recipesBeside(main, all));
   let done = 0, broken = "";
   for (const step of steps) {
-    if (!isOpen(open.id)) break;  // another scene was opened, which the recipe is not for
+    if (!isOpen(open.id)) break;  // the user opened another scene
     const answer = await run(...step.commands);
     if (!answer) break;
     ++done;
@@ -133,7 +133,7 @@ async function runFile(main: Taken, all: Taken[]) {
       [broken, "Each is one step to undo."].filter(Boolean).join(" "), done === steps.length && !broken ? "info" : "error");
 }
 
-/** Files came onto the page. */
+/** Handles files that were dropped or chosen: runs a recipe, uses a picture, or starts the upload of a model. */
 export async function take(all: Taken[]) {
   if (all.length === 0) return;
   const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));

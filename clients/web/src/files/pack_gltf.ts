@@ -1,4 +1,5 @@
-// A .gltf with the files that it names as one GLB: all buffers and pictures behind one another in its binary chunk.
+// Packs a .gltf and the files that it references into one GLB: all buffers and pictures follow each other in its binary
+// chunk.
 import {baseOf, endingOf, findNamed, type Taken} from "./take";
 
 interface BufferView { buffer: number; byteOffset?: number; byteLength: number; extensions?: Record<string, {buffer?: number; byteOffset?: number}> }
@@ -11,7 +12,7 @@ interface Gltf {
 const picture_types: Record<string, string> = {png: "image/png", jpg: "image/jpeg", jpeg: "image/jpeg", webp: "image/webp", ktx2: "image/ktx2"};
 const glb_magic = 0x46546c67, chunk_json = 0x4e4f534a, chunk_binary = 0x004e4942;
 
-/** Files that the model needs and that are not there. */
+/** Files that the model references are missing. */
 export class MissingFiles extends Error {
   constructor(readonly names: string[]) { super(`It needs ${names.join(", ")} beside it.`); }
 }
@@ -23,7 +24,7 @@ function bytesOfDataUri(uri: string): Uint8Array {
   return Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
 }
 
-/** Blobs one after another, each at a multiple of 4 bytes. */
+/** Concatenates blobs, each aligned to 4 bytes. */
 class Binary {
   readonly parts: (Uint8Array | Blob)[] = [];
   bytes = 0;
@@ -47,7 +48,7 @@ class Binary {
 
 function moveViews(gltf: Gltf, starts: number[]) {
   for (const view of gltf.bufferViews ?? []) {
-    for (const place of [view, ...Object.values(view.extensions ?? {})]) {  // a compression extension has a buffer of its own
+    for (const place of [view, ...Object.values(view.extensions ?? {})]) {  // compression extensions have their own buffer
       if (typeof place.buffer !== "number") continue;
       place.byteOffset = (place.byteOffset ?? 0) + (starts[place.buffer] ?? 0);
       place.buffer = 0;

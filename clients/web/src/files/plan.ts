@@ -1,4 +1,4 @@
-// What is to be uploaded: one model among the files that were dropped, packed where it names others.
+// Plans an upload: chooses one model among the dropped files and packs it with the files that it references.
 import type {ModelFormat} from "../api/types";
 import type {Values} from "../tools/state";
 import {endingOf, type Taken} from "./take";
@@ -11,10 +11,10 @@ export interface Plan {
   /** Options that differ from the contract's defaults. */
   options: Values;
   notes: string[];
-  /** Id of the scene whose groom the model gets; "" for a first one. */
+  /** Id of the scene whose groom the model gets; "" if it is not a new version of a model. */
   version_of: string;
 }
-/** Words to the user: what is wrong, and what to do. */
+/** An error with a message for the user; `next` says what to do. */
 export class PlanError extends Error {
   constructor(message: string, readonly next: string) { super(message); }
 }
@@ -25,14 +25,14 @@ const mebibytes = (bytes: number) => `${Math.ceil(bytes / 1024 / 1024)} MiB`;
 
 const isModel = ({path}: Taken) => (model_endings as readonly string[]).includes(endingOf(path));
 
-/** The likeliest of several: by kind, then the largest. */
+/** Chooses the most likely model: by format, then by size. `others` counts the models that were not chosen. */
 export function chooseModel(all: Taken[]): {model: Taken | undefined; others: number} {
   const rank = ({path}: Taken) => (model_endings as readonly string[]).indexOf(endingOf(path));
   const models = all.filter(isModel).sort((a, b) => rank(a) - rank(b) || b.file.size - a.file.size);
   return {model: models[0], others: models.length - 1};
 }
 
-/** Formats of printers and modellers have z up as a rule; glTF has y up by its standard. */
+/** Guesses the axes by format: STL and 3DS usually have z up; glTF has y up by its standard. */
 const axesOf = (format: ModelFormat): Values => (["stl", "3ds"].includes(format) ? {up: "z", front: "-y"} : {up: "y", front: "z"});
 
 async function pack(model: Taken, all: Taken[]): Promise<Blob> {

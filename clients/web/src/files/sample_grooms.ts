@@ -1,4 +1,4 @@
-// Looks and recipes of the repository, a chunk of their own that is loaded when one is wanted.
+// The repository's looks and recipes, in a bundle that is loaded on demand.
 import type {Command} from "../api/types";
 import bear from "../../../looks/bear.json";
 import fox from "../../../looks/fox.json";
@@ -16,7 +16,7 @@ import portrait_light from "../../../recipes/portrait_light.json";
 import tint from "../../../recipes/tint.json";
 
 export const looks = {bear, fox, leopard, rabbit, sheep, shorthair_cat, toy_plush, wet_dog, zebra} as unknown as Record<string, {commands: Command[]}>;
-/** By the names that recipes include them by. */
+/** Recipes by the file names that recipes use to include them. */
 export const recipes: Record<string, unknown> = {
   "best_in_show.json": best_in_show, "creature.json": creature, "dot.json": dot, "portrait_light.json": portrait_light, "tint.json": tint,
 };

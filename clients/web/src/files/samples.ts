@@ -1,4 +1,4 @@
-// Samples: the built-in creature with a look, and one with a whole groom.
+// Sample scenes: the built-in creature with a look, and one with a whole groom.
 import {signal} from "@preact/signals";
 import {change, createScene, expandRecipe} from "../api/client";
 import {page_id} from "../api/identity";
@@ -7,17 +7,17 @@ import {listScenes, openScene} from "../scene/session";
 import type {Scene} from "../api/types";
 import type {Step} from "./steps";
 
-/** Without look and recipe: the creature as it comes, in its own colours. */
+/** A sample without look and recipe is the plain creature in its own colours. */
 export interface Sample { name: string; look?: string; recipe?: string; length?: number }
 
-/** The first is what a first visit shows. */
+/** The first visit shows the first sample. */
 export const samples: Sample[] = [
   {name: "Fox"}, {name: "Shaggy fox", look: "fox"}, {name: "Best in show", recipe: "creature"}, {name: "Leopard", look: "leopard"}, {name: "Tabby", look: "shorthair_cat", length: 0.02},
   {name: "Zebra", look: "zebra", length: 0.018}, {name: "Bear", look: "bear"}, {name: "Rabbit", look: "rabbit"}, {name: "Sheep", look: "sheep"},
   {name: "Wet dog", look: "wet_dog"}, {name: "Plush", look: "toy_plush", length: 0.02},
 ];
 
-/** What is being prepared, in words; "" when nothing is. */
+/** Text about the sample being prepared; "" if there is none. */
 export const preparing = signal("");
 
 const sample_triangles = 20000;
@@ -28,7 +28,7 @@ async function stepsOf({look, recipe}: Sample, made: Scene): Promise<Step[]> {
   return look ? [looks[look]!] : expandRecipe(made.id, {recipe: recipes[`${recipe}.json`], files: recipes});
 }
 
-/** Makes the scene on the server and opens it. */
+/** Creates a sample's scene on the server and opens it. */
 export async function makeSample(sample: Sample) {
   if (preparing.value) return;
   try {

@@ -1,4 +1,4 @@
-// Several pictures as one: a contact sheet, before and after, two scenes side by side; and a turntable as a film.
+// Combines pictures: a contact sheet, before and after, two scenes side by side; and a turntable as a film.
 import {signal} from "@preact/signals";
 import {drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
@@ -9,7 +9,7 @@ import {framed, orbit, pinholeOf, type Orbit} from "../view/camera";
 import {plain_request, rest_quality} from "../view/quality";
 import {fileName, make, making, save} from "./download";
 
-/** The newest one, to look at and to keep. */
+/** A finished sheet or film; the dialog shows the latest one. */
 export interface Sheet { address: string; bytes: Blob; name: string; is_film: boolean }
 export const sheet = signal<Sheet | null>(null);
 
@@ -37,7 +37,7 @@ async function pictureOf({scene, orbit: from, revision}: Cell, size: {width: num
   return createImageBitmap(picture!.bytes);
 }
 
-/** Cells in rows, each with its words below. */
+/** Draws the cells in rows, each with its label below. */
 async function composed(cells: Cell[], columns: number, says: string, stop: AbortController): Promise<Blob> {
   const canvas = document.createElement("canvas");
   canvas.width = columns * cell.width, canvas.height = Math.ceil(cells.length / columns) * (cell.height + label_height);
@@ -81,7 +81,7 @@ export const sideBySide = (other: Scene) => make(`Drawing ${other.name} beside i
   show(await composed(cells, 2, `Drawing ${other.name} beside it`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
 });
 
-/** Draws all pictures first, so that the film has no pauses; then films them. */
+/** Draws all pictures before it records them, so that the film has no pauses. */
 export const turntable = () => make("Drawing the turntable", async (scene, stop) => {
   const pictures: ImageBitmap[] = [];
   for (let k = 0; k < film_frames; ++k) {

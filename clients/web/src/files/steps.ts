@@ -1,4 +1,4 @@
-// Files of commands: recipes, which the server turns into steps, and logs, which are steps already.
+// Reads files of commands: recipes, which the server turns into steps, and logs, which are steps already.
 import {expandRecipe} from "../api/client";
 import type {Command, RecipeStep} from "../api/types";
 
@@ -9,7 +9,7 @@ type Documents = Record<string, unknown>;
 const isObject = (value: unknown): value is Documents => typeof value === "object" && value !== null && !Array.isArray(value);
 const stepOf = (one: unknown): Step => ({commands: isObject(one) && Array.isArray(one["commands"]) ? one["commands"] as Command[] : [one as Command]});
 
-/** Steps of a file: a recipe, one command or batch, an array of commands, or lines as the log writes them. */
+/** Returns the steps of a file: a recipe, one command or batch, an array of commands, or JSON lines as in the log. */
 export async function stepsOf(id: string, file: string, text: string, files: Documents): Promise<Step[]> {
   let whole: unknown;
   try {

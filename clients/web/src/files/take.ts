@@ -1,6 +1,6 @@
-// What is dropped or chosen: files with their paths, out of folders too.
+// Collects files that were dropped or chosen, with their paths, also from folders.
 
-/** Of pictures that can lie on a skin. */
+/** File extensions of pictures that can be skin textures. */
 export const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
 
 export interface Taken { path: string; file: File }
@@ -9,7 +9,7 @@ const max_files = 4000;
 
 const readAll = (reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> => new Promise((done, failed) => {
   const all: FileSystemEntry[] = [];
-  const next = () => reader.readEntries((some) => {  // gives about a hundred at a time
+  const next = () => reader.readEntries((some) => {  // returns about a hundred at a time
     if (some.length === 0 || all.length > max_files) return done(all);
     all.push(...some);
     next();
@@ -27,7 +27,7 @@ async function walk(entry: FileSystemEntry, found: Taken[]) {
   for (const inner of await readAll((entry as FileSystemDirectoryEntry).createReader())) await walk(inner, found);
 }
 
-/** To be called while the drop is handled: the browser empties it afterwards. */
+/** Returns the dropped files. Call it inside the drop handler, because the browser empties `data` afterwards. */
 export function takeDropped(data: DataTransfer): Promise<Taken[]> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
   const plain = [...data.files].map((file) => ({path: file.name, file}));
@@ -54,7 +54,7 @@ function tidy(path: string): string {
   return parts.join("/").toLowerCase();
 }
 
-/** The file that `from` names: by its path, else by its name alone, whatever its capitals. */
+/** Finds the file that `from` references as `name`: by its path, else by its file name alone, ignoring case. */
 export function findNamed(all: Taken[], from: string, name: string): Taken | undefined {
   const wanted = tidy(folderOf(from) + name);
   return all.find(({path}) => tidy(path) === wanted) ?? all.find(({path}) => baseOf(path).toLowerCase() === baseOf(name).toLowerCase());

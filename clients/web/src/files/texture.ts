@@ -1,12 +1,13 @@
-// The picture that an OBJ's materials name, as the server takes it: one PNG or JPEG of at most 4096 pixels a side.
+// Finds the picture that an OBJ's materials reference and converts it to what the server takes: one PNG or JPEG of at most
+// 4096 x 4096 pixels.
 import {baseOf, findNamed, skin_endings, type Taken} from "./take";
 
 export interface Texture { picture: Blob | null; notes: string[] }
 
 const max_side = 4096;
-const head_bytes = 1 << 20;  // where an OBJ names its materials
+const head_bytes = 1 << 20;  // an OBJ's material files are looked for within its first MiB
 
-/** File names of `map_Kd` lines, without their options. */
+/** Returns the file names in `map_Kd` lines, without their options. */
 export function diffuseMaps(mtl: string): string[] {
   const names: string[] = [];
   for (const line of mtl.split(/\r?\n/)) {
@@ -18,7 +19,7 @@ export function diffuseMaps(mtl: string): string[] {
   return names;
 }
 
-/** Made smaller or turned into PNG where the server would refuse it; null where the browser cannot read it. */
+/** Shrinks a picture or converts it to PNG if the server would refuse it; null if the browser cannot read it. */
 export async function fitting(file: File): Promise<{picture: Blob | null; note: string}> {
   const bitmap = await createImageBitmap(file).catch(() => null);
   if (!bitmap) return {picture: null, note: `${file.name} is no picture that a browser reads: save it as PNG and drop it again.`};
@@ -43,7 +44,7 @@ async function namesOf(model: Taken, all: Taken[], notes: string[]): Promise<[st
   return found;
 }
 
-/** A picture that came alone with a model whose materials name none, or were not dropped. */
+/** Returns the only dropped picture, for a model whose materials reference none or were not dropped. */
 async function lonePicture(all: Taken[], notes: string[]): Promise<Texture> {
   const pictures = all.filter(({path}) => skin_endings.test(path));
   if (pictures.length > 1) notes.push(`${pictures.length} pictures came with it, and no material names one: drop the one for its skin on the model afterwards.`);
@@ -52,7 +53,7 @@ async function lonePicture(all: Taken[], notes: string[]): Promise<Texture> {
   return {picture, notes: [...notes, note || `${pictures[0]!.file.name} was dropped beside it and is laid on as its skin.`]};
 }
 
-/** The server can lay one picture on a model: the first that is there. */
+/** Returns the first referenced picture that is there; the server takes one picture for each model. */
 export async function textureOf(model: Taken, all: Taken[]): Promise<Texture> {
   const notes: string[] = [];
   const names = await namesOf(model, all, notes);

@@ -1,10 +1,10 @@
-// Revisions with names: made here, gone to from here.
+// Checkpoints, which are named revisions: creates them and goes to them.
 import {useSignal} from "@preact/signals";
 import {revision, run} from "../scene/session";
 import {checkpoints} from "../scene/steps";
 import {goTo} from "../scene/travel";
 
-/** Names a revision; the present one where none is given. */
+/** A field that names a revision, by default the current one. */
 export function NameCheckpoint({at, done}: {at?: number; done?: () => void}) {
   const name = useSignal("");
   const save = async (event: Event) => {

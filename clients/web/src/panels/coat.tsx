@@ -1,4 +1,4 @@
-// The coat: how the strands of the tile are made, a patch of it close by, and looks to begin with.
+// The coat panel: parameters of the strands, a close-up of a patch, and looks to start with.
 import type {Coat} from "../api/types";
 import {coat, look} from "../scene/live_setting";
 import {Form} from "../tools/form";
@@ -8,7 +8,7 @@ import {Looks} from "./looks";
 import {Patch} from "./patch";
 import {Ramp} from "./ramp";
 
-/** Where a member is shown, by its name; what no rule takes comes last. */
+/** Groups of members, chosen by their names; members that match no group come last. */
 const groups: {label: string; of: RegExp; open?: boolean}[] = [
   {label: "Colour", of: /^(ramp|colour|warmth|ticking)/, open: true},
   {label: "Strands", of: /^(count|tile|width|length|root|lean|bend|mess)/, open: true},
@@ -37,7 +37,7 @@ function Group({label, members, open}: {label: string; members: Member[]; open?:
   );
 }
 
-/** A model that comes with colours hides those of the coat, unless it is told not to. */
+/** A hint for models with their own colours: these replace the coat's unless the colour source is the coat. */
 function ColourSource() {
   const now = look.value.value;
   if (!now || now.colour_source === "coat") return null;

@@ -1,4 +1,4 @@
-// The coats of the scene: which are seen, which one tools work on, and where a new one grows.
+// The scene's coats: which are visible, which one the tools work on, and where a new one grows.
 import {effect, useSignal} from "@preact/signals";
 import type {Settings} from "../api/types";
 import {sayError} from "../scene/messages";
@@ -13,14 +13,14 @@ const regions: {region: Region; words: string}[] = [
 ];
 
 let turn: Promise<unknown> = Promise.resolve();
-/** One change after the other, each made from what the one before left. */
+/** Runs changes one after the other, so that each starts from the result of the previous one. */
 function inTurn(work: () => unknown) { turn = turn.then(work).catch(sayError); }
 
 const entries = () => coats().map(({name, id, muted}) => ({name, id, muted}));
 const set = (all: object[]) => run({op: "set_coats", coats: all});
 const change = (id: number, members: Partial<Coat>) => set(entries().map((one) => (one.id === id ? {...one, ...members} : one)));
 
-// Whatever takes a coat away takes it out of the tools' hand.
+// Deselects the tools' coat when it is removed or muted.
 effect(() => { if (groomed_coat.value && settings.value && !coats().some(({name, muted}) => name === groomed_coat.value && !muted)) groomed_coat.value = ""; });
 
 function freshName(): string {
@@ -49,7 +49,7 @@ function Row({coat, at, editing}: {coat: Coat; at: number; editing: {value: numb
   const {id, name, muted} = coat;
   const last_seen = !muted && coats().filter((one) => !one.muted).length === 1;
   const save = (event: Event) => {
-    if (editing.value !== id) return;  // Escape took the field away
+    if (editing.value !== id) return;  // cancelled with Escape
     editing.value = null;
     inTurn(() => rename(coat, (event.target as HTMLInputElement).value.trim()));
   };

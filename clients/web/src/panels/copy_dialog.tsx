@@ -1,4 +1,4 @@
-// Copies text; where the browser does not allow it, shows the text to be copied by hand.
+// Copies text to the clipboard; if the browser does not allow it, shows the text to be copied by hand.
 import {signal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {say} from "../scene/messages";
@@ -11,7 +11,7 @@ export async function copyToClipboard(text: string, what: string) {
     await navigator.clipboard.writeText(text);
     say(`Copied ${what}.`);
   } catch {
-    by_hand.value = text;  // not allowed, or the page is not served securely
+    by_hand.value = text;  // not allowed, or not a secure context
   }
 }
 

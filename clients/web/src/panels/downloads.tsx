@@ -1,4 +1,4 @@
-// Pictures, maps and steps to take away.
+// The panel for downloads: pictures, maps and steps.
 import {signal} from "@preact/signals";
 import {useId} from "preact/hooks";
 import {kept} from "../api/identity";
@@ -45,7 +45,7 @@ function Pictures({busy}: {busy: boolean}) {
   );
 }
 
-/** What one shows to others, at one press each. */
+/** Buttons for sheets and films to show to others. */
 function Sheets({busy}: {busy: boolean}) {
   return (
     <div class="sheets" role="group" aria-label="To show">

@@ -1,4 +1,4 @@
-// Eyes: placed by a press on the model, in pairs; their handles are in the picture while this panel is open.
+// The eyes panel: a press on the model places eyes, in pairs. Their handles are in the picture while this panel is open.
 import {useEffect} from "preact/hooks";
 import type {Command, Vector} from "../api/types";
 import {alike, inTheMiddle, pairSymmetry, partnerOf, sunk, type Eye} from "../scene/eyes";
@@ -13,14 +13,14 @@ import type {Hit} from "../view/proxy";
 import {scale, subtract, unit} from "../view/vector";
 import {place_request, proxy} from "../view/surface";
 
-const bare_radii = 1.7;      // of the eye: how far around it no fur grows
-const first_radius = 0.02;   // sizes: as a new creature's
-/** What each eye has for itself. */
+const bare_radii = 1.7;      // radius of the furless skin around an eye, in radii of the eye
+const first_radius = 0.02;   // radius of the first eye, in sizes; same as a new creature's
+/** Members that belong to one eye alone, also while eyes are edited together. */
 const own = ["position", "gaze", "look_at"];
 
 const maxEyes = () => schemas.value["SetEyes"] && membersOf(schemas.value["SetEyes"]).find(({name}) => name === "eyes")?.schema.maxItems || 8;
 
-/** An eye at a place, like the one before but for where it is. */
+/** Returns an eye at a hit point, with the other members of `like`. */
 function eyeAt(hit: Hit, like: Eye | undefined): Eye {
   const radius = like?.radius ?? first_radius;
   const {look_at: _, ...rest} = like ?? {lids: {}} as Partial<Eye>;
@@ -28,7 +28,7 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
   return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk * radius * (scene.value?.size ?? 1)))};
 }
 
-/** Skin without fur around an eye, as wide as its lids. */
+/** Returns the command that removes fur around an eye, as far as its lids reach. */
 function clearing(eye: Eye): Command {
   const radius = bare_radii * (eye.radius ?? first_radius);
   return {op: "paint", field: "density", value: 0, brush: {radius, strength: 1, falloff: "constant", symmetry: {planes: []}}, stroke: {samples: [{position: eye.position}]}};
@@ -45,7 +45,8 @@ function place(now: Eye[], took: (index: number) => void) {
   }};
 }
 
-/** One member of one eye, and of the others where they are alike. The tilt of lids is mirrored, not copied. */
+/** Returns the eyes after a change of one member of one eye; if eyes are edited together, of the others, too. The tilt of
+ * lids is mirrored, not copied. */
 function changed(now: Eye[], index: number, name: string, value: unknown): Eye[] {
   return now.map((eye, k) => {
     if (k === index) {

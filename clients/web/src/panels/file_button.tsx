@@ -1,4 +1,4 @@
-// A button that asks for a file. Files may also be dropped anywhere on the page (shell/drop_target.tsx).
+// A button that opens the file chooser. Files may also be dropped anywhere on the page (shell/drop_target.tsx).
 import type {ComponentChildren} from "preact";
 import {useSignal} from "@preact/signals";
 import {useRef} from "preact/hooks";

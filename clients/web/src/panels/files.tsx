@@ -1,4 +1,4 @@
-// Scenes, models from files, samples and downloads.
+// The files panel: scenes, models from files, samples and downloads.
 import {useEffect} from "preact/hooks";
 import {sayError} from "../scene/messages";
 import {listScenes, scene} from "../scene/session";
@@ -36,7 +36,7 @@ function OpenFiles() {
   );
 }
 
-/** For a model that lies on its side or looks the other way. */
+/** Buttons that turn a model that lies on its side or faces the wrong direction. */
 function Turn() {
   if (!scene.value) return null;
   return (

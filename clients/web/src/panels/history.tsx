@@ -1,4 +1,4 @@
-// Every step of the log, newest on top. A press goes there; the button beside it opens what can be done with a step.
+// The history panel: all steps of the log, newest first. A press on a step goes there; the button beside it shows details.
 import {signal} from "@preact/signals";
 import {kept, author} from "../api/identity";
 import {log_read, scene, settings} from "../scene/session";
@@ -19,12 +19,12 @@ const shown_rows = signal(window_size);
 const only_in_effect = kept("history-in-effect", false);
 /** Revision of the step whose detail is open. */
 const opened = signal<number | null>(null);
-/** Amendments that were folded or unfolded by hand. */
+/** Amendments, by first revision, that the user folded (false) or unfolded (true). */
 const unfolded = signal<Record<number, boolean>>({});
 
 const isOpen = (row: Row) => unfolded.value[row.step.first] ?? row.replays.some(({in_effect}) => in_effect);
 
-/** Newest first, each amendment before what it replayed. */
+/** Returns the rows, newest first, each amendment before the steps that it replayed. */
 function rowsOf(all: Step[]): Row[] {
   const groups: Row[] = [];
   for (const step of all) {
@@ -89,7 +89,7 @@ function StepRow({row, here, names}: {row: Row; here: boolean; names: string[]})
   );
 }
 
-/** Checkpoints of a step's revisions; the step that makes one says so itself. */
+/** Returns the checkpoint names of a step's revisions, except those that the step itself creates. */
 function namesOf(step: Step, names: Map<number, string[]>): string[] {
   return step.entries.flatMap((entry) => (commandsIn(entry).some(({op}) => op === "checkpoint") ? [] : names.get(entry.revision) ?? []));
 }

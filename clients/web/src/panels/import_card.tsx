@@ -1,4 +1,4 @@
-// A model on its way to the server: the question about its axes, how far it is, what was repaired.
+// The card of a model's upload: the question about its axes, the progress, and what was repaired.
 import {leave, startImport, type Import, type Loss, importing, upload_speed} from "../files/import";
 import type {Repair} from "../api/types";
 import type {Plan} from "../files/plan";
@@ -36,7 +36,7 @@ function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | unde
   );
 }
 
-/** A new version of the open scene's model gets its groom; the scene as it was stays in the list. */
+/** A checkbox: the model is a new version of the open scene's model and gets its groom. The old scene stays in the list. */
 function KeepGroom({plan, into}: {plan: Plan; into: string}) {
   const open = scene.value;
   if (!open || into || open.undo_steps === 0 && !plan.version_of) return null;
@@ -44,7 +44,7 @@ function KeepGroom({plan, into}: {plan: Plan; into: string}) {
   return <label class="check"><input type="checkbox" checked={plan.version_of !== ""} onChange={(event) => change(event.currentTarget.checked)} /> A new version of {open.name}: keep its groom</label>;
 }
 
-/** "12 MiB, about 40 s to send" */
+/** Returns text such as "12 MiB, about 40 s to send". */
 function sizeWords(bytes: number): string {
   const size = bytes < 1048576 ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / 1048576).toFixed(1)} MiB`;
   const seconds = upload_speed.value > 0 ? bytes / upload_speed.value : 0;

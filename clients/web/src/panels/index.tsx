@@ -25,7 +25,7 @@ const panels: Panel[] = [
   {id: "files", label: "Files", sign: "files", show: FilesPanel},
 ];
 
-/** Arrow keys go from tab to tab, as tab lists do everywhere. */
+/** Arrow keys move between tabs. */
 function arrows(event: KeyboardEvent) {
   const step = {ArrowLeft: -1, ArrowRight: 1, ArrowUp: -1, ArrowDown: 1}[event.key];
   if (!step) return;
@@ -35,7 +35,7 @@ function arrows(event: KeyboardEvent) {
   document.getElementById(`tab-${panel.value}`)?.focus();
 }
 
-/** A panel that fails says so; the others and the picture go on. */
+/** An error boundary: a panel that fails shows the error, while the others and the picture keep working. */
 function Guarded({show: Show}: {show: ComponentType}) {
   const [error] = useErrorBoundary((thrown: unknown) => { console.error(thrown); });
   return error ? <p class="help" role="alert">This panel does not work: {String(error)}. Reload the page; your groom is on the server.</p> : <Show />;

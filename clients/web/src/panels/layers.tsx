@@ -1,4 +1,5 @@
-// Edit layers from the highest to the groom below all: weight, order, which are seen and which one the tools write to.
+// The panel of edit layers, from the topmost to the base groom: weights, order, which are visible and which one the tools
+// write to.
 import {effect, signal, useSignal} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import type {Command, EditLayer} from "../api/types";
@@ -21,17 +22,18 @@ const weightRange = () => {
 };
 
 let turn: Promise<unknown> = Promise.resolve();
-/** One change after the other, each made from what the one before left: buttons are pressed faster than a server answers. */
+/** Runs changes one after the other, so that each starts from the result of the previous one: a user presses buttons faster
+ * than the server answers. */
 function inTurn(work: () => unknown) {
   turn = turn.then(work).catch(sayError);
 }
 const current = (name: string) => layers().find((layer) => layer.name === name);
 
-/** The layer that is seen alone, and what was muted before. */
+/** The layer in solo mode, and which layers were muted before. */
 const solo = signal<{name: string; muted: Record<string, boolean>} | null>(null);
 const isSolo = (layer: EditLayer) => solo.value?.name === layer.name && layers().every((other) => other.muted === (other.name !== layer.name));
 
-// Whatever takes a layer away, undo and other people too, takes it out of the tools' hand.
+// Deselects the tools' layer when it is removed, also by undo or by other users.
 effect(() => { if (edit_layer.value && scene.value && !layers().some(({name}) => name === edit_layer.value)) edit_layer.value = ""; });
 
 async function toggleSolo(name: string) {
@@ -40,7 +42,7 @@ async function toggleSolo(name: string) {
   const on = isSolo(layer);
   const before = solo.value?.muted ?? {};
   const wanted = (other: EditLayer) => (on ? before[other.name] ?? false : other.name !== layer.name);
-  // From one solo to the next what was muted at first is what comes back.
+  // Switching from one solo to another keeps what was muted before the first one.
   const from_solo = !on && solo.value && layers().some((other) => other.name === solo.value!.name && isSolo(other));
   const muted = from_solo ? before : Object.fromEntries(layers().map((other) => [other.name, other.muted]));
   const commands = layers().filter((other) => other.muted !== wanted(other)).map((other) => set(other.name, {muted: wanted(other)}));
@@ -48,7 +50,7 @@ async function toggleSolo(name: string) {
   if (commands.length) await run(...commands);
 }
 
-/** Moves a layer to a place, counted from the lowest. */
+/** Moves a layer to the index that `placeOf` returns for its current one, counted from the bottom. */
 async function moveBy(name: string, placeOf: (now: number) => number) {
   const now = layers().findIndex((layer) => layer.name === name);
   if (now < 0) return;
@@ -70,7 +72,7 @@ function Weight({layer}: {layer: EditLayer}) {
   const {min, max} = weightRange();
   const shown = useSignal(layer.weight);
   useEffect(() => { shown.value = layer.weight; }, [layer.weight]);
-  const low = Math.min(0, layer.weight), high = Math.max(1, layer.weight);  // beyond the usual only where it was typed
+  const low = Math.min(0, layer.weight), high = Math.max(1, layer.weight);  // beyond [0, 1] only if typed so
   const send = (weight: number) => {
     const held = Math.max(min, Math.min(max, weight));
     shown.value = held;
@@ -89,7 +91,7 @@ function Name({layer, editing}: {layer: EditLayer; editing: {value: string | nul
   const field = useRef<HTMLInputElement>(null);
   useEffect(() => { field.current?.select(); }, [editing.value]);
   const save = async () => {
-    if (editing.value !== layer.name) return;  // Escape took the field away
+    if (editing.value !== layer.name) return;  // cancelled with Escape
     const name = field.current?.value.trim() ?? "";
     editing.value = null;
     if (!name || name === layer.name) return;
@@ -106,7 +108,7 @@ function Name({layer, editing}: {layer: EditLayer; editing: {value: string | nul
   return <input type="text" class="layer-name" ref={field} maxLength={200} defaultValue={layer.name} aria-label={`New name of ${layer.name}`} onKeyDown={press} onBlur={() => void save()} />;
 }
 
-/** Which layer is dragged, and over which place it is, counted from the lowest. */
+/** The layer that is dragged, and the index that it is over, counted from the bottom. */
 const dragged = signal<{name: string; to: number} | null>(null);
 
 function Grip({layer, at}: {layer: EditLayer; at: number}) {

@@ -1,4 +1,4 @@
-// Lights, the light from all around and the ground. Lights have handles in the picture while this panel is open.
+// The panel for lights, the environment and the ground. Lights have handles in the picture while this panel is open.
 import {useEffect, useId} from "preact/hooks";
 import type {Settings, Vector} from "../api/types";
 import {environment, ground, lights} from "../scene/live_setting";
@@ -19,13 +19,14 @@ type Ground = Settings["ground"];
 
 const maxLights = () => membersOf(schemas.value["SetLights"] ?? {}).find(({name}) => name === "lights")?.schema.maxItems ?? 8;
 
-/** From above and beside whoever looks. */
+/** Returns a directional light that shines from above and to the left of the camera. */
 function newLight(): Light {
   const {right, up, forward} = axes(orbit.value);
   return {kind: "directional", direction: unit(add(forward, add(scale(right, 0.8), scale(up, -0.9)))), intensity: 0.8, cast_shadow: "penumbra"};
 }
 
-/** The kinds that a member is for: a description that speaks of "a point or spot light" holds for those alone. */
+/** Returns the kinds of light that a member applies to, from its description, such as "a point or spot light"; undefined
+ * for all kinds. */
 const kindsOf = ({name, description}: Member) => (name === "kind" ? undefined : /\ban? ((?:\w+(?:, | or ))*\w+) light\b(?!')/.exec(description)?.[1]?.split(/, | or /));
 
 function notOf(light: Light, members: Member[]): Set<string> {
@@ -33,7 +34,7 @@ function notOf(light: Light, members: Member[]): Set<string> {
   return new Set(members.filter((member) => !(kindsOf(member)?.includes(kind) ?? true)).map(({name}) => name));
 }
 
-/** A light that gets a place stands where its handle was, and shines at the model. */
+/** Returns the light with one member changed. A directional light that becomes another kind gets its handle's position. */
 function changed(light: Light, name: string, value: unknown): Light {
   const next = {...light, [name]: value} as Light;
   const ball = lightBall();
@@ -65,7 +66,7 @@ function RigSlider({label, value, range: [min, max], step, unit: sign, set}: {la
   );
 }
 
-/** Three lights by three sliders, and where they stand by one; the handles in the picture do the rest. */
+/** The light rig: a slider for the intensity of each of three lights and one that turns all; the rest is done by handles. */
 function Rig({now}: {now: Light[]}) {
   if (!isRig(now)) return <button type="button" class="wide" onClick={() => lights.set(withRig(now), true)}>Key, fill and rim light</button>;
   return (
@@ -124,7 +125,7 @@ function Around() {
   );
 }
 
-/** Its height is free; a slider goes from the model's middle to as far below it. */
+/** Returns the slider's range of the ground's height: half the model's height below and above its lowest point. */
 function heightRange(): {minimum: number; maximum: number; fallback: number} {
   const {min, max} = scene.value!.bounds as {min: Vector; max: Vector};
   const half = (max[1] - min[1]) / 2;

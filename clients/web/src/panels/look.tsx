@@ -1,4 +1,4 @@
-// How fur is shaded, the skin under it, eyes, and what the view shows beside.
+// The look panel: shading of fur, skin and eyes, and the view's overlays.
 import type {Settings} from "../api/types";
 import {look} from "../scene/live_setting";
 import {run, settings} from "../scene/session";
@@ -11,7 +11,7 @@ import {FileButton} from "./file_button";
 
 type Look = Settings["look"];
 
-/** The name and one line for each model; a model that is not here shows its name in the contract alone. */
+/** Title and one line for each shading model; others show only their name from the contract. */
 const models: Record<string, {title: string; line: string}> = {
   energy_conserving: {title: "True to light", line: "Light goes through and around the fibre; none is made, none is lost."},
   marschner: {title: "Marschner", line: "Three highlights of a hair, with the glints of its cross-section."},
@@ -37,7 +37,7 @@ function Shading({now}: {now: Look}) {
   );
 }
 
-/** A description that names shading models belongs to those alone. */
+/** Returns the members to hide: those whose descriptions name shading models other than the current one. */
 function notOf(shading: string, members: Member[]): Set<string> {
   const names = (resolved(schemas.value["Look"]?.properties?.["shading"] as object).enum ?? []) as string[];
   const named = (member: Member) => names.filter((name) => new RegExp(`\\b${name}\\b`).test(member.description));
@@ -75,7 +75,7 @@ function Skin({now}: {now: Look}) {
   );
 }
 
-/** Overlays that show something else than a field of the fur. */
+/** Overlays that do not show a field of the fur. */
 const other_overlays = ["difference", "light_depth", "light_occlusion", "shadow_width"];
 const shown_stops = {minimum: -4, maximum: 4};
 

@@ -1,4 +1,4 @@
-// Looks to begin with, by picture. They are loaded when the panel is opened for the first time.
+// Looks to start with, chosen by picture. They are loaded when the panel is first opened.
 import {signal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import type {Command} from "../api/types";
@@ -8,7 +8,7 @@ import type {Look} from "../scene/looks";
 
 const looks = signal<Look[]>([]);
 
-/** A look for the coat that tools work on. */
+/** Returns a look's commands for the coat that the tools work on. */
 const forChosen = (commands: Command[]) => commands.map((one) => (one.op === "set_coat" && groomed_coat.value ? {...one, name: groomed_coat.value} : one));
 
 export function Looks() {

@@ -1,4 +1,4 @@
-// Where tools work: 1 is free, 0 is protected.
+// The mask panel. The mask says where tools work: 1 is editable, 0 is protected.
 import {computed, effect} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {Command} from "../api/types";
@@ -12,7 +12,7 @@ import {current, setValue, valuesOf} from "../tools/state";
 import {masked, overlay} from "../view/quality";
 import {place_request} from "../view/surface";
 
-/** How far the edge goes and how soft it gets; the contract's defaults unless set by hand. */
+/** Settings for growing and softening the mask's edge; the contract's defaults unless the user sets them. */
 const edge = kept<Record<string, unknown>>("mask-edge", {});
 const edge_members = ["distance", "units", "passes"];
 
@@ -24,7 +24,7 @@ export function toggleMask() {
 
 const painting = computed(() => panel.value === "tool" && current.value === "paint" && valuesOf("paint")["field"] === "mask");
 
-/** The mask is shown while it is painted, and goes with that: over coat and lights it would only hide them. */
+/** Shows the mask overlay while the mask is painted and hides it afterwards, because it would hide coat and lights. */
 export function followMask(): () => void {
   let shown_by_itself = painting.peek() && overlay.peek() === "mask";
   return effect(() => {
@@ -51,12 +51,12 @@ function select(shape: Record<string, unknown>) {
   if (overlay.value === "none") overlay.value = "mask";
 }
 
-/** The next press chooses the part of the model that tools then work on. */
+/** Lets the next press on the model choose the part that tools work on. */
 function choosePart() {
   place_request.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => select({part: {position: point}})};
 }
 
-/** The materials of the model's file, one of which tools then work on. */
+/** A menu of the model's materials; tools then work on the chosen one. */
 function Materials() {
   const materials = scene.value?.materials ?? [];
   if (materials.length < 2) return null;

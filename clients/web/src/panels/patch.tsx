@@ -1,4 +1,4 @@
-// The picture of a patch of the coat: soon while something changes, then finer.
+// The picture of a patch of the coat: a quick one after each change, then a finer one.
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {Aborted, Refusal} from "../api/client";
@@ -33,7 +33,7 @@ export function Patch() {
       if (!stopped.aborted) present(await drawPatch(patch, true, size, stopped));
     } catch (error) {
       const newer_asked = error instanceof Aborted || (error instanceof Refusal && error.status === 409);
-      if (!newer_asked) forgetPatch();  // it may be gone; the next change makes it anew
+      if (!newer_asked) forgetPatch();  // the patch's scene may be gone; the next change creates it again
     }
   };
   useEffect(() => {

@@ -1,4 +1,5 @@
-// Colours from root to tip: stops on a bar. Drag one along it, click beside them for a new one, Delete takes one away.
+// The colour ramp from root to tip: stops on a bar. Drag a stop to move it, click beside the stops to add one, press
+// Delete to remove one.
 import {useSignal} from "@preact/signals";
 import {useId, useRef} from "preact/hooks";
 import type {Coat} from "../api/types";
@@ -9,11 +10,11 @@ import {resolved, schemas} from "../tools/schema";
 type Stops = Coat["ramp"] & object;
 interface Props { stops: Stops; set: (stops: Stops, done: boolean) => void }
 
-const gap = 0.01;  // between stops: the contract wants them to rise
+const gap = 0.01;  // minimum distance of stops, which the contract requires to ascend
 const rounded = (at: number) => Math.round(at * 1000) / 1000;
 const maxStops = () => resolved(schemas.value["Coat"]?.properties?.["ramp"] as object ?? {}).maxItems ?? 4;
 
-/** The colour that the ramp has at a place. */
+/** Returns the ramp's colour at a position in [0, 1]. */
 function colourAt(stops: Stops, at: number): string {
   const after = stops.findIndex((stop) => stop.at >= at);
   if (after <= 0) return toHex(stops[after === 0 ? 0 : stops.length - 1]!.colour);
@@ -23,7 +24,7 @@ function colourAt(stops: Stops, at: number): string {
   return toHex(from.map((part, k) => part + (to[k]! - part) * t));
 }
 
-/** As the server mixes them: in linear light. */
+/** Returns a CSS gradient that interpolates in linear light, as the server does. */
 function gradient(stops: Stops): string {
   const steps = Array.from({length: 33}, (_, k) => k / 32);
   return `linear-gradient(to right, ${steps.map((at) => `${colourAt(stops, at)} ${at * 100}%`).join(", ")})`;

@@ -1,4 +1,4 @@
-// All scenes of the server: open, branch, share, remove, and a new one.
+// The list of the server's scenes: open, branch, share, remove and create.
 import {signal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {branchScene, createScene, removeScene} from "../api/client";
@@ -30,7 +30,7 @@ const share = async (of: Scene) => {
     await navigator.clipboard.writeText(linkOf(of));
     say("The link is copied.", "Whoever opens it grooms along.");
   } catch {
-    sharing.value = of;  // no clipboard without https, or it is forbidden
+    sharing.value = of;  // the clipboard needs https and permission
   }
 };
 
@@ -50,7 +50,7 @@ const make = async () => {
 
 function Row({of}: {of: Scene}) {
   const open = of.id === scene.value?.id;
-  const now = open ? scene.value! : of;  // the list is not read anew with each stroke
+  const now = open ? scene.value! : of;  // newer than the list, which is not read again after each stroke
   return (
     <li class="scene-row" aria-current={open ? "true" : undefined}>
       <button type="button" class="quiet scene-open" disabled={open} onClick={guarded(() => openScene(of.id))}>

@@ -1,4 +1,4 @@
-// What can be done with one step: compare, branch, name, copy, change and drop.
+// The actions on one step: compare, branch, name, copy, change and drop.
 import {useSignal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {branchScene, compareRevisions} from "../api/client";
@@ -34,7 +34,7 @@ function copyStep(form: CopyForm, label: string, step: Step) {
   void copyToClipboard(text, `this step as ${label}`);
 }
 
-/** What a step changed, exactly: of a stroke in parts the log only says it for each part. */
+/** Shows exactly what a step changed; the log has counts only for each part of a stroke. */
 function Changes({step}: {step: Step}) {
   const found = useSignal<Comparison | null>(null);
   useEffect(() => {

@@ -1,4 +1,4 @@
-// A step's parameters in forms of the contract. A dry run says what would change, then "Apply" amends.
+// Edits a step's parameters in forms made from the contract. A dry run shows what would change, then "Apply" amends the step.
 import {useSignal} from "@preact/signals";
 import {tryAmend} from "../api/client";
 import type {Command, CommandAnswer} from "../api/types";
@@ -11,7 +11,7 @@ import {brush_members, schemaOf} from "../tools/catalogue";
 import {Form} from "../tools/form";
 
 type Values = Record<string, unknown>;
-/** What says where a step works, not how: kept as it is logged. */
+/** Members that say where a step works, not how; they stay as logged. */
 const kept_as_is = ["op", "stroke", "brush", "flood", "edit_layer"];
 const in_forms = ["number", "integer", "boolean", "choice", "choices", "colour", "vector", "text", "object"];
 
@@ -20,19 +20,19 @@ function editable(command: Command): Member[] {
   return membersOf(schemaOf(command.op), kept_as_is).filter(({name, kind}) => in_forms.includes(kind) && (!others.includes(name) || command[name] !== undefined));
 }
 
-/** With one member changed, and without those that the contract's rules then forbid. */
+/** Returns the command with one member changed, and without members that the contract's rules then forbid. */
 function withMember(command: Command, name: string, value: unknown): Command {
   const changed: Command = {...command, [name]: value};
   for (const other of forbidden(schemaOf(command.op), changed)) delete changed[other];
   return changed;
 }
 
-/** Steps in effect after this one: an amendment runs them again. */
+/** Returns the later steps in effect, which an amendment runs again. */
 const laterThan = (step: Step) => steps.value.filter((other) => other.in_effect && other.first > step.last);
 
 const sum = (results: CommandAnswer["results"]) => results.reduce((total, {touched}) => total + touched, 0);
 
-/** What a dry run says, in lines: this step, then each later step that would touch another number of vertices. */
+/** Describes a dry run's result in lines: this step, then each later step that would touch another number of vertices. */
 function verdict(step: Step, count: number, answer: CommandAnswer): string[] {
   const {results} = answer;
   const was = touchedBy(step);

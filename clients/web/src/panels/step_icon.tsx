@@ -1,4 +1,4 @@
-// The picture beside a step: its tool's, or that of the panel that sets such things.
+// The icon beside a step: its tool's, or that of the panel that makes such settings.
 import type {Op} from "../api/types";
 import {commandsIn, type Step} from "../scene/steps";
 import {toolOf} from "../tools/catalogue";

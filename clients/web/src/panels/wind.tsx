@@ -1,4 +1,4 @@
-// The wind that moves the fur, and a clock to watch it by.
+// The wind panel: the wind that moves the fur, and a clock to play it.
 import {useId} from "preact/hooks";
 import type {Settings, Vector} from "../api/types";
 import {wind} from "../scene/live_setting";
@@ -9,7 +9,7 @@ import {moment, pause, play, playing, rewind} from "../view/clock";
 type Wind = Settings["wind"];
 
 const breeze = 0.5;        // sizes per second
-const fastest_slider = 3;  // the contract goes to storms that no hand needs
+const fastest_slider = 3;  // sizes per second; the contract allows much more
 
 function withUsualEnds(member: Member, now: Wind): Member {
   if (member.name !== "speed") return member;
@@ -37,7 +37,7 @@ function Clock({now}: {now: Wind}) {
 
 const sides = ["front", "front left", "left", "back left", "back", "back right", "right", "front right"];  // of the animal, every 45 degrees
 
-/** Turns the wind about the animal; how far it blows up or down stays. */
+/** Turns the wind around the vertical axis; its vertical component stays. */
 function Heading({now}: {now: Wind}) {
   const id = useId();
   const [x, y, z] = (now.direction ?? [1, 0, 0]) as Vector;
@@ -56,7 +56,7 @@ function Heading({now}: {now: Wind}) {
   );
 }
 
-/** What is seen at once; the others are one press further. */
+/** Members that are always visible; the others are in a collapsed group. */
 const first_members = ["speed", "gusts", "turbulence"];
 
 export function WindPanel() {

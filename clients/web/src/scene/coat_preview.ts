@@ -1,10 +1,11 @@
-// A patch of fur on a flat model: a scene of its own that shows a coat close by, whatever the model is. One on each server.
+// A separate scene with fur on a flat patch, which shows a coat close up, whatever the model is. There is one on each
+// server, shared by all pages.
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
 import type {Coat, FrameRequest, Scene, Settings, Vector} from "../api/types";
 import {preview_name} from "./scratch";
 
-const max_revision = 400;  // its log is of no use to anybody
+const max_revision = 400;  // older scenes are replaced, because nobody needs their long log
 
 let found: Promise<Scene> | null = null;
 let serial = 0;
@@ -17,7 +18,7 @@ async function findScene(): Promise<Scene> {
 }
 
 const camera = {position: [0.2, 0.3, 0.2] as Vector, target: [0, 0.02, 0] as Vector, up: [0, 1, 0] as Vector, fov_degrees: 30};
-/** Of the picture that stays: hairs are thinner than its pixels. */
+/** Quality of the final picture; hairs are thinner than its pixels. */
 const fine: NonNullable<FrameRequest["quality"]> = {raster: {strands: 1000, light_of: 1}, scale: 1.5};
 
 export interface Patch { scene: string; revision: number }
@@ -30,12 +31,12 @@ export async function dressPatch(coat: Coat, look: Settings["look"]): Promise<Pa
   return {scene: id, revision: (await api.change(id, "commands", {commands}, `${page_id}-patch-${++serial}`)).revision};
 }
 
-/** Its picture; null where somebody else's coat came between. */
+/** Draws the patch; null if another page changed its coat meanwhile. */
 export async function drawPatch(patch: Patch, at_rest: boolean, size: {width: number; height: number}, signal: AbortSignal): Promise<Blob | null> {
   const quality = at_rest ? fine : "interactive";
   const picture = await api.drawFrame(patch.scene, {...size, camera, quality, format: "jpeg", view: `${page_id}-patch`}, null, signal);
   return picture?.revision === patch.revision ? picture.bytes : null;
 }
 
-/** After an error: the scene may be gone. */
+/** Forgets the patch's scene after an error, because the scene may be gone. */
 export function forgetPatch() { found = null; }

@@ -1,4 +1,4 @@
-// A step as text that runs it elsewhere: pelage's command line, curl, Python's standard library, or plain JSON.
+// Converts a step to text that runs it elsewhere: for `pelage`, curl, Python's standard library, or plain JSON.
 import type {Command, Scene} from "../api/types";
 
 export type CopyForm = "pelage" | "curl" | "python" | "json";
@@ -9,17 +9,17 @@ export const copy_forms: {form: CopyForm; label: string}[] = [
 export interface CopyFrom {
   commands: Command[];
   scene: Pick<Scene, "id" | "name">;
-  /** Of the server: "http://127.0.0.1:8080". */
+  /** Address of the server: "http://127.0.0.1:8080". */
   origin: string;
-  /** Whether the server needs a token; the token itself is never copied. */
+  /** True if the server needs a token; the token itself is never copied. */
   needs_token: boolean;
 }
 
-/** One line, so that no line of it can end a here-document. */
+/** Returns a request body in one line, so that no line of it can end a here-document. */
 const bodyOf = (commands: Command[]) => JSON.stringify(commands.length === 1 ? commands[0] : {commands});
-/** As `pelage run` and lines of the log have it. */
+/** Returns a step as one line of JSON, as in the log and for `pelage run`. */
 const stepOf = (commands: Command[]) => JSON.stringify(commands.length === 1 ? commands[0] : commands);
-/** For a POSIX shell. */
+/** Quotes text for a POSIX shell. */
 export const quoted = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
 function asPelage({commands, scene, origin, needs_token}: CopyFrom): string {
@@ -32,7 +32,7 @@ function asCurl({commands, scene, origin, needs_token}: CopyFrom): string {
   return `curl ${quoted(`${origin}/v1/scenes/${scene.id}/commands`)} \\\n${token}  -H 'Content-Type: application/json' --data-binary @- <<'END'\n${bodyOf(commands)}\nEND\n`;
 }
 
-/** JSON in a raw literal is a text of Python as it stands: it ends in a bracket, and its quotes never come three in a row. */
+/** Returns a raw Python string literal. This is safe for JSON, which ends in a bracket and never has three quotes in a row. */
 const pythonLiteral = (json: string) => `r"""${json}"""`;
 
 function asPython({commands, scene, origin, needs_token}: CopyFrom): string {

@@ -1,4 +1,4 @@
-// Eyes of the scene: pairs move, grow and turn together.
+// The scene's eyes. The two eyes of a pair move, grow and turn together.
 import type {Settings, Symmetry, Vector} from "../api/types";
 import {kept} from "../api/identity";
 import {hand_symmetry, middle_plane} from "../tools/state";
@@ -8,23 +8,23 @@ import {scene} from "./session";
 
 export type Eye = Settings["eyes"][number];
 
-/** Whether a change of one eye is a change of all. */
+/** True if a change of one eye applies to all. */
 export const alike = kept("eyes-alike", true);
-/** Radii of the ball that lie under the skin. */
+/** Depth of an eye's centre below the skin, in radii of the eye. */
 export const sunk = 0.35;
-const near = 0.03;  // sizes: eyes that are a mirror image of each other up to this are a pair
+const near = 0.03;  // sizes; two eyes are a pair if one is nearer than this to the other's mirror image
 
-/** What pairs are mirrored by: the hand's first plane, or the one through the middle of the model. */
+/** Returns the mirror plane of pairs: the first symmetry plane of strokes, else the one through the model's middle. */
 export const pairSymmetry = (): Symmetry => ({planes: [hand_symmetry.value.planes[0] ?? middle_plane.value]});
 const plane = () => planesOf(pairSymmetry())[0]!;
 
-/** The other eye of a pair; -1 where there is none. */
+/** Returns the index of the other eye of a pair; -1 if there is none. */
 export function partnerOf(all: readonly Eye[], index: number): number {
   const size = scene.value?.size ?? 1, image = reflected(all[index]!.position as Vector, plane());
   return all.findIndex((eye, k) => k !== index && norm(subtract(eye.position as Vector, image)) < near * size);
 }
 
-/** All eyes once one has a part of its own changed: the other one of its pair follows in the mirror. */
+/** Returns the eyes after a change of one eye; the other eye of its pair gets the mirrored change. */
 export function movedEye(all: readonly Eye[], index: number, change: Partial<Eye>): Eye[] {
   const partner = partnerOf(all, index);
   const image = {...change};
@@ -33,5 +33,5 @@ export function movedEye(all: readonly Eye[], index: number, change: Partial<Eye
   return all.map((eye, k) => (k === index ? {...eye, ...change} : k === partner ? {...eye, ...image} : eye) as Eye);
 }
 
-/** Whether a place lies on the plane, so that an eye there has no partner. */
+/** Returns true if an eye of this radius at `point` intersects the mirror plane, so that it needs no partner. */
 export const inTheMiddle = (point: Vector, radius: number) => Math.abs(dot(subtract(point, plane().point), plane().normal)) < radius;

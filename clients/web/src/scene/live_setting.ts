@@ -1,17 +1,17 @@
-// A setting of the scene under a hand: the value on the screen follows at once, a copy of the scene shows what it does, and each
-// finished change is one command. Commands go one at a time; what comes meanwhile is sent once, as it is then.
+// A scene setting that the user edits live: the displayed value changes at once, a copy of the scene previews it, and each
+// finished change is one command. Commands are sent one at a time; of the changes made meanwhile only the last is sent.
 import {computed, signal, type ReadonlySignal} from "@preact/signals";
 import type {Command, Settings} from "../api/types";
 import {coats, groomed_coat, scene, settings} from "./session";
 import {commit, endTrial, tryOut} from "./trial";
 
-const key_press = 12;   // ms within which a key press both moves a slider and lets it go
-const settle = 400;     // ms after the last key press
+const key_press = 12;   // ms; a slider that moves and is released within this time was moved by a key
+const settle = 400;     // ms after the last key press until the command is sent
 
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
 export interface LiveSetting<T> {
-  /** As it stands on the screen; null before the scene is read. */
+  /** The displayed value; null before the scene is read. */
   value: ReadonlySignal<T | null>;
   /** `done` is false while it is dragged. */
   set: (next: T, done: boolean) => void;
@@ -54,7 +54,7 @@ export function liveSetting<T>(read: (all: Settings) => T, command: (value: T) =
   return {value, set};
 }
 
-/** The coat that tools work on, or the first. */
+/** Returns the coat that the tools work on, else the first. */
 export const chosenCoat = () => coats().find(({name}) => name === groomed_coat.value) ?? coats()[0];
 const named = () => (groomed_coat.value ? {name: groomed_coat.value} : {});
 

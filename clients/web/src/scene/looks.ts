@@ -1,4 +1,4 @@
-// The looks that come with the program: a coat and how it is shaded. Their pictures are made by pictures/looks.py.
+// The looks that come with the program; each is a coat and its shading. pictures/looks.py makes their pictures.
 import type {Command} from "../api/types";
 import bear from "../../../looks/bear.json";
 import fox from "../../../looks/fox.json";

@@ -1,4 +1,4 @@
-// What happened when, for whoever measures: events of the window that nothing keeps.
+// Dispatches events on the window for measurements of timing; nothing stores them.
 export type Mark = "frame" | "part" | "ring" | "palette" | "proxy";
 
 export function mark(name: Mark, detail: Record<string, unknown> = {}) {

@@ -1,4 +1,4 @@
-// Words to the user: what happened and what to do next.
+// Messages to the user: what happened and what to do next.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal} from "../api/client";
 
@@ -11,14 +11,14 @@ export function dismiss(id: number) {
   messages.value = messages.value.filter((message) => message.id !== id);
 }
 
-/** What is said already is said once, for a while longer. */
+/** Shows a message for a while. A message that is shown already is not repeated but stays longer. */
 export function say(text: string, next = "", kind: Message["kind"] = "info") {
   const id = ++serial;
   messages.value = [...messages.value.filter((message) => message.text !== text || message.next !== next).slice(-3), {id, kind, text, next}];
   setTimeout(() => dismiss(id), kind === "error" ? 12000 : 5000);
 }
 
-/** The words of an error; nothing of one that the outbox mends by itself. */
+/** Shows an error's message; nothing for an aborted request or a lost connection, which is retried. */
 export function sayError(error: unknown) {
   if (error instanceof Aborted || error instanceof Offline) return;
   if (error instanceof Refusal) {

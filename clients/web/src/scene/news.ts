@@ -1,4 +1,4 @@
-// News from the server become what the page knows of the scene, and words about what others did.
+// Applies the server's events to the page's state of the scene, and shows messages about other users' changes.
 import {effect} from "@preact/signals";
 import {hearEvents, type ServerEvent} from "../api/events";
 import {author} from "../api/identity";
@@ -24,7 +24,7 @@ function heard(id: string, event: ServerEvent) {
   if (event.name === "change") changed(JSON.parse(event.data) as ChangeEvent);
 }
 
-/** An edit of our own is known by its answer, which is under way while the outbox is not empty. */
+/** Handles a change event. Ignores our own edits: their answers report them, and may be on their way while any are unsent. */
 function changed(change: ChangeEvent) {
   if (isOwn(change.revision) || (change.author === author.value && unsent.value > 0)) return;
   if (change.author !== author.value && change.kind !== "join") {
@@ -33,7 +33,7 @@ function changed(change: ChangeEvent) {
   hear(change.revision);
 }
 
-/** Hears of the open scene, and of the next one once it is opened. */
+/** Follows the events of whichever scene is open. */
 export function followNews(): () => void {
   let stop: AbortController | null = null;
   let id = "";

@@ -1,4 +1,4 @@
-// The lights of a scene as a photographer sets them: the first is the key, the second fills its shadows, the third is the rim.
+// Treats a scene's first three lights as a photographer's rig: key light, fill light, rim light.
 import type {Settings, Vector} from "../api/types";
 import {scale, unit} from "../view/vector";
 
@@ -13,9 +13,9 @@ const three: Light[] = [
   {kind: "directional", direction: [0.25, -0.45, 0.85], intensity: 0.6, cast_shadow: "penumbra"},
 ];
 
-/** Whether the first three lights can be set as a rig. */
+/** Returns true if there are at least three lights, so that the first three are the rig. */
 export const isRig = (lights: readonly Light[]) => lights.length >= three.length;
-/** Three lights for a scene that has fewer. */
+/** Adds default lights up to three. */
 export const withRig = (lights: readonly Light[]): Light[] => three.map((light, k) => lights[k] ?? light);
 
 export const intensityOf = (lights: readonly Light[], k: number) => Number(lights[k]?.intensity ?? 1);
@@ -23,13 +23,13 @@ export const withIntensity = (lights: readonly Light[], k: number, intensity: nu
 
 const turnedAbout = ([x, y, z]: Vector, angle: number): Vector => [x * Math.cos(angle) + z * Math.sin(angle), y, z * Math.cos(angle) - x * Math.sin(angle)];
 
-/** Where the key comes from, degrees around the model from the front. */
+/** Returns the azimuth from which the key light comes, in degrees around the model, 0 at its front. */
 export function turnOf(lights: readonly Light[]): number {
   const [x, , z] = unit(scale((lights[0]?.direction ?? [0, -1, 0]) as Vector, -1));
   return Math.round((180 / Math.PI) * Math.atan2(x, z));
 }
 
-/** All lights turned together, so that the key comes from there. Those with a place stay where they are. */
+/** Turns all directional lights together, so that the key light comes from the azimuth `degrees`. */
 export function withTurn(lights: readonly Light[], degrees: number): Light[] {
   const angle = ((degrees - turnOf(lights)) * Math.PI) / 180;
   return lights.map((light) => ((light.kind ?? "directional") === "directional" ? {...light, direction: turnedAbout((light.direction ?? [0, -1, 0]) as Vector, angle)} : light));

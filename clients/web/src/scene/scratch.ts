@@ -1,10 +1,10 @@
-// Scenes that the studio makes for itself. Nobody grooms in them, so lists leave them out.
+// Names of temporary scenes that the studio creates for itself. Nobody grooms in them, so lists omit them.
 const preview = "studio: coat preview";
 const trial = "studio: trial ";
 
 export const preview_name = preview;
-/** Of a copy that settings are tried in; it says when it was made. */
+/** Returns the name of a trial copy; it contains the creation time, seconds of the epoch. */
 export const trialName = () => `${trial}${Math.round(Date.now() / 1000)}`;
 export const isScratch = (name: string) => name === preview || name.startsWith(trial);
-/** Left by a page that died. */
+/** Returns true for a trial copy of more than 1800 s ago, which a crashed page left. */
 export const isStale = (name: string) => name.startsWith(trial) && Number(name.slice(trial.length)) < Date.now() / 1000 - 1800;

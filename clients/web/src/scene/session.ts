@@ -1,4 +1,4 @@
-// The scene that is open: what the server said of it last. Every change goes through run() and move().
+// The state of the open scene, as the server last reported it. Every change goes through run() and move().
 import {batch, computed, signal} from "@preact/signals";
 import * as api from "../api/client";
 import {send} from "../api/outbox";
@@ -9,34 +9,34 @@ import {isScratch} from "./scratch";
 
 export const scenes = signal<Scene[]>([]);
 export const scene = signal<Scene | null>(null);
-/** Empty until `log_read`. */
+/** The log's entries; empty until `log_read`. */
 export const log = signal<LogEntry[]>([]);
-/** Whether somebody looks at the log. It grows with every stroke, so that it is read only then. */
+/** True while the log is needed. It grows with every stroke, so it is read only then. */
 export const wants_log = signal(false);
-/** Whether `log` is that of the scene as it is described. */
+/** True if `log` belongs to the current description of the scene. */
 export const log_read = signal(false);
-/** Everything in the scene beside its fields: coat, look, lights, ... */
+/** Everything in the scene except its fields: coat, look, lights, ... */
 export const settings = signal<Settings | null>(null);
-/** The newest revision that is known of; frames follow it. */
+/** The newest known revision; frames are drawn of it. */
 export const revision = signal(0);
-/** Changes with each new model: camera and proxy mesh start anew. Scenes of the same model, such as samples and branches, share it. */
+/** Id of the model. When it changes, camera and proxy mesh are reset. Scenes of the same model, such as branches, share it. */
 export const model_id = computed(() => scene.value?.model_id ?? "");
-/** Changes with each scene and with its model: pictures and revisions belong to one. */
+/** Identifies a scene with its model; pictures and revisions are valid only for one value. */
 export const shown_model = computed(() => (scene.value ? `${scene.value.id} ${scene.value.model_id}` : ""));
 export const last_scene = kept("last-scene", "");
-export const edit_layer = signal("");  // that tools write to; "" for the groom below all
-export const groomed_coat = signal("");  // that tools work on; "" for all
+export const edit_layer = signal("");  // name of the layer that tools write to; "" for the base groom
+export const groomed_coat = signal("");  // name of the coat that tools work on; "" for all
 
-/** What this page changed, to tell it from what others did. */
+/** Revisions that this page made, to distinguish them from other users' changes. */
 const own_revisions = new Set<number>();
-const max_own_revisions = 1000;  // news of older ones have come
+const max_own_revisions = 1000;  // the events of older ones have arrived
 export const isOwn = (of: number) => own_revisions.has(of);
 
 export function layers(): EditLayer[] { return scene.value?.edit_layers ?? []; }
 
 export const coats = (): Settings["coats"] => settings.value?.coats ?? [];
 
-/** Whether this scene is open still: to ask after each wait for the server. */
+/** Returns true if this scene is still open; to be checked after each wait for the server. */
 export const isOpen = (id: string) => scene.value?.id === id;
 
 let reading: Promise<void> | null = null;
@@ -55,7 +55,7 @@ async function readOnce(id: string) {
   });
 }
 
-/** Reads description, log and settings anew; calls while it reads make it read once more. */
+/** Reads description, log and settings again. Calls during the read cause one more read after it. */
 export function refresh(): Promise<void> {
   const id = scene.value?.id;
   if (!id) return Promise.resolve();
@@ -74,7 +74,7 @@ export function refresh(): Promise<void> {
 
 let openings = 0;
 
-/** Of several that are opened one soon after the other, the last stays. */
+/** Opens a scene. If several calls overlap, the last one wins. */
 export async function openScene(id: string) {
   const opening = ++openings;
   const description = await api.describeScene(id);
@@ -97,19 +97,19 @@ export async function listScenes() {
   scenes.value = (await api.listScenes()).filter(({name}) => !isScratch(name));
 }
 
-/** Takes note of a change that this page made. */
+/** Records a change that this page made. */
 export function accept(answer: CommandAnswer) {
   own_revisions.add(answer.revision);
   if (own_revisions.size > max_own_revisions) own_revisions.delete(own_revisions.values().next().value!);
   revision.value = Math.max(revision.value, answer.revision);
 }
 
-/** Runs commands as one undo step; null where the server refused, which was then said. */
+/** Runs commands as one undo step. Returns null if the server refused them; the error was shown. */
 export async function run(...commands: Command[]): Promise<CommandAnswer | null> {
   return change("commands", commands.length === 1 ? commands[0] : {commands});
 }
 
-/** Any change of the scene by its path. Reads the log anew unless `quiet`. */
+/** Sends a change to a path of the scene. Refreshes the page's state unless `quiet`. */
 export async function change(path: string, body: unknown, quiet = false): Promise<CommandAnswer | null> {
   const id = scene.value?.id;
   if (!id) return null;
@@ -129,10 +129,10 @@ export const undo = (steps = 1) => change("undo", {steps});
 export const redo = (steps = 1) => change("redo", {steps});
 export const revertTo = (to: number) => change("revert", {revision: to});
 
-const news_pause = 200;  // ms: a stroke of somebody else is many revisions
+const news_pause = 200;  // ms without events before a refresh; another user's stroke makes many revisions
 let news_timer = 0;
 
-/** News from the server: a revision that this page may not know. */
+/** Handles a revision that the server announced and that this page may not know. */
 export function hear(news: number) {
   if (news < (scene.value?.revision ?? 0)) return;
   revision.value = Math.max(revision.value, news);

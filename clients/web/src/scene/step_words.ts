@@ -1,4 +1,4 @@
-// A step in a few words.
+// Describes steps in a few words.
 import type {Command} from "../api/types";
 import {toolNames} from "../tools/artist_words";
 import {words} from "../tools/schema";
@@ -34,7 +34,7 @@ export function commandWords(command: Command): string {
   return name + (command["flood"] ? " everywhere" : "") + inverted;
 }
 
-/** The first command and how many more. */
+/** Describes a step: its first command and the number of others. */
 export function stepWords(step: Step): string {
   if (step.kind === "revert") return "Went back";
   const commands = commandsIn(step.entries[0]!);
@@ -45,13 +45,13 @@ export function stepWords(step: Step): string {
 }
 
 export const layerOf = (step: Step) => String(commandsIn(step.entries[0]!)[0]?.["edit_layer"] ?? "");
-/** How much of the animal a step changed, in words; the exact count stands in the step's details. */
+/** Describes how much of the fur a step changed; the step's details have the exact count. */
 export function shareOfFur(count: number, exact: boolean): string {
   const share = count / Math.max(1, scene.value?.vertices ?? 1);
   if (share > 0.99) return "all of the fur";
   const percent = share < 0.01 ? "less than 1%" : `${Math.round(100 * share)}%`;
   return `${exact ? "" : share < 0.01 ? "" : "at least "}${percent} of the fur`;
 }
-/** A count; "+" behind one of which only the least is known. */
+/** Formats a count; "+" marks one that is only a lower bound. */
 export const amount = (count: number, exact = true) => `${count.toLocaleString("en")}${exact ? "" : "+"}`;
 export const vertices = (count: number, exact = true) => `${amount(count, exact)} ${count === 1 ? "vertex" : "vertices"}`;

@@ -1,11 +1,11 @@
-// The log as a person thinks of it: steps, with the parts of a stroke joined and what an amendment replayed below it.
+// Groups the log's entries into steps: the parts of a stroke are joined, and an amendment has the steps that it replayed.
 import {computed} from "@preact/signals";
 import type {Command, LogEntry} from "../api/types";
 import {log, revision, settings} from "./session";
 
 export interface Step {
   kind: "do" | "replay" | "revert";
-  /** Revisions of its entries: `last` is the state after it, `before` the one that it began from. */
+  /** Revisions: `first` and `last` of its entries; `before` is the state that it started from. */
   before: number;
   first: number;
   last: number;
@@ -14,7 +14,7 @@ export interface Step {
   author: string;
 }
 
-/** The entry's commands, one or a batch; none for undo, redo and revert. */
+/** Returns the commands of an entry, one or a batch; none for undo, redo and revert. */
 export function commandsIn(entry: LogEntry): Command[] {
   if (entry.commands === undefined) return [];
   const logged = entry.commands as unknown as Command | {commands: Command[]};
@@ -26,7 +26,7 @@ function begun(entry: LogEntry, kind: Step["kind"]): Step {
   return {kind, before: first - 1, first, last: first, entries: [entry], in_effect, author};
 }
 
-/** Oldest first. Undo and redo make no step: they only say which steps are in effect. */
+/** Returns the steps, oldest first. Undo and redo are no steps; they only change which steps are in effect. */
 export function stepsOf(entries: LogEntry[]): Step[] {
   const steps: Step[] = [];
   for (const entry of entries) {
@@ -43,14 +43,14 @@ export function stepsOf(entries: LogEntry[]): Step[] {
 }
 
 export const steps = computed(() => stepsOf(log.value));
-/** The revision that the model came with. */
+/** The revision before the first entry: the model without edits. */
 export const first_revision = computed(() => (log.value[0] ? log.value[0].revision - 1 : revision.value));
-/** The newest step that is in effect: where the scene is now. Null at the first groom. */
+/** The newest step in effect, which is the scene's current state; null if there is none. */
 export const present = computed(() => steps.value.filter((step) => step.in_effect).pop() ?? null);
 
 const is_stroke = (value: unknown): value is {samples: unknown[]} => typeof value === "object" && value !== null && "samples" in value;
 
-/** A command without what says which part of a stroke it is. */
+/** Returns a command without the members that identify a part of a stroke. */
 function whole(command: Command): Command {
   const stroke = command["stroke"];
   if (!is_stroke(stroke)) return command;
@@ -58,7 +58,8 @@ function whole(command: Command): Command {
   return {...command, stroke: rest};
 }
 
-/** What a step ran, with strokes whole: all parts have the same settings, so their samples in order are the stroke. */
+/** Returns a step's commands with the parts of a stroke joined: the parts have the same settings, so that concatenating
+ * their samples gives the whole stroke. */
 export function wholeCommands(step: Step): Command[] {
   const [first, ...joined] = step.entries.map(commandsIn);
   const commands = (first ?? []).map(whole);
@@ -72,12 +73,13 @@ export function wholeCommands(step: Step): Command[] {
   return [{...commands[0]!, stroke: {...stroke, samples}}];
 }
 
-/** Vertices that a step changed. Parts of a stroke overlap, so of several only the least that it can be is known. */
+/** Returns the number of vertices that a step changed. The parts of a stroke overlap, so for several parts only a lower
+ * bound is known. */
 export function touchedBy(step: Step): {count: number; exact: boolean} {
   return {count: Math.max(...step.entries.map(({touched}) => touched)), exact: step.entries.length === 1};
 }
 
-/** Names of revisions, also of those that were gone back past: they are in the log still. */
+/** Checkpoint names by revision, including revisions no longer in effect, which are still in the log. */
 export const checkpoints = computed(() => {
   const named = new Map<string, number>();
   for (const entry of log.value) {

@@ -1,19 +1,19 @@
-// Small pictures of scenes, for the list, and the last picture of all, for the moment until the server has drawn one. Both are kept in
-// this browser.
+// Thumbnails of scenes for the list, and the last picture seen, which the page shows at start until the server has drawn
+// one. Both are stored in this browser.
 import {signal} from "@preact/signals";
 import {drawFrame} from "../api/client";
 import {kept, page_id} from "../api/identity";
 import {scenes} from "./session";
 
-/** Data addresses by scene. */
+/** Data URLs by scene id. */
 export const thumbnails = kept<Record<string, string>>("thumbnails", {});
-/** What was seen last, large enough to fill a window for a moment. */
+/** The last picture seen, large enough to fill a window for a moment. */
 export const last_picture = kept<{scene: string; address: string} | null>("last-picture", null);
 
 const small = {width: 128, height: 96}, large_width = 720;
 const max_kept = 60;
 
-/** The middle of a picture in the form of a thumbnail. */
+/** Crops the middle of a picture to the aspect ratio of width and height and scales it; returns a data URL. */
 function reduced(picture: HTMLCanvasElement, width: number, height: number): string {
   const canvas = document.createElement("canvas");
   canvas.width = width, canvas.height = height;
@@ -28,7 +28,7 @@ function put(scene: string, address: string) {
   thumbnails.value = Object.fromEntries(all.slice(-max_kept));
 }
 
-/** Takes the picture that is on the screen as that of its scene. */
+/** Stores the picture on the screen as its scene's thumbnail and as the last picture. */
 export function keepPicture(scene: string, picture: HTMLCanvasElement) {
   if (picture.width < 2) return;
   put(scene, reduced(picture, small.width, small.height));
@@ -39,7 +39,7 @@ export function keepPicture(scene: string, picture: HTMLCanvasElement) {
 const asked = new Set<string>();
 const busy = signal(false);
 
-/** Asks the server for those that this browser has never seen, one after the other. */
+/** Draws the missing thumbnails on the server, one after the other. */
 export async function drawMissing() {
   if (busy.value) return;
   busy.value = true;

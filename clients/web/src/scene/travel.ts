@@ -1,5 +1,5 @@
-// Going to another state. Undo and redo where they lead there, so that the way back stays what people expect of redo; else a
-// revert, which is a step that can be undone.
+// Goes to another state of the scene: by undo or redo if they lead there, so that redo keeps working as users expect; else
+// by a revert, which is a step that can be undone.
 import type {CommandAnswer, LogEntry} from "../api/types";
 import {log, redo, revertTo, revision, scene, undo} from "./session";
 import {first_revision, present, steps, type Step} from "./steps";
@@ -7,7 +7,7 @@ import {first_revision, present, steps, type Step} from "./steps";
 export type Route = {by: "undo" | "redo"; steps: number} | {by: "revert"} | null;
 interface Past { entries: LogEntry[]; steps: Step[]; undo_steps: number; redo_steps: number }
 
-/** How many undos lead to revision `to`, which is in effect or the first; 0 where they do not. */
+/** Returns how many undos lead to revision `to`, which is in effect or the first; 0 if undo does not lead there. */
 function undosTo(to: number, past: Past): number {
   const later = past.steps.filter((step) => step.in_effect && step.first > to);
   const oldest = later[0];
@@ -16,7 +16,7 @@ function undosTo(to: number, past: Past): number {
   return later.length <= past.undo_steps ? later.length : 0;
 }
 
-/** How many redos lead to revision `to`; 0 where they do not, or where the log does not say. */
+/** Returns how many redos lead to revision `to`; 0 if redo does not lead there or the log does not tell. */
 function redosTo(to: number, past: Past): number {
   if (past.redo_steps === 0) return 0;
   const moves = (entry: LogEntry | undefined) => entry?.kind === "undo" || entry?.kind === "redo";
@@ -26,14 +26,14 @@ function redosTo(to: number, past: Past): number {
   while (begin > 0 && !moves(past.entries[begin - 1])) --begin;
   const from = past.entries[begin]?.revision ?? Infinity;
   const until = past.entries[end - 1]?.revision ?? 0;
-  // Steps that were made one after the other and then undone, the newest first; what an amendment replayed is one with it.
+  // The steps before the latest undos and redos. An amendment and its replayed steps are one undo step.
   const undone = past.steps.filter((step) => step.first >= from && step.last <= until && step.kind !== "replay");
   const newer = undone.filter((step) => step.first > to).length;
   const there = undone.some((step) => step.last === to && past.steps[past.steps.indexOf(step) + 1]?.kind !== "replay");
   return there && newer < past.redo_steps ? past.redo_steps - newer : 0;
 }
 
-/** The way to the state at a revision; null where the scene is there. */
+/** Returns how to go to the state at a revision; null if the scene is there already. */
 export function routeTo(to: number, here: number, in_effect: boolean, past: Past): Route {
   if (to === here) return null;
   const undos = in_effect ? undosTo(to, past) : 0;

@@ -1,5 +1,5 @@
-// A copy of the scene in which settings are tried while a slider is dragged: pictures follow the hand, and the scene itself gets
-// one step at the end. The server shares baked coats between scenes, so that a copy draws as fast as its scene.
+// A temporary copy of the scene that previews settings while a slider is dragged; the scene itself gets one step at the end.
+// The server shares baked coats between scenes, so a copy draws as fast as its scene.
 import {signal} from "@preact/signals";
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
@@ -10,9 +10,9 @@ import {revision, run, scene} from "./session";
 /** The copy to draw in place of the scene; null while nothing is tried. */
 export const trial = signal<{scene: string; revision: number; of: string} | null>(null);
 
-const pause = 60;           // ms from one command to the next
-const keep = 15000;         // ms that a copy waits for the next try
-const remove_after = 8000;  // ms until the last pictures of a copy are drawn
+const pause = 60;           // ms between two commands
+const keep = 15000;         // ms that an unused copy is kept for the next preview
+const remove_after = 8000;  // ms until a dropped copy is removed, so that its last pictures can be drawn
 
 let serial = 0;
 
@@ -22,10 +22,10 @@ class Copy {
   private waiting: Command | null = null;
   private busy = false;
 
-  /** `at` is the revision whose state it has, but for what is tried. */
+  /** Copies the scene `of` at its revision `at`. */
   constructor(readonly of: string, public at: number) {
     this.made = api.branchScene(of, {name: trialName(), revision: at});
-    this.made.then(({id}) => { this.id = id; }, () => undefined);  // a full server: what is tried is seen once it is sent
+    this.made.then(({id}) => { this.id = id; }, () => undefined);  // the server is full: no preview
   }
 
   show(command: Command) {
@@ -44,12 +44,12 @@ class Copy {
         await new Promise((wake) => setTimeout(wake, pause));
       }
     } catch {
-      // the server says why once the command is sent to the scene
+      // the error appears when the command is sent to the scene
     }
     this.busy = false;
   }
 
-  /** The scene has this now, too. */
+  /** Applies a command that the scene just ran as revision `at`, so that the copy matches the scene. */
   follow(command: Command, at: number) {
     this.at = at;
     this.show(command);
@@ -60,7 +60,7 @@ class Copy {
     await this.made.then(({id}) => api.removeScene(id)).catch(() => undefined);
   }
 
-  /** While the page goes away: no time for anything but the request. */
+  /** Sends the removal without waiting, because the page is being closed. */
   removeNow() {
     if (this.id) api.removeScene(this.id).catch(() => undefined);
   }
@@ -79,7 +79,7 @@ function drop() {
   setTimeout(() => void left.remove().then(() => leaving.delete(left)), remove_after);
 }
 
-/** Copies of pages that died are of no use to anybody. */
+/** Removes the copies that crashed pages left. */
 async function removeStale() {
   for (const {id, name} of await api.listScenes()) if (isStale(name)) await api.removeScene(id);
 }
@@ -89,7 +89,7 @@ function begin(of: string): Copy {
   return new Copy(of, revision.value);
 }
 
-/** Shows what a command would do. */
+/** Previews a command in the copy. */
 export function tryOut(command: Command) {
   if (!scene.value) return;
   if (open && (open.of !== scene.value.id || open.at !== revision.value)) drop();
@@ -99,7 +99,7 @@ export function tryOut(command: Command) {
   open.show(command);
 }
 
-/** The scene is drawn again. */
+/** Ends the preview: pictures show the scene again. The copy is kept for a while. */
 export function endTrial() {
   if (!trying) return;
   trying = false;

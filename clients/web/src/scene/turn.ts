@@ -1,4 +1,4 @@
-// A model that lies on its side or looks the other way is turned as it stands, with its fur.
+// Turns a model that lies on its side or faces the wrong direction, together with its fur.
 import {call, scenePath} from "../api/client";
 import type {TurnModel} from "../api/types";
 import {sayError} from "./messages";
@@ -6,7 +6,7 @@ import {scene} from "./session";
 
 type Turn = TurnModel & {says: string; title: string};
 
-/** Quarters, by the sides that come to point up and forward. */
+/** Quarter turns, given by the model's axes that point up and forward afterwards. */
 export const turns: Turn[] = [
   {says: "Tip forward", title: "Its back comes to point up", up: "-z", front: "y"},
   {says: "Roll over", title: "Its left comes to point up", up: "x", front: "z"},

@@ -1,4 +1,4 @@
-// Pictures for the scene that is open: the skin of its model and the light from all around. Each is one step.
+// Uploads pictures for the open scene: skin textures and environments. Each upload is one step.
 import {call, scenePath} from "../api/client";
 import type {CommandAnswer} from "../api/types";
 import {skin_endings} from "../files/take";
@@ -20,7 +20,7 @@ async function putSkin(id: string, file: File) {
   say(`${file.name} lies on the model.`, note);
 }
 
-/** Its strength and turn stay as they were. */
+/** Uploads an environment; its intensity and turn stay as they were. */
 async function putEnvironment(id: string, file: File) {
   const {intensity, turn_degrees} = settings.value?.environment ?? {};
   const kept = Object.entries({intensity, turn_degrees}).flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${value}`]));
@@ -32,7 +32,7 @@ const light_endings = /\.(hdr|exr)$/i;
 
 export const isPicture = (path: string) => light_endings.test(path) || skin_endings.test(path);
 
-/** Into the scene that is open now. By its ending: HDR and EXR are light, others skin. A refusal is said. */
+/** Uploads a picture to the open scene: HDR and EXR as environment, others as skin texture. Shows an error if it fails. */
 export async function takePicture(file: File): Promise<void> {
   const id = scene.value?.id;
   if (!id) return say("Open a scene first.", "A picture is laid on the model that is open, or lights it.", "error");

@@ -1,4 +1,4 @@
-// One control from fast to true: what pictures at rest are made with, what that takes here and how far it is from the truth.
+// The quality dial, from fast to accurate: the quality of pictures at rest, with its measured time and estimated error.
 import type {ComponentChildren} from "preact";
 import {useId, useRef} from "preact/hooks";
 import {kept} from "../api/identity";
@@ -20,10 +20,10 @@ const says: Record<Stop, string> = {
   budget: "The best picture within", error: "The quickest picture within",
 };
 
-/** "about 60 ms" */
+/** Returns text such as "about 60 ms"; "" if unknown. */
 const secondsWords = (measure: Measure | undefined) => (measure?.milliseconds == null ? "" : `about ${durationOf(measure.milliseconds)}`);
 
-/** "error .02", "noise .01 after 300 samples" */
+/** Returns text such as "error 0.020" or "noise 0.010 after 300 samples". */
 function errorWords(measure: Measure | undefined): string {
   if (measure?.noise != null) return `noise ${measure.noise.toFixed(3)} after ${Math.round(measure.samples)} samples`;
   return measure?.error == null ? "not drawn yet" : `error ${measure.error.toFixed(3)}`;
@@ -50,7 +50,7 @@ function StopRow({stop, name, children}: {stop: Stop; name: string; children?: C
   );
 }
 
-/** A number with the contract's limits that chooses its stop. */
+/** A number field with the contract's limits; entering a number selects its stop. */
 function Limit({stop, value, set, unit}: {stop: "budget" | "error"; value: number; set: (to: number) => void; unit: string}) {
   const take = (typed: number) => {
     set(typed);
@@ -67,7 +67,7 @@ function limitsOf(name: string): Range {
   return typeof member === "object" ? member : {};
 }
 
-/** For those who measure: budgets, and how far each quality is from the truth. */
+/** Details for measurements: budgets, and the error of each quality. */
 function Numbers({name}: {name: string}) {
   return (
     <details class="group">

@@ -1,4 +1,4 @@
-// The open scene as each quality draws it, small, for the card of the dial.
+// Small pictures of the open scene in each quality, for the dial's card.
 import {signal} from "@preact/signals";
 import {Aborted, drawFrame} from "../api/client";
 import {page_id} from "../api/identity";
@@ -10,11 +10,11 @@ import {plain_request} from "../view/quality";
 import {seen_orbit} from "../view/surface";
 import {traceToEnd} from "../view/trace";
 
-/** Addresses of the pictures. */
+/** Object URLs of the pictures. */
 export const dial_pictures = signal<Partial<Record<Tier, string>>>({});
 
 const size = {width: 152, height: 112};
-const closeness = 0.28;  // of the distance, so that single hairs are seen
+const closeness = 0.28;  // factor for the camera's distance, so that single hairs are visible
 const passes = 24;
 
 function take(tier: Tier, bytes: Blob) {
@@ -23,7 +23,7 @@ function take(tier: Tier, bytes: Blob) {
   if (old) URL.revokeObjectURL(old);
 }
 
-/** Draws all that are to be seen in the card, from quick to slow. */
+/** Draws the pictures of all qualities, from fast to slow. */
 export async function drawDialPictures(stop: AbortSignal) {
   if (!scene.value) return;
   const {id, size: model} = scene.value;

@@ -1,4 +1,4 @@
-// A dialog on the browser's own element: focus stays in it, Escape closes it.
+// A modal dialog on the browser's <dialog> element: focus stays in it, Escape closes it.
 import type {ComponentChildren} from "preact";
 import {useLayoutEffect, useRef} from "preact/hooks";
 import {Icon} from "../tools/icons";

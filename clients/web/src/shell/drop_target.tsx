@@ -1,4 +1,4 @@
-// Files may be dropped anywhere on the page.
+// Accepts files that are dropped anywhere on the page.
 import {signal} from "@preact/signals";
 import {take} from "../files/import";
 import {takeDropped} from "../files/take";
@@ -8,7 +8,7 @@ const over = signal(false);
 
 const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** A drop that nobody takes would open the file in the page's place. */
+/** Listens to drops on the whole page. Without a handler, the browser would replace the page by the dropped file. */
 export function listenToDrops(): () => void {
   const stops = new AbortController();
   const {signal: until} = stops;

@@ -1,4 +1,4 @@
-// Keys as sculptors expect them. The sheet under ? is made from this table.
+// Keyboard shortcuts, as usual in sculpting programs. The sheet that ? opens is made from this table.
 import type {Op} from "../api/types";
 import {redo, undo} from "../scene/session";
 import {brush, current, inverting, mirror, setBrush, smoothing} from "../tools/state";
@@ -47,7 +47,7 @@ export const shortcuts: Shortcut[] = [
   ...tool_keys.map(([keys, op]): Shortcut => ({keys, says: op, group: "Tools", run: hold(op)})),
 ];
 
-/** The name of a pressed key as the table writes it. */
+/** Returns the name of a pressed key as in the table. */
 export function keysOf(event: KeyboardEvent): string {
   const braces: Record<string, string> = {"{": "[", "}": "]"};
   const key = event.key.length === 1 ? (braces[event.key] ?? event.key.toUpperCase()) : event.key;
@@ -59,10 +59,10 @@ const typing = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) &&
     !["range", "checkbox", "button"].includes((target as HTMLInputElement).type));
 
-/** Home there goes to the slider's beginning. */
+/** Returns true for sliders, where Home goes to the slider's start. */
 const ofSlider = (target: EventTarget | null) => target instanceof HTMLInputElement && target.type === "range";
 
-/** Keys that do something as long as they are held. */
+/** Keys that act while they are held. */
 const held_keys: Record<string, {down: () => void; up: () => void}> = {
   F: {down: () => { adjusting.value ??= smoothing.value ? "strength" : "radius"; }, up: () => { adjusting.value = null; }},
   " ": {down: openPie, up: closePie},

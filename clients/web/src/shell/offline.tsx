@@ -1,4 +1,4 @@
-// What is said while the server does not answer, and before a page is closed that would lose changes.
+// The message while the server does not answer, and the warning before closing a page that would lose changes.
 import {keeps, offline, unsent} from "../api/outbox";
 
 const counted = (count: number) => (count === 1 ? "1 change is" : `${count} changes are`);
@@ -17,7 +17,7 @@ export function OfflineBanner() {
   );
 }
 
-/** Asks before the page is closed, only where that would lose something. */
+/** Asks before the page is closed, if that would lose changes. */
 export function warnOfLoss(): () => void {
   const ask = (event: BeforeUnloadEvent) => { if (unsent.value > 0 && !keeps.value) event.preventDefault(); };
   addEventListener("beforeunload", ask);

@@ -1,4 +1,4 @@
-// Which panel and which dialog are open.
+// Which panel and dialog are open, and the colour theme.
 import {signal} from "@preact/signals";
 import {kept} from "../api/identity";
 

@@ -1,4 +1,4 @@
-// A sheet of pictures that was asked for: to look at, and to keep.
+// The dialog that shows a finished sheet or film and saves it.
 import {closeSheet, keepSheet, sheet} from "../files/sheets";
 import {Dialog} from "./dialog";
 

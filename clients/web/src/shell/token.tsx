@@ -1,4 +1,4 @@
-// A server that others can reach wants a token: asked for once, kept in this browser.
+// Asks for the token of a server that needs one; it is stored in this browser.
 import {useSignal} from "@preact/signals";
 import {refused_token, token} from "../api/identity";
 import {Dialog} from "./dialog";

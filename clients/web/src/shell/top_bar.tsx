@@ -1,4 +1,4 @@
-// Scene, undo and redo, mirror, brush, the dial, the picture as a file, help and colours of the page.
+// The top bar: scene, undo and redo, mirror, brush, quality dial, download of the picture, help and colour theme.
 import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
 import {downloadPicture, making} from "../files/download";

@@ -1,4 +1,4 @@
-// The first visit: what the hand can do, said once. And what stands where no picture is yet.
+// The welcome dialog of the first visit, which explains the controls, and the placeholder while no scene is open.
 import {kept} from "../api/identity";
 import {makeSample, preparing, samples} from "../files/samples";
 import {scene} from "../scene/session";
@@ -23,7 +23,7 @@ export function Welcome() {
   );
 }
 
-/** In the place of the picture while there is no scene. */
+/** Replaces the picture while no scene is open. */
 export function NoScene({looked}: {looked: boolean}) {
   if (preparing.value) return <div class="no-scene" role="status"><p>{preparing.value}…</p><progress aria-label={preparing.value} /></div>;
   if (scene.value || !looked) return null;

@@ -1,4 +1,5 @@
-// What the brush prints with each dab: a picture drawn here, or one of the artist's own. The server takes it as a picture of the scene.
+// The brush alpha, a picture that modulates each dab: drawn here or chosen by the user. It is uploaded as a picture of the
+// scene.
 import {useRef} from "preact/hooks";
 import {call, scenePath} from "../api/client";
 import {sayError} from "../scene/messages";

@@ -1,8 +1,8 @@
-// Pictures that the brush may print, drawn here; loaded when one is chosen.
+// Procedural brush alphas; this module is loaded when one is chosen.
 
 const side = 64;  // pixels
 
-/** Values in [0, 1] on a grid of `across` by `down` cells, smooth between them; the same each time. */
+/** Returns value noise in [0, 1] on a grid of `across` by `down` cells, smoothly interpolated and periodic; deterministic. */
 function cells(across: number, down: number): (x: number, y: number) => number {
   const at = (i: number, j: number) => { const s = Math.sin(12.9898 * (i % across) + 78.233 * (j % down) + 0.5) * 43758.5453; return s - Math.floor(s); };
   return (x, y) => {
@@ -19,7 +19,7 @@ const drawn: Record<string, (x: number, y: number) => number> = {
   Patches: ((noise) => (x: number, y: number) => contrast(noise(x, y)))(cells(5, 5)),
 };
 
-/** One of them as a PNG. */
+/** Returns an alpha as a PNG. */
 export async function pictureOf(name: string): Promise<Blob> {
   const value = drawn[name]!;
   const canvas = new OffscreenCanvas(side, side), context = canvas.getContext("2d")!;

@@ -1,9 +1,9 @@
-// What artists call tools and settings. What stands in no table is called as the contract calls it.
+// Artists' names for tools and settings. Names that are in no table come from the contract.
 import type {Op} from "../api/types";
 
 export const toolNames: Partial<Record<Op, string>> = {attract: "Pull", erase: "Restore", interpolate: "Keys", noise: "Tousle", unify: "Even out"};
 
-/** What a tool does, in one line. */
+/** One line on what each tool does. */
 export const toolWords: Partial<Record<Op, string>> = {
   comb: "Turns fur the way you drag.",
   blow: "Blows fur away from you, as a dryer does.",
@@ -24,7 +24,7 @@ export const toolWords: Partial<Record<Op, string>> = {
   paint: "Paints colour, density and other things; with Ctrl it takes them off.",
 };
 
-/** What the hand does where the line above does not say it. */
+/** How to use a tool, if its line above does not say so. */
 export const handWords: Partial<Record<Op, string>> = {
   blow: "Drag over the fur: the wind comes from where you look.",
   attract: "Press on the fur, drag away and let go.",
@@ -32,7 +32,7 @@ export const handWords: Partial<Record<Op, string>> = {
   whorl: "Drag where the fur is to turn.",
 };
 
-/** Settings that are seen at once; the others are one press further. */
+/** Settings that are always visible; the others are in a collapsed group. */
 export const firstMembers: Partial<Record<Op, string[]>> = {
   comb: ["lean"], blow: ["lean"], attract: ["max_stretch"], interpolate: ["reach"], flow: ["reach"], smooth: ["passes"], noise: ["amount"],
   unify: ["weight"], whorl: ["turn_degrees"], length: ["mode", "value"], trim: ["height"], erase: ["checkpoint"], clump: ["gather"], curl: ["amount"],
@@ -49,7 +49,7 @@ export const memberNames: Record<string, string> = {
   primary_shift: "Shift of the first highlight", secondary_shift: "Shift of the second highlight", angle_degrees: "Size in the sky",
 };
 
-/** Choices. */
+/** Names of choices. */
 export const choiceNames: Record<string, string> = {
   straight: "Through the air", dijkstra: "Along the skin", heat: "Along the skin, evenly", volume: "Ball", surface: "On the skin", screen: "As seen",
   lengyel: "First fur shells", scale: "Times", jitter: "Uneven", bare: "Skin without fur", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",

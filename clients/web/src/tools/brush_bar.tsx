@@ -1,4 +1,4 @@
-// Radius and strength of the brush, within reach whichever panel is open; on a screen without keys also what keys do elsewhere.
+// The brush's radius and strength in the top bar, whichever panel is open; touch screens get buttons for Ctrl and Shift, too.
 import {brush_members} from "./catalogue";
 import {scaleOf} from "./form";
 import {NumberField, shownNumber} from "./number_field";
@@ -19,7 +19,7 @@ function BrushSlider({member, keys}: {member: Member; keys: string}) {
   );
 }
 
-/** What Ctrl and Shift do, until it is pressed again. */
+/** Toggle buttons that replace holding Ctrl (opposite effect) and Shift (smooth). */
 function HandButtons() {
   return (
     <div class="hand-buttons" role="group" aria-label="Hand">

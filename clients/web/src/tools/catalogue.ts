@@ -1,4 +1,4 @@
-// The tools of the contract: each command that takes a stroke is one.
+// The tools, read from the contract: each command that takes a stroke is a tool.
 import {computed} from "@preact/signals";
 import type {Op} from "../api/types";
 import {toolNames, toolWords} from "./artist_words";
@@ -7,24 +7,24 @@ import {alternatives, membersOf, plain, resolved, schemas, words, type Member} f
 export interface Tool {
   op: Op;
   name: string;
-  /** One line: what it does. */
+  /** One line on what it does. */
   says: string;
   members: Member[];
-  /** Members of which one is chosen. */
+  /** Members of which exactly one must be set. */
   alternatives: string[];
   floods: boolean;
 }
 
 const not_for_forms = ["op", "stroke", "brush", "flood", "edit_layer", "coats"];
-/** Members that the hand gives on the model, not the form. */
+/** Members that are set by the pointer on the model, not in the form. */
 const by_hand: Partial<Record<Op, string[]>> = {
   blow: ["source", "direction", "blower"], attract: ["point", "attractor"], flow: ["curves"], interpolate: ["keys"], erase: ["revision"],
 };
 
-/** The rest is for those who write commands. */
+/** Returns the first sentence of a description; the rest is for authors of commands. */
 const firstSentence = (text: string) => `${plain(text).split(/[;.](?:\s|$)/)[0]!}.`;
 
-/** In the order of the contract. */
+/** All tools, in the contract's order. */
 export const tools = computed<Tool[]>(() => {
   const mapping = schemas.value["Command"]?.discriminator?.mapping ?? {};
   return Object.entries(mapping).flatMap(([op, ref]) => {
@@ -37,7 +37,7 @@ export const tools = computed<Tool[]>(() => {
 });
 
 export const brush_members = computed<Member[]>(() => membersOf(schemas.value["Brush"] ?? {}, ["falloff_points", "invert", "symmetry"]));
-/** Tools that have a strength of their own take it from the brush: there is one Strength. */
+/** Returns true if a tool has its own member `strength`; it takes the brush's value, so that there is one slider. */
 export const ownStrength = (tool: Tool | undefined) => tool?.members.some(({name}) => name === "strength") ?? false;
 export const toolOf = (op: Op) => tools.value.find((tool) => tool.op === op);
 export const schemaOf = (op: Op) => {

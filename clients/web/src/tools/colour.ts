@@ -1,8 +1,8 @@
-// Colours of the contract, `#rrggbb` or linear numbers, as a browser's colour field has them.
+// Converts the contract's colours, which are `#rrggbb` or three linear numbers.
 const encode = (linear: number) => (linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055);
 const two = (value: number) => Math.round(255 * Math.min(1, Math.max(0, value))).toString(16).padStart(2, "0");
 
-/** "#rrggbb" of either form; white of anything else. */
+/** Returns either form as "#rrggbb"; white for anything else. */
 export function toHex(colour: unknown): string {
   if (typeof colour === "string" && /^#[0-9a-f]{6}$/i.test(colour)) return colour.toLowerCase();
   if (Array.isArray(colour) && colour.length === 3) return "#" + colour.map((part) => two(encode(Number(part)))).join("");
@@ -11,7 +11,7 @@ export function toHex(colour: unknown): string {
 
 const decode = (encoded: number) => (encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4));
 
-/** Linear red, green and blue of either form. */
+/** Returns either form as linear red, green and blue. */
 export function toLinear(colour: unknown): [number, number, number] {
   if (Array.isArray(colour) && colour.length === 3) return [Number(colour[0]), Number(colour[1]), Number(colour[2])];
   const hex = toHex(colour);
@@ -19,7 +19,7 @@ export function toLinear(colour: unknown): [number, number, number] {
   return [part(1), part(3), part(5)];
 }
 
-/** Shares of 1. Grey has the hue 0. */
+/** All members are in [0, 1]. Grey has hue 0. */
 export interface Hsv { hue: number; saturation: number; brightness: number }
 
 export function toHsv(hex: string): Hsv {

@@ -1,4 +1,4 @@
-// A colour: a wheel with a brightness, swatches, a field to type in, and a dropper that takes it from the fur.
+// A colour picker: a wheel with a brightness slider, swatches, a text field, and an eyedropper that samples the fur.
 import {useEffect, useId, useRef} from "preact/hooks";
 import {kept} from "../api/identity";
 import {place_request} from "../view/surface";
@@ -7,8 +7,8 @@ import {fromHsv, toHex, toHsv, type Hsv} from "./colour";
 
 interface Props { id: string; label: string; value: unknown; set: (value: string, done: boolean) => void }
 
-const side = 168;  // CSS pixels of the wheel
-/** The newest comes first. */
+const side = 168;  // width of the wheel in CSS pixels
+/** Recent colours, newest first. */
 const swatches = kept<string[]>("swatches", ["#f2e6d8", "#c98a4b", "#8a4b22", "#4a2d1c", "#1d1512", "#e9b08a", "#9a9a9a", "#ffffff"]);
 const max_swatches = 16;
 
@@ -16,7 +16,7 @@ function remember(colour: string) {
   swatches.value = [colour, ...swatches.value.filter((one) => one !== colour)].slice(0, max_swatches);
 }
 
-/** Hue around, saturation outwards, at the brightness of the colour. */
+/** Paints the wheel: hue by angle, saturation by radius, at the colour's brightness. */
 function paintWheel(canvas: HTMLCanvasElement, brightness: number) {
   const pen = canvas.getContext("2d")!, half = canvas.width / 2;
   const picture = pen.createImageData(canvas.width, canvas.height);

@@ -14,19 +14,19 @@ export interface FormProps {
   hidden?: Set<string> | undefined;
 }
 
-/** A slider needs an end that a hand can use: limits such as 1e27 only keep numbers finite. */
+/** Returns a usable range for a slider; the contract's limits may be as large as 1e27, just to keep numbers finite. */
 export function sliderEnd(member: Member): {min: number; max: number; step: number; curve: number} {
   const {minimum = 0, maximum = 1} = member.schema;
   const usual = typeof member.fallback === "number" && member.fallback > 0 ? member.fallback : 0.1;
   const max = maximum <= 360 ? maximum : Math.max(usual * 10, 1);
   const min = minimum < -360 ? -max : minimum;
   const whole = member.kind === "integer";
-  const curve = !whole && min === 0 && usual > 0 && usual < max / 8 ? 3 : 1;  // fine near 0 where the default is small
+  const curve = !whole && min === 0 && usual > 0 && usual < max / 8 ? 3 : 1;  // finer near 0 if the default is small
   return {min, max, step: whole ? 1 : (max - min) / 200, curve};
 }
 
 
-/** A slider's share of its way for a number of the member, and back. */
+/** Returns functions that convert between a member's number and the slider's position in [0, 1]. */
 export function scaleOf(member: Member) {
   const {min, max, step, curve} = sliderEnd(member);
   const whole = member.kind === "integer";
@@ -95,7 +95,7 @@ function Choices({member, value, set}: {member: Member; value: unknown; set: (va
   );
 }
 
-/** A number, or a word for the server's own choice. */
+/** A field for a number, or for a word such as one that leaves the choice to the server. */
 function NumberOrWord({member, value, set, units}: {member: Member; value: unknown; set: (value: unknown, done: boolean) => void; units: unknown}) {
   const [number, word] = member.schema.oneOf! as [Schema, Schema];
   const free = typeof value === "number";
@@ -141,7 +141,7 @@ function MemberRow({member, value, set, units}: {member: Member; value: unknown;
     case "vector": return <VectorInputs member={member} value={value} set={set} />;
     case "choices": return <Choices member={member} value={value} set={set} />;
     case "object": return <Fields member={member} value={value} set={set} />;
-    default: return null;  // lists have panels of their own
+    default: return null;  // lists have their own panels
   }
 }
 

@@ -1,5 +1,5 @@
-// Guide curves and keys: drawn, moved and deleted on the model. The step of the log that laid them is amended, so that a guide
-// is one thing however often it is moved.
+// Guide curves and keys, which are drawn, moved and deleted on the model. Edits amend the step that laid them, so that
+// moving a guide does not add steps.
 import {signal} from "@preact/signals";
 import type {Command, Vector} from "../api/types";
 import {change, isOpen, log, log_read, refresh, run, scene} from "../scene/session";
@@ -10,11 +10,11 @@ export type GuideOp = "flow" | "interpolate";
 export interface Key { position: Vector; direction: Vector; inclination?: number; length?: number }
 export type Guide = Vector[];
 
-/** Guide and point that are dragged or chosen; -1 for none. */
+/** Indices of the guide and the point that are dragged or selected; -1 for none. */
 export const chosen = signal<{guide: number; point: number}>({guide: -1, point: -1});
-const max_points = 8;  // as many as a hand can take hold of
+const max_points = 8;  // of a guide; more handles would be hard to grab
 
-/** The newest step that laid guides of this kind and is still in effect. */
+/** Returns the newest step in effect that laid guides of this kind. */
 function stepOf(op: GuideOp): {revision: number; command: Command} | null {
   for (const entry of [...log.value].reverse()) {
     const command = entry.commands as unknown as Command | Command[] | undefined;
@@ -23,7 +23,7 @@ function stepOf(op: GuideOp): {revision: number; command: Command} | null {
   return null;
 }
 
-/** Guides as curves; a key is a curve of two points. */
+/** Returns the guides as curves; a key is a curve of two points. */
 export function guidesOf(op: GuideOp): Guide[] {
   const command = stepOf(op)?.command;
   if (!command) return [];
@@ -31,13 +31,13 @@ export function guidesOf(op: GuideOp): Guide[] {
   return (command["keys"] as Key[]).map(({position, direction}) => [position, [0, 1, 2].map((k) => position[k]! + (direction?.[k] ?? 0)) as Vector]);
 }
 
-/** How far guides that are laid now reach, in the model's unit. */
+/** Returns the reach of new guides, in the model's unit. */
 export function guideReach(op: GuideOp): number {
   const {reach, units} = valuesOf(op), size = scene.value?.size ?? 1;
   return typeof reach === "number" ? reach * (units === "world" ? 1 : size) : size;
 }
 
-/** Evenly thinned. */
+/** Reduces a guide to `max_points`, evenly spaced by index. */
 function thinned(points: Guide): Guide {
   if (points.length <= max_points) return points;
   return Array.from({length: max_points}, (_, k) => points[Math.round((k * (points.length - 1)) / (max_points - 1))]!);
@@ -51,12 +51,12 @@ function membersFor(op: GuideOp, guides: Guide[]) {
 
 let editing: Promise<unknown> = Promise.resolve();
 
-/** Lays other guides in place of those that are there; one edit after the other, each on what the one before left. */
+/** Replaces the guides by `next` of them. Edits run one after the other, each on the result of the previous one. */
 function edit(op: GuideOp, next: (guides: Guide[]) => Guide[]): Promise<unknown> {
   const of = scene.value?.id ?? "";
   editing = editing.then(async () => {
     if (!log_read.value) await refresh();
-    if (!isOpen(of)) return;  // guides are of the scene that they were drawn on
+    if (!isOpen(of)) return;  // the guides belong to the scene on which they were drawn
     const step = stepOf(op);
     const guides = next(guidesOf(op));
     const commands = guides.length ? [commandOf(op, membersFor(op, guides))] : [];
@@ -66,7 +66,7 @@ function edit(op: GuideOp, next: (guides: Guide[]) => Guide[]): Promise<unknown>
   return editing;
 }
 
-/** The guides that are there, with the settings of the form. */
+/** Lays the existing guides again, with the form's current settings. */
 export const layAgain = (op: GuideOp) => edit(op, (guides) => guides);
 export const placeGuide = (op: GuideOp, points: Guide) => edit(op, (guides) => [...guides, points]);
 export const removeGuide = (op: GuideOp, guide: number) => edit(op, (guides) => guides.filter((_, k) => k !== guide));

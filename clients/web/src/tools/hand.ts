@@ -1,4 +1,4 @@
-// What a pointer on the model does with the tool in hand. Each way of working has a class of its own.
+// Turns pointer input on the model into commands of the current tool. Each kind of interaction has its own class.
 import {page_id} from "../api/identity";
 import type {Command, CommandAnswer, Op, Vector} from "../api/types";
 import {refresh, run} from "../scene/session";
@@ -9,7 +9,7 @@ import {placeGuide} from "./guides";
 import {brushOf, commandOf, inverting, steadiness, worldRadius} from "./state";
 import {Stroke, type StrokeSample} from "./stroke";
 
-/** `hit` is what the hand touches, `skin` what lies under it, if any. */
+/** A press on the model: `hit` is the point on the fur, `skin` the point on the skin below it, if any. */
 export interface Press { hit: Hit; skin: Hit | null; projection: Projection; orbit: Orbit; time: number }
 export interface HandOptions { sent: () => void; changed: () => void }
 
@@ -17,7 +17,7 @@ export interface HandOptions { sent: () => void; changed: () => void }
 export interface Hold {
   move(events: PointerEvent[], projection: Projection): void;
   up(cancelled: boolean): void;
-  /** What to draw over the picture meanwhile: points of the model joined by a line. */
+  /** Returns a polyline, in the model's coordinates, to draw over the picture meanwhile. */
   line(): Vector[];
 }
 
@@ -29,9 +29,9 @@ const sampleOf = (event: PointerEvent, start: number): StrokeSample => ({
   time: Math.max(0, (event.timeStamp - start) / 1000),
 });
 
-const rope = 70;  // pixels of the steadiest hand
+const rope = 70;  // length at full steadiness, in pixels
 
-/** The brush follows the pointer on a rope: what trembles within it moves nothing. */
+/** Steadies strokes: the brush is pulled on a rope, so that movements shorter than the rope have no effect. */
 class SteadyHand {
   private at: [number, number];
   constructor(start: [number, number], private readonly length: number) { this.at = start; }
@@ -79,7 +79,7 @@ class BrushHold implements Hold {
   line(): Vector[] { return []; }
 }
 
-/** Press on the fur, drag away, let go: the stick is where the pointer is let go, as far from the camera as the fur. */
+/** The pull tool: the attractor is where the pointer is released, at the fur's distance from the camera. */
 class PullHold implements Hold {
   private point: Vector;
   constructor(private readonly press: Press, private readonly options: HandOptions) {
@@ -103,7 +103,7 @@ class PullHold implements Hold {
   line(): Vector[] { return [this.press.hit.point, this.point]; }
 }
 
-/** The line that is drawn on the body becomes a guide, or a key with its direction. */
+/** The guide tools: the line drawn on the skin becomes a guide, or a key with its direction. */
 class GuideHold implements Hold {
   private readonly points: Vector[];
   constructor(private readonly op: "flow" | "interpolate", press: Press, private readonly skinAt: (x: number, y: number) => Hit | null,
@@ -124,7 +124,7 @@ class GuideHold implements Hold {
   line(): Vector[] { return this.points; }
 }
 
-/** A dryer held beside the viewer, that blows where the pointer is while it moves. */
+/** Returns a `blow` command whose source is half-way between camera and press, and a little above. */
 function blowCommand(press: Press): Command {
   const ray = subtract(press.hit.point, pinholeOf(press.orbit).position);
   const back = scale(unit(ray), -0.5 * Math.hypot(...ray));

@@ -1,4 +1,4 @@
-// Our own icons: strands on a strip of skin, as the tool leaves them. 24 x 24, drawn with the text's colour.
+// Icons, 24 x 24, in the text's colour. Those of tools show strands on a strip of skin after the tool was used.
 import type {ComponentChildren} from "preact";
 import type {Op} from "../api/types";
 

@@ -1,5 +1,5 @@
-// A number to type. What is being typed stays when the scene's news draw the panel again. Enter takes it and Escape leaves it; both
-// give the keyboard back to the shortcuts.
+// A number field. Text being typed survives when events redraw the panel. Enter accepts it, Escape discards it; both blur
+// the field, so that shortcuts work again.
 import {useSignal} from "@preact/signals";
 import {say} from "../scene/messages";
 import type {Range} from "./schema";
@@ -8,7 +8,7 @@ export const shownNumber = (value: number) => (Number.isInteger(value) ? String(
 
 interface NumberFieldProps { label: string; title?: string; value: number; range?: Range; whole?: boolean; take: (typed: number) => void }
 
-/** The nearest number that is allowed; null where there is none. */
+/** Returns the nearest allowed number; null if there is none. */
 function allowed(typed: number, whole: boolean, {minimum = -Infinity, maximum = Infinity, exclusiveMinimum = -Infinity}: Range): number | null {
   const held = Math.max(minimum, Math.min(maximum, whole ? Math.round(typed) : typed));
   return held > exclusiveMinimum ? held : null;
@@ -25,7 +25,7 @@ export function NumberField({label, title, value, range = {}, whole = false, tak
   const change = (field: HTMLInputElement) => {
     const text = field.value, shown = shownNumber(value);
     typed.value = null;
-    field.value = shown;  // until what is taken comes back
+    field.value = shown;  // until the accepted value comes back
     if (text !== "" && text !== shown && Number.isFinite(Number(text))) accept(Number(text));
   };
   const key = (event: KeyboardEvent & {currentTarget: HTMLInputElement}) => {

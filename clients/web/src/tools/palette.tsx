@@ -1,4 +1,4 @@
-// Every tool of the contract: icon and name, tools of one kind together.
+// The palette of all tools, with icons and names, grouped by kind.
 import {useEffect} from "preact/hooks";
 import type {Op} from "../api/types";
 import {mark} from "../scene/marks";
@@ -7,7 +7,7 @@ import {tools, type Tool} from "./catalogue";
 import {ToolIcon} from "./icons";
 import {shortcutOf} from "../shell/keys";
 
-/** A tool that the contract gets later comes last, with paint. */
+/** Groups of tools; tools that are in no group, such as new ones of the contract, come last, with paint. */
 const groups: {label: string; of: Op[]}[] = [
   {label: "Direction", of: ["comb", "blow", "attract", "interpolate", "flow"]},
   {label: "Order", of: ["smooth", "noise", "unify", "part", "whorl"]},

@@ -1,10 +1,10 @@
-// Settings to begin with, by tool.
+// Presets of settings by tool.
 import {kept} from "../api/identity";
 import type {Op} from "../api/types";
 
 export interface Preset { name: string; values: Record<string, unknown>; brush?: Record<string, unknown> }
 
-/** Saved by whoever sits here, by tool. */
+/** The user's own presets by tool. */
 export const saved = kept<Partial<Record<Op, Preset[]>>>("presets", {});
 
 export const presets: Partial<Record<Op, Preset[]>> = {

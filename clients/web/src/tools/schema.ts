@@ -1,9 +1,9 @@
-// The contract's schemas as forms need them: members with their kinds, ranges, units and defaults.
+// Reads the contract's schemas for forms: members with their kinds, ranges, units and defaults.
 import {signal} from "@preact/signals";
 import {call} from "../api/client";
 import {choiceNames, memberNames} from "./artist_words";
 
-/** What a number may be. */
+/** The allowed range of a number. */
 export interface Range { minimum?: number; maximum?: number; exclusiveMinimum?: number }
 export interface Schema extends Range {
   $ref?: string; type?: string | string[]; const?: unknown; enum?: unknown[]; default?: unknown; description?: string;
@@ -15,7 +15,7 @@ export interface Schema extends Range {
 export type Kind = "number" | "integer" | "boolean" | "choice" | "choices" | "colour" | "vector" | "text" | "object" | "list" | "number_or_word" | "other";
 export interface Member { name: string; kind: Kind; schema: Schema; description: string; fallback: unknown; required: boolean }
 
-/** Schemas by name; empty until the contract is there. */
+/** Schemas by name; empty until the contract is loaded. */
 export const schemas = signal<Record<string, Schema>>({});
 
 export async function loadContract() {
@@ -25,7 +25,7 @@ export async function loadContract() {
 
 const nameOf = (ref: string) => ref.slice(ref.lastIndexOf("/") + 1);
 
-/** The schema with what a reference points at; members beside the reference win. */
+/** Returns the schema with its $ref resolved; members beside the $ref take precedence. */
 export function resolved(schema: Schema): Schema {
   if (!schema.$ref) return schema;
   const {$ref, ...beside} = schema;
@@ -61,7 +61,7 @@ export function membersOf(schema: Schema, without: string[] = []): Member[] {
 
 const is_object = (value: unknown): value is Record<string, unknown> => typeof value === "object" && value !== null && !Array.isArray(value);
 
-/** As much of JSON Schema as the contract's rules between members use. */
+/** Returns true if the value satisfies the rule. Supports the JSON Schema keywords that the contract's rules use. */
 export function matches(rule: Schema | boolean, value: unknown): boolean {
   if (typeof rule === "boolean") return rule;
   if ("const" in rule && rule.const !== value) return false;
@@ -73,7 +73,7 @@ export function matches(rule: Schema | boolean, value: unknown): boolean {
   return Object.entries(rule.properties ?? {}).every(([name, member]) => value[name] === undefined || matches(member, value[name]));
 }
 
-/** Members that the rules forbid beside the others, such as `colour` where no colour is painted. */
+/** Returns the members that the rules forbid, given the others, such as `colour` if the painted field is no colour. */
 export function forbidden(schema: Schema, value: Record<string, unknown>): Set<string> {
   const full = resolved(schema);
   const names = new Set<string>();
@@ -85,13 +85,13 @@ export function forbidden(schema: Schema, value: Record<string, unknown>): Set<s
   return names;
 }
 
-/** Members of which exactly one is to be there: [["plane"], ["sphere"], ["height"]]; none for most. */
+/** Returns the members of which exactly one must be set, such as ["plane", "sphere", "height"]; most schemas have none. */
 export function alternatives(schema: Schema): string[] {
   const rule = resolved(schema).allOf?.find((one) => one.oneOf?.every((choice) => choice.required?.length === 1));
   return rule?.oneOf?.map((choice) => choice.required![0]!) ?? [];
 }
 
-/** As artists say it; else "max_stretch" as "Max stretch". */
+/** Returns the artists' name for a member or choice; else, for "max_stretch", "Max stretch". */
 export function words(name: string): string {
   const said = memberNames[name] ?? choiceNames[name];
   if (said) return said;
@@ -102,11 +102,11 @@ export function words(name: string): string {
 const unit_signs: Record<string, string> = {degrees: "°", sizes: "× size", seconds: "s", milliseconds: "ms", pixels: "px", stops: "stops"};
 const size_units: Record<string, string> = {world: "units", pixels: "px"};
 
-/** The unit to write behind a number. */
+/** Returns the unit to show after a number. */
 export function unitOf(member: Member, units: unknown): string {
   const unit = member.schema["x-unit"] ?? "";
   return unit === "as `units`" ? size_units[String(units)] ?? "× size" : unit_signs[unit] ?? "";
 }
 
-/** The contract's prose without the marks of names. */
+/** Removes the backticks from the contract's text. */
 export const plain = (text: string) => text.replaceAll("`", "");

@@ -1,4 +1,4 @@
-// What the hand holds: the tool, its settings and the brush. Kept in this browser.
+// The current tool, its settings and the brush; stored in this browser.
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {Command, Op, Symmetry} from "../api/types";
@@ -9,48 +9,48 @@ import {forbidden, type Member} from "./schema";
 export type Values = Record<string, unknown>;
 
 export const current = kept<Op>("tool", "comb");
-/** What was set by hand, by tool; the rest is as the contract's defaults say. */
+/** The user's settings by tool; everything else has the contract's default. */
 export const set_values = kept<Partial<Record<Op, Values>>>("tool-values", {});
 export const set_brush = kept<Values>("brush", {radius: 0.08});
-/** What each dab prints; the picture is one of that scene's. */
+/** The brush alpha; `picture` is an id within the scene `scene`. */
 export const alpha = signal<{label: string; scene: string; picture: string} | null>(null);
-/** Whether the hand works on both sides. It belongs to the hand: no step of the groom says so. */
+/** True if strokes are mirrored. This is a setting of the user interface, not of the scene. */
 export const mirror = kept("mirror", false);
-/** How much the hand is steadied, from 0 to 1. */
+/** How much strokes are steadied, [0, 1]. */
 export const steadiness = kept("steady", 0);
-/** Held keys, or buttons on a screen without: Ctrl inverts, Shift smooths. */
+/** Set by held keys, or by buttons on touch screens: Ctrl inverts, Shift smooths. */
 export const inverting = signal(false);
 export const smoothing = signal(false);
 
 const hasImages = ({planes, count = 1}: Symmetry) => planes.length > 0 || count > 1;
 const scene_symmetry = computed<Symmetry>(() => settings.value?.symmetry ?? {planes: []});
 
-/** The plane that halves the model from front to back. */
+/** The vertical plane through the model's middle that separates left and right. */
 export const middle_plane = computed(() => {
   const {min, max} = scene.value?.bounds ?? {min: [0, 0, 0], max: [0, 0, 0]};
   return {point: [(Number(min[0]) + Number(max[0])) / 2, 0, 0], normal: [1, 0, 0]};
 });
 
-/** What strokes are mirrored by: the scene's own symmetry, or the plane through the middle. */
+/** The symmetry of strokes: the scene's own, else the plane through the model's middle; none if `mirror` is off. */
 export const hand_symmetry = computed<Symmetry>(() => {
   if (!mirror.value || !scene.value) return {planes: []};
   if (hasImages(scene_symmetry.value)) return scene_symmetry.value;
   return {planes: [middle_plane.value]};
 });
-/** Said with each command, where it is not what the scene does anyway. */
+/** The member `symmetry` that is sent with each command; empty if the command needs none. */
 const said_symmetry = computed(() => (mirror.value || hasImages(scene_symmetry.value) ? {symmetry: hand_symmetry.value} : {}));
 
-/** The tool that a dab would use now. */
+/** The tool that a stroke would use now. */
 export const in_hand = computed<Op>(() => (smoothing.value ? "smooth" : current.value));
 
-/** Settings to begin with whose first stroke is plainly seen, where the contract's are gentle. */
+/** Initial settings that are stronger than the contract's defaults, so that a first stroke is clearly visible. */
 const starts: Partial<Record<Op, Values>> = {
   trim: {height: 0.012}, paint: {field: "tip_colour", colour: "#fff1d6"}, length: {mode: "scale", value: 2}, smooth: {passes: 12},
   noise: {amount: 0.6, fields: ["direction", "length"]}, unify: {mean: ["direction", "length"]}, clump: {amount: 0.9}, comb: {lean: 0.8}, flow: {sigma: 0.08, reach: 0.15}, interpolate: {sigma: 0.08, reach: 0.15},
 };
 const valueOf = (member: Member, set: Values) => set[member.name] ?? member.fallback;
 
-/** Values of all members that have one. */
+/** Returns the values of all members that have one. */
 export function valuesOf(op: Op): Values {
   const set = {...starts[op], ...set_values.value[op]};
   return Object.fromEntries((toolOf(op)?.members ?? []).map((member) => [member.name, valueOf(member, set)]).filter(([, value]) => value !== undefined));
@@ -70,10 +70,11 @@ export function setBrush(name: string, value: unknown) {
   set_brush.value = {...set_brush.value, [name]: value};
 }
 
-/** Same text, same value: for settings that are plain JSON. */
+/** Compares plain JSON values by their text. */
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
-/** A command of the tool without its place: what differs from the defaults and what the contract's rules allow. */
+/** Returns a command of the tool without a stroke. It has the members that differ from the defaults and that the contract's
+ * rules allow. */
 export function commandOf(op: Op, by_hand: Values = {}): Command {
   const tool = toolOf(op);
   const command: Values = {};
@@ -93,7 +94,7 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
   return whole as Command;
 }
 
-/** The brush as it is sent with a tool, with what differs from the defaults. */
+/** Returns the brush to send with a tool: the members that differ from the defaults. */
 export function brushOf(op: Op, invert: boolean): Values {
   const sent: Values = {...said_symmetry.value};
   for (const member of brush_members.value) {
@@ -106,14 +107,14 @@ export function brushOf(op: Op, invert: boolean): Values {
   return sent;
 }
 
-/** How many pixels 1 of the brush's radius covers, where a pixel covers `units_per_pixel` of the model's unit. */
+/** Returns the number of pixels for a brush radius of 1, where a pixel covers `units_per_pixel` model units. */
 export function brushScale(units_per_pixel: number): number {
   const units = brush.value["units"];
   if (units === "pixels") return 1;
   return (units === "world" ? 1 : scene.value?.size ?? 1) / units_per_pixel;
 }
 
-/** The brush's radius in the model's unit at a point where one pixel covers `units_per_pixel`. */
+/** Returns the brush's radius in model units at a point where a pixel covers `units_per_pixel`. */
 export function worldRadius(units_per_pixel: number): number {
   const radius = Number(brush.value["radius"]), units = brush.value["units"];
   if (units === "world") return radius;

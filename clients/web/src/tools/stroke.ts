@@ -1,5 +1,5 @@
-// A stroke under way: its samples go to the server in parts, one request at a time, as one undo step. They go to the scene that it
-// began on, whichever is open meanwhile, and end where that scene gets another model.
+// A stroke in progress. Its samples are sent to the server in parts, one request at a time, as one undo step. They go to
+// the scene on which the stroke began, whichever is open meanwhile; the stroke ends if that scene gets another model.
 import {Refusal} from "../api/client";
 import {send} from "../api/outbox";
 import type {Command, CommandAnswer, Pinhole} from "../api/types";
@@ -10,7 +10,7 @@ import {accept, isOpen, model_id, scene} from "../scene/session";
 export interface StrokeSample { screen: [number, number]; pressure: number; time: number }
 export interface StrokeView { camera: Pinhole; width: number; height: number }
 
-const max_samples = 9000;  // the contract takes 10000 a stroke
+const max_samples = 9000;  // the contract allows 10000 for a stroke
 let serial = 0;
 
 export class Stroke {
@@ -21,11 +21,12 @@ export class Stroke {
   private count = 0;
   private waiting: StrokeSample[] = [];
   private last_sent: StrokeSample | null = null;
-  private newest = 0;  // when the newest sample was seen, ms of the page
+  private newest = 0;  // time of the newest sample, in ms since the page started
   private sending = false;
   private ended = false;
 
-  /** `command` has tool, settings and brush. `sent` is called with each part, `answered` with what became of it. */
+  /** `command` has tool, settings and brush. Calls `sent` for each part, and `answered` with its answer, or with null if the
+   * stroke failed. */
   constructor(private readonly command: Command, private readonly view: StrokeView, private readonly page: string,
               private readonly sent: () => void, private readonly answered: (answer: CommandAnswer | null, last: boolean) => void) {
     this.begin();
@@ -37,7 +38,7 @@ export class Stroke {
     void this.work();
   }
 
-  /** What is left goes to the outbox at once, which keeps it if the page is closed. */
+  /** Ends the stroke. The remaining samples go to the outbox at once, which stores them in case the page is closed. */
   end() {
     this.ended = true;
     const samples = this.nextSamples();
@@ -51,7 +52,7 @@ export class Stroke {
     this.count = 0;
   }
 
-  /** The newest sample waits for the next one, so that the last part has one to send. */
+  /** Takes the samples to send. Keeps back the newest one until the stroke ends, so that the last part is never empty. */
   private nextSamples(): StrokeSample[] {
     return this.waiting.splice(0, Math.min(max_samples, this.waiting.length - (this.ended ? 0 : 1)));
   }
@@ -100,7 +101,8 @@ export class Stroke {
     this.ended = true;
   }
 
-  /** Somebody else's edit, or a restart of the server, ends a live stroke: what is left goes on as a new one. */
+  /** Handles a failed part. If another user's edit or a restart of the server ended the stroke on the server, continues it
+   * as a new stroke; else shows the error and gives up. */
   private async mend(error: unknown, samples: StrokeSample[], last: boolean, part: number) {
     const interrupted = error instanceof Refusal && part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
     if (!interrupted) {

@@ -1,4 +1,4 @@
-// The tool in hand: what it does, its settings, the brush, and the same everywhere at once.
+// The panel of the current tool: what it does, its settings, the brush, and buttons that apply it to all fur.
 import {useSignal} from "@preact/signals";
 import type {Op} from "../api/types";
 import {useId} from "preact/hooks";
@@ -15,7 +15,7 @@ import {forbidden, type Member} from "./schema";
 import {brush, brushOf, commandOf, current, inverting, setBrush, setValue, set_brush, set_values, steadiness, valuesOf} from "./state";
 import {ToolPicture} from "./tool_picture";
 
-/** Radius and strength are in the bar above the picture; alpha is a picture. */
+/** Brush members that are not in the form of other brush settings: those in the top bar, the main one, and the alpha. */
 const in_the_bar = ["radius", "strength"], main_brush = ["falloff"], own_rows = ["alpha"];
 const by_hand: Partial<Record<Op, string[]>> = {attract: ["radius", "units"]};
 
@@ -24,7 +24,7 @@ function flood(tool: Tool, more: Record<string, unknown> = {}) {
   void run(commandOf(tool.op, {...more, flood: true, brush: {...(strength === undefined ? {} : {strength}), ...(inverting.value ? {invert: true} : {})}}));
 }
 
-/** A stroke says where to comb to; all of the animal is combed to one side. */
+/** Directions for combing all fur, where no stroke gives one. */
 const sides = [{says: "Back", direction: [0, 0, -1]}, {says: "Down", direction: [0, -1, 0]}, {says: "Up", direction: [0, 1, 0]}];
 
 function Everywhere({tool, name}: {tool: Tool; name: string}) {
@@ -38,7 +38,7 @@ function Everywhere({tool, name}: {tool: Tool; name: string}) {
   );
 }
 
-/** Settings of the tool and the brush under a name. */
+/** Applies a preset to the tool and the brush. */
 function take(op: Op, {values, brush: of_brush}: Preset) {
   set_values.value = {...set_values.value, [op]: values};
   set_brush.value = {...set_brush.value, ...of_brush};
@@ -90,7 +90,7 @@ function Guides({op}: {op: "flow" | "interpolate"}) {
   );
 }
 
-/** Named blowers and attractors: made here, moved in the picture. */
+/** The list of named blowers or attractors, which are created here and moved in the picture. */
 function Standing({op}: {op: "blow" | "attract"}) {
   const all = settings.value;
   if (!all) return null;

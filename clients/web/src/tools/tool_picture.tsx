@@ -1,4 +1,4 @@
-// What the tool in hand does, with its settings, to the fur of the open scene: before and after.
+// Pictures of the open scene's fur before and after the current tool with its settings.
 import {useEffect} from "preact/hooks";
 import {Aborted} from "../api/client";
 import {scene} from "../scene/session";
@@ -7,7 +7,7 @@ import type {Tool} from "./catalogue";
 import {commandOf} from "./state";
 import {drawPair, pairs} from "./tool_trial";
 
-const wait = 700;  // ms that tool, settings and the picture stay as they are before the server is asked
+const wait = 700;  // ms without a change of tool, settings or picture before the server is asked
 
 export function ToolPicture({tool}: {tool: Tool}) {
   const {op, name} = tool;

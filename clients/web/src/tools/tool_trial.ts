@@ -1,4 +1,4 @@
-// Tries a tool on a copy of the scene and draws it there, before and after. The copy is thrown away.
+// Tries a tool on a temporary copy of the scene and draws it before and after.
 import {signal} from "@preact/signals";
 import * as api from "../api/client";
 import {page_id} from "../api/identity";
@@ -8,26 +8,26 @@ import {scene} from "../scene/session";
 import {framed, pinholeOf, zoomed} from "../view/camera";
 import {add, scale, subtract, unit} from "../view/vector";
 
-/** Addresses of two pictures. */
+/** Object URLs of two pictures. */
 export interface Pair { before: string; after: string }
-/** By scene and command. */
+/** Pairs by scene id and command. */
 export const pairs = signal<ReadonlyMap<string, Pair>>(new Map());
 
 const size = {width: 144, height: 120};
 const max_pairs = 40;
-/** Pixels that the stroke passes: against the fur of most animals. */
+/** Pixels of the stroke's samples; the stroke goes against the fur of most animals. */
 const path = [0.8, 0.65, 0.5, 0.35, 0.2].map((x) => [x * size.width, (0.4 + 0.2 * x) * size.height] as const);
 const brush = {radius: 0.07, strength: 1};
-const closeness = 0.36;  // of the distance that shows the whole animal
-/** Fur that is in order already shows nothing of these. */
+const closeness = 0.36;  // factor on the camera's distance at which the whole animal is visible
+/** Tools that have no visible effect on tidy fur, so that the fur is tousled first. */
 const on_tousled: Op[] = ["smooth", "unify", "erase"];
 
 let serial = 0;
-const copies = new Set<string>();  // that are not thrown away yet
+const copies = new Set<string>();  // ids of copies that are not removed yet
 
 interface TrialView { camera: Pinhole; width: number; height: number }
 
-/** Close to the flank, or to whatever is in the middle of the picture. */
+/** Returns a view close to the flank, or to whatever is in the middle of the picture. */
 async function viewOf(id: string): Promise<TrialView> {
   const whole = framed(scene.value!, "three_quarter", size.width / size.height);
   const middle = await api.pick(id, {view: {camera: pinholeOf(whole), ...size}, pixel: [0.55 * size.width, 0.55 * size.height], reach: "skin"});
@@ -35,13 +35,13 @@ async function viewOf(id: string): Promise<TrialView> {
   return {camera: pinholeOf({...zoomed(whole, closeness, scene.value!.size), target, yaw: whole.yaw + 0.4}), ...size};
 }
 
-/** Where the path lies on the skin. */
+/** Returns the points of the path that lie on the skin. */
 async function placesOf(id: string, view: TrialView): Promise<Vector[]> {
   const picks = await Promise.all(path.map((pixel) => api.pick(id, {view, pixel, reach: "skin"})));
   return picks.flatMap((pick) => (pick.hit ? [pick.position as Vector] : []));
 }
 
-/** The command where the stroke passes, as the hand would give it. */
+/** Returns the command with a stroke along the path, as pointer input would make it. */
 function strokeOf(op: Op, command: Command, view: TrialView, points: Vector[]): Command {
   const first = points[0]!, last = points[points.length - 1]!, long = scene.value!.size;
   if (op === "flow") return {...command, curves: [points]};
@@ -89,5 +89,5 @@ export async function drawPair(key: string, of: string, op: Op, command: Command
   }
 }
 
-/** While the page goes away: no time for anything but the requests. */
+/** Removes the copies without waiting when the page is closed. */
 addEventListener("pagehide", () => copies.forEach((id) => void api.removeScene(id).catch(() => undefined)));

@@ -1,21 +1,21 @@
-// Radius and strength set in the picture: a key is held and the pointer goes sideways.
+// Sets the brush's radius or strength in the picture, by moving the pointer sideways while a key is held.
 import {signal} from "@preact/signals";
 import {brush, brushScale, setBrush} from "../tools/state";
 
 export type Adjusted = "radius" | "strength";
-/** What the held key sets; null while none is held. */
+/** The value that the held key sets; null while none is held. */
 export const adjusting = signal<Adjusted | null>(null);
 
-const full_strength = 240;  // pixels from none to all
+const full_strength = 240;  // pixels for a change of strength from 0 to 1
 const min_pixels = 3;
 
-/** From the moment that the key went down until it is up. The ring stays where the pointer was then. */
+/** One adjustment, from key down to key up. The ring stays where the pointer was at key down. */
 export class Adjustment {
   private readonly value: number;
   private readonly start: number;
   private readonly scale: number;
 
-  /** `at` is the pointer, `units_per_pixel` the model's unit that a pixel covers there. */
+  /** `at` is the pointer's position; a pixel covers `units_per_pixel` model units there. */
   constructor(private readonly what: Adjusted, readonly at: [number, number], units_per_pixel: number) {
     this.value = Number(brush.value[what]);
     this.scale = brushScale(units_per_pixel);

@@ -1,4 +1,4 @@
-// What is seen, said quietly: its quality, how far its strands are traced, and whether a better picture comes.
+// The badge on the picture: its quality, the progress of tracing, and whether a better picture is coming.
 import {offline, unsent} from "../api/outbox";
 import {pending, shown, tracing, type Shown} from "./frames";
 import {durationOf, millisecondsOf, stopNames, stopOf} from "./measured";
@@ -11,7 +11,7 @@ function stageWords(seen: Shown): string {
   return passesOf(seen) ? stopNames.reference : stopNames[stopOf(seen.dial)];
 }
 
-/** For those who measure: how it was drawn, how long it took, and which revision it shows. */
+/** Details for measurements: how the picture was drawn, how long it took, and which revision it shows. */
 function details({stage, picture}: Shown): string {
   const samples = picture.trace ? `${Math.round(picture.trace.samples)} samples of each pixel` : `${picture.knobs.raster?.strands ?? 1.4} strands a pixel`;
   return `${stage === "traced" ? `Traced, ${samples}` : `Rasterized, ${samples}`}; ${durationOf(millisecondsOf(picture))} of the server; revision ${picture.revision}`;

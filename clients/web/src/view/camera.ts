@@ -1,9 +1,9 @@
-// The camera of whoever looks: it turns about a target. It is not part of the scene.
+// The user's camera, which orbits a target. It is not part of the scene.
 import {signal} from "@preact/signals";
 import type {AutoView, Pinhole, Scene, Vector} from "../api/types";
 import {add, cross, dot, norm, scale, subtract, unit} from "./vector";
 
-/** Yaw about +y from +z, pitch up from the horizon, radians; distance in the model's unit. */
+/** Yaw about +y from +z and pitch above the horizon, in radians; distance to the target in model units. */
 export interface Orbit { target: Vector; yaw: number; pitch: number; distance: number }
 
 export const fov_degrees = 35;
@@ -15,7 +15,7 @@ const views: Record<AutoView, [number, number]> = {
 
 export const orbit = signal<Orbit>({target: [0, 0, 0], yaw: 0.6, pitch: 0.3, distance: 3});
 
-/** What fits the model's box with some air, whatever the window's shape. */
+/** Returns an orbit that shows the whole model with a margin, for any aspect ratio. */
 export function framed(scene: Scene, view: AutoView, aspect: number): Orbit {
   const {min, max} = scene.bounds as {min: Vector; max: Vector};
   const target = scale(add(min, max), 0.5);
@@ -24,7 +24,7 @@ export function framed(scene: Scene, view: AutoView, aspect: number): Orbit {
   return {target, yaw, pitch, distance: (scene.size * 0.5 * 0.86) / half + scene.size * 0.12};
 }
 
-/** The shorter way round from one orbit to another. */
+/** Interpolates two orbits at t in [0, 1], turning the shorter way. */
 export function between(from: Orbit, to: Orbit, t: number): Orbit {
   const turn = Math.atan2(Math.sin(to.yaw - from.yaw), Math.cos(to.yaw - from.yaw));
   return {
@@ -51,21 +51,21 @@ export function zoomed(o: Orbit, factor: number, size: number): Orbit {
   return {...o, distance: Math.max(size * 0.02, Math.min(size * 20, o.distance * factor))};
 }
 
-/** Right, up and forward of the picture. */
+/** Returns the camera's unit vectors right, up and forward. */
 export function axes(o: Orbit): {right: Vector; up: Vector; forward: Vector} {
   const forward = scale(backward(o), -1);
   const right = unit(cross(forward, [0, 1, 0]));
   return {right, up: cross(right, forward), forward};
 }
 
-/** Moves by pixels of a picture `height` high, so that what is at the target stays under the pointer. */
+/** Pans by pixels of a picture `height` pixels high, so that a point at the target's depth stays under the pointer. */
 export function panned(o: Orbit, dx: number, dy: number, height: number): Orbit {
   const pixel = (2 * o.distance * Math.tan((fov_degrees * Math.PI) / 360)) / height;
   const {right, up} = axes(o);
   return {...o, target: add(o.target, add(scale(right, -dx * pixel), scale(up, dy * pixel)))};
 }
 
-/** Pixels and points of a picture of this size. */
+/** Converts between points and pixels of a picture of this size. */
 export class Projection {
   private readonly position: Vector;
   private readonly frame: {right: Vector; up: Vector; forward: Vector};
@@ -77,7 +77,7 @@ export class Projection {
     this.focal = height / (2 * Math.tan((fov_degrees * Math.PI) / 360));
   }
 
-  /** Pixels from the top left; null behind the camera. */
+  /** Returns the pixel of a point, from the top left; null if the point is behind the camera. */
   project(point: Vector): [number, number] | null {
     const offset = subtract(point, this.position);
     const depth = dot(offset, this.frame.forward);
@@ -92,7 +92,7 @@ export class Projection {
     return {origin: this.position, direction: unit(add(forward, along))};
   }
 
-  /** The model's unit that one pixel covers at a point. */
+  /** Returns the size of a pixel at a point's depth, in model units. */
   unitsPerPixel(point: Vector): number {
     return Math.max(dot(subtract(point, this.position), this.frame.forward), 0) / this.focal;
   }

@@ -1,8 +1,8 @@
-// The moment that pictures show, where it is not the scene's own: for watching fur in the wind.
+// The time that pictures show in place of the scene's own, to watch fur in the wind.
 import {effect, signal, untracked} from "@preact/signals";
 import {shown_model} from "../scene/session";
 
-const tick = 40;  // ms between moments that are asked for; a server that draws slower skips some
+const tick = 40;  // ms between requested times; a slower server skips some
 
 /** Seconds; null for the scene's own time. */
 export const moment = signal<number | null>(null);
@@ -10,7 +10,7 @@ export const playing = signal(false);
 
 let timer = 0;
 
-/** From a moment on, as fast as time passes. */
+/** Plays from a time on, in real time. */
 export function play(from: number) {
   const began = performance.now() - 1e3 * from;
   clearInterval(timer);
@@ -19,13 +19,13 @@ export function play(from: number) {
   timer = window.setInterval(() => { if (!document.hidden) moment.value = (performance.now() - began) / 1e3; }, tick);
 }
 
-/** The moment stays. */
+/** Stops the clock and keeps its time. */
 export function pause() {
   clearInterval(timer);
   playing.value = false;
 }
 
-/** Back to the scene's own time. */
+/** Returns to the scene's own time. */
 export function rewind() {
   pause();
   moment.value = null;

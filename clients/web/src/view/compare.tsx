@@ -1,4 +1,4 @@
-// A wipe between an earlier revision and the present: its picture lies over the present one's, cut at a divider.
+// A wipe between an earlier revision and the current one: the earlier picture covers the current one up to a divider.
 import {computed, effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {Aborted, Offline, Refusal, drawFrame} from "../api/client";
@@ -12,17 +12,18 @@ import {compared} from "./compared";
 import {overlay, overlay_from, rest_quality, shared_request} from "./quality";
 import {viewport_size} from "./surface";
 
-const rest_after = 160;    // ms without movement
-const again_after = 1000;  // ms after a lost connection or a full server
+const rest_after = 160;    // ms without movement until the full picture is requested
+const again_after = 1000;  // ms until a retry after a lost connection or a full server
 const max_ratio = 2;
 const key_step = 2;        // percent
 const large_key_step = 10;
 
-/** Where the divider is, percent from the left. */
+/** Position of the divider, in percent from the left. */
 const divide = signal(50);
 
 let last_shared: FrameRequest = {};
-/** What both pictures share. What changed is shown on the present one alone; the object stays the same while that is all that changes. */
+/** The members of the request that both pictures share. Only the current picture shows the overlay "difference"; toggling it
+ * returns the same object, so that the earlier picture is not drawn again. */
 const past_shared = computed<FrameRequest>(() => {
   const {overlay_from: _from, ...shared} = shared_request.value;
   const wanted: FrameRequest = {...shared, overlay: shared.overlay === "difference" ? "none" : shared.overlay ?? "none"};
@@ -30,7 +31,7 @@ const past_shared = computed<FrameRequest>(() => {
   return last_shared;
 });
 
-/** Asks for pictures of the earlier revision: a draft at a time while the camera moves, the full picture once it rests. */
+/** Requests pictures of the earlier revision: drafts, one at a time, while the camera moves; the full picture at rest. */
 class PastLoop {
   private state = 0;
   private drawn = -1;          // the state that the last full picture shows
@@ -94,7 +95,7 @@ class PastLoop {
     if (picture) await this.present(picture.bytes);
   }
 
-  /** Milliseconds until the next try. */
+  /** Returns the milliseconds until the next attempt. */
   private fail(error: unknown, state: number): number {
     if (error instanceof Aborted || (error instanceof Refusal && error.status === 409)) return 0;
     if (error instanceof Offline || (error instanceof Refusal && [429, 503].includes(error.status))) return again_after;
@@ -179,9 +180,9 @@ function Past() {
   return <canvas class="compare-past" ref={canvas} aria-hidden="true" style={{clipPath: `inset(0 ${100 - divide.value}% 0 0)`}} />;
 }
 
-/** Lies over the picture and lets the pointer through to it, but for the divider and its header. */
+/** Covers the picture but passes pointer input through to it, except on the divider and the header. */
 export function Compare() {
-  useEffect(() => closeCompare, [shown_model.value]);  // a revision is one of this scene and model
+  useEffect(() => closeCompare, [shown_model.value]);  // revisions belong to one scene and model
   if (!compared.value) return null;
   return <div class="compare"><Past /><Divider /><Header /></div>;
 }

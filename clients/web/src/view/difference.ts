@@ -1,17 +1,17 @@
-// How far two pictures of the same size are apart, pixel by pixel, in sRGB as a screen shows it.
+// The difference of two pictures of the same size, pixel by pixel, in sRGB values.
 
 export interface Difference {
-  /** From dark violet for none to yellow for `full_scale` and more. */
+  /** A picture of the difference, from dark violet (none) to yellow (`full_scale` and more). */
   map: Blob;
-  /** Mean over the pixels that the model covers and over red, green and blue; 1 is black against white. */
+  /** Mean over the pixels that the model covers and over the colour channels; 1 is black against white. */
   mean: number;
   largest: number;
 }
 
 export const full_scale = 0.25;
-export const ground = 142;  // grey of 8 bits that transparent pixels are laid on
+export const ground = 142;  // 8-bit grey behind transparent pixels
 
-// Stops of a scale that gets lighter all along, so that it reads without colour as well.
+// Stops of a colour scale whose lightness rises all along, so that it is readable without colour, too.
 const scale = [[13, 8, 42], [84, 15, 109], [187, 55, 84], [249, 140, 10], [252, 255, 164]] as const;
 
 export function colourOf(share: number): [number, number, number] {
@@ -28,7 +28,7 @@ async function pixelsOf(bytes: Blob): Promise<ImageData> {
   return pen.getImageData(0, 0, bitmap.width, bitmap.height);
 }
 
-/** Both pictures have transparent pixels where the model is not. */
+/** Compares two pictures, which must be transparent where there is no model. */
 export async function differenceOf(one: Blob, other: Blob): Promise<Difference> {
   const [a, b] = await Promise.all([pixelsOf(one), pixelsOf(other)]);
   if (a.width !== b.width || a.height !== b.height) throw new Error("the pictures have different sizes");

@@ -1,4 +1,5 @@
-// What stands in the picture's place until a scene's first one has come: the last one that this browser saw, or on a first visit a fox.
+// The placeholder until a scene's first picture arrives: the last picture that this browser showed, or a fox on a first
+// visit.
 import fox from "../../pictures/first.webp";
 import {scene} from "../scene/session";
 import {last_picture, thumbnails} from "../scene/thumbnails";

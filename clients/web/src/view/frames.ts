@@ -1,5 +1,5 @@
-// Which picture to ask for next: what a short time gives while the camera moves, drafts of strokes and settings, the dial's picture
-// at rest, traced strands when it rests longer.
+// Decides which picture to request next: one with a short time budget while the camera moves, drafts of strokes and
+// settings, the dial's quality at rest, and traced strands after a longer rest.
 // At most two requests are in flight; the newest picture wins.
 import {computed, signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, drawFrame, type FrameNews, type Picture} from "../api/client";
@@ -13,27 +13,28 @@ import {Pace} from "./pace";
 import {dial, rest_quality, shared_request, wants_trace, type Dial} from "./quality";
 
 export type Stage = "turning" | "draft" | "rest" | "traced";
-/** `state` is what was to be seen when it was asked for, `orbit` the camera that it was drawn from. */
+/** A picture on the screen. `state` is the value of `wanted` when it was requested, `orbit` its camera; `asked` and `shown`
+ * are times in ms. */
 export interface Shown { stage: Stage; state: number; orbit: Orbit; dial: Dial; picture: Picture; width: number; height: number; asked: number; shown: number }
 export interface Wish { scene: string; orbit: Orbit; width: number; height: number; ratio: number; revision: number }
 
-const rest_after = 140;      // ms without movement
-const turning_budget = 35;   // ms of a picture while the camera moves
-const trace_after = 1200;    // ms after the picture at rest
+const rest_after = 140;      // ms without movement until the picture at rest is requested
+const turning_budget = 35;   // ms budget of a picture while the camera moves
+const trace_after = 1200;    // ms after the picture at rest until tracing starts
 const max_in_flight = 2;
-const again_after = 1000;     // ms after a lost connection or a full server
-const trace_wait = 20;       // s
-const news_wait = 1;         // s that a draft waits for the stroke that is under way to arrive
+const again_after = 1000;     // ms until a retry after a lost connection or a full server
+const trace_wait = 20;       // s that a request waits for a better picture
+const news_wait = 1;         // s that a draft waits until a sent part of a stroke arrives at the server
 
-/** What is seen now. */
+/** The picture on the screen. */
 export const shown = signal<Shown | null>(null);
-/** What is to be seen: grows with each change of it. */
+/** Counts the changes of what the picture should show. */
 const wanted = signal(0);
-/** Whether what is seen is older than what is to be seen. */
+/** True if the picture on the screen is out of date. */
 export const outdated = computed(() => shown.value?.state !== wanted.value);
-/** Whether the picture at rest is seen: until something changes the server has time for other pictures. */
+/** True if the picture at rest is on the screen; until something changes, the server has time for other pictures. */
 export const resting = computed(() => !outdated.value && (shown.value?.stage === "rest" || shown.value?.stage === "traced"));
-/** Whether a better picture is on its way: what is seen is old, small or coarse, or its strands are still traced. */
+/** True if a better picture is coming: the current one is outdated or a draft, or its strands are still being traced. */
 export const pending = computed(() => {
   const seen = shown.value;
   if (!seen || outdated.value || seen.stage === "turning" || seen.stage === "draft") return true;
@@ -43,13 +44,13 @@ export const pending = computed(() => {
 const moving: Partial<FrameRequest> = {format: "jpeg"};
 export const tracing = {passes: 64, noise: 0.004} satisfies FrameRequest["progressive"];
 
-/** `slot`: of several frames of one view the server draws only the newest, so each request in flight is a view of its own. */
+/** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`. */
 interface Ask { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
   private shown_number = 0;
-  private done: Record<Stage, number> = {turning: -1, draft: -1, rest: -1, traced: -1};  // the state that each stage has shown
+  private done: Record<Stage, number> = {turning: -1, draft: -1, rest: -1, traced: -1};  // the state for which each stage is done
   private moving_until = 0;
   private turning_until = 0;
   private rested_at = 0;
@@ -60,13 +61,13 @@ export class FrameLoop {
   private timer = 0;
   private in_flight = new Set<Ask>();
 
-  /** `present` puts a picture on the screen. */
+  /** `wish` returns what to draw, or null; `present` puts a picture on the screen. */
   constructor(private readonly wish: () => Wish | null, private readonly present: (picture: ImageBitmap, stage: Stage) => void) {}
 
   private get state() { return wanted.peek(); }
 
-  /** Something that is seen has changed. `moving`: more will follow at once. `turning`: it is the camera that moves. `news`: a stroke
-   * is on its way to the server. */
+  /** Reports a change of what the picture should show. `moving`: more changes follow soon. `turning`: the camera moves.
+   * `news`: a part of a stroke is on its way to the server. */
   touch({moving = false, turning = false, news = false} = {}) {
     wanted.value = this.state + 1;
     this.passes = 0;
@@ -77,7 +78,7 @@ export class FrameLoop {
     this.pump();
   }
 
-  /** Another scene or model: what is seen and what is under way show the one before. */
+  /** Drops the picture and all requests, because they show another scene or model. */
   forget() {
     for (const ask of this.in_flight) ask.stop.abort();
     this.shown_number = this.asked + 1;
@@ -158,9 +159,9 @@ export class FrameLoop {
     if (ask.number < this.shown_number) return;
     const answered = performance.now();
     const bitmap = await createImageBitmap(picture.bytes);
-    if (ask.number < this.shown_number || ask.stop.signal.aborted) return bitmap.close();  // a newer one was decoded sooner
+    if (ask.number < this.shown_number || ask.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first
     this.shown_number = ask.number;
-    const {width, height} = bitmap;  // nothing of it is left once it is on the screen
+    const {width, height} = bitmap;  // presenting the bitmap consumes it
     this.present(bitmap, ask.stage);
     const now = performance.now();
     mark("frame", {scene: ask.scene, stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
@@ -176,7 +177,7 @@ export class FrameLoop {
     if (picture.trace && picture.trace.end !== "none") this.done.traced = ask.state;
   }
 
-  /** A refusal is said once and not asked for again until something changes; a lost connection is tried again. */
+  /** Shows a refusal once and does not repeat the request until something changes; retries after a lost connection. */
   private fail(ask: Ask, error: unknown) {
     if (error instanceof Aborted) return;
     if (error instanceof Offline || (error instanceof Refusal && [409, 429, 503].includes(error.status))) {

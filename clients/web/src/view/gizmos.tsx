@@ -1,4 +1,4 @@
-// Named blowers, attractors and placed lights as handles in the picture.
+// Handles in the picture for named blowers, attractors, lights and eyes.
 import {signal, useSignal} from "@preact/signals";
 import type {Command, Settings, Vector} from "../api/types";
 import {eyes as live_eyes, lights as live_lights} from "../scene/live_setting";
@@ -10,20 +10,20 @@ import {axes} from "./camera";
 import {Handle} from "./handle";
 import {projectionNow, seen_orbit, skinAt} from "./surface";
 
-/** Whether the panel of lights is open, which shows their handles. */
+/** True while the light panel is open, which shows the handles of lights. */
 export const shows_lights = signal(false);
-/** The one that the panel shows. */
+/** Index of the light that the panel shows. */
 export const chosen_light = signal(0);
 
 interface Gizmo {
   name: string;
   shape: "dot" | "arrow" | "light" | "star";
   at: Vector;
-  /** The other end of its line. */
+  /** The other end of the line that is drawn from it. */
   to?: Vector;
-  /** The command that puts it there. */
+  /** Returns the command that moves it; it runs once the drag ends. */
   moved?: (to: Vector) => Command;
-  /** Or what puts it there while it is dragged, too. */
+  /** Moves it during the drag, too; replaces `moved`. */
   live?: (to: Vector, done: boolean) => void;
   place?: (x: number, y: number) => Vector;
   chosen?: boolean;
@@ -53,14 +53,15 @@ function attractors(all: Settings): Gizmo[] {
   }));
 }
 
-/** The ball about the model that directional lights stand on. */
+/** Returns the sphere around the model on which the handles of directional lights lie. */
 export function lightBall(): {middle: Vector; radius: number} | null {
   if (!scene.value) return null;
   const {min, max} = scene.value.bounds as {min: Vector; max: Vector};
   return {middle: scale(add(min, max), 0.5), radius: 0.4 * scene.value.size};
 }
 
-/** Where a pixel's ray meets the ball, on the side where the handle is; its rim where the ray passes by. */
+/** Intersects a pixel's ray with the sphere, on the side of the handle at `at`; if the ray misses, returns the nearest point
+ * of the silhouette. */
 function onBall(x: number, y: number, at: Vector, {middle, radius}: {middle: Vector; radius: number}): Vector {
   const {origin, direction} = projectionNow().ray(x, y);
   const along = dot(subtract(middle, origin), direction);
@@ -71,7 +72,8 @@ function onBall(x: number, y: number, at: Vector, {middle, radius}: {middle: Vec
   return add(origin, scale(direction, along + (behind ? 1 : -1) * Math.sqrt(inside)));
 }
 
-/** A directional light is dragged on a ball about the model; the others have a place. All shine at its middle then. */
+/** Returns the handles of lights. A directional light moves on a sphere around the model, the others move freely. A dragged
+ * light is aimed at the model's middle. */
 function lights(): Gizmo[] {
   const ball = lightBall(), list = live_lights.value.value;
   if (!ball || !list) return [];
@@ -90,11 +92,12 @@ function lights(): Gizmo[] {
   });
 }
 
-/** Whether the panel of eyes is open, which shows their handles, and the eye that it shows. */
+/** True while the eyes panel is open, which shows the handles of eyes; and the index of the eye that it shows. */
 export const shows_eyes = signal(false);
 export const chosen_eye = signal(0);
 
-/** On the eye, to move it over the skin; above it, for its size; before it, for where it looks. */
+/** Returns three handles for each eye: at its centre to move it over the skin, above it for its size, and in front of it
+ * for its gaze. */
 function eyes(): Gizmo[] {
   const list = live_eyes.value.value, size = scene.value?.size ?? 1;
   if (!list) return [];
@@ -102,7 +105,7 @@ function eyes(): Gizmo[] {
   return list.flatMap((eye, k) => {
     const at = eye.position as Vector, radius = (eye.radius ?? 0.02) * size, name = `Eye ${k + 1}`;
     const gaze = unit((eye.look_at ? subtract(eye.look_at as Vector, at) : eye.gaze ?? [0, 0, 1]) as Vector);
-    const apart = 20 * projection.unitsPerPixel(at);  // handles of a small eye do not lie on each other
+    const apart = 20 * projection.unitsPerPixel(at);  // keeps the handles of a small eye apart
     const pressed = () => { chosen_eye.value = k; };
     const put = (change: Partial<typeof eye>, done: boolean) => live_eyes.set(movedEye(list, k, change), done);
     const moved = (to: Vector, done: boolean) => put({position: to}, done);

@@ -1,14 +1,14 @@
-// The one mesh of a binary glTF that the server sends, as plain arrays.
+// Reads the single mesh of a GLB that the server sends, as plain arrays.
 import type {Vector} from "../api/types";
 
 export interface MeshArrays {
   positions: Float32Array;  // relative to the origin
   normals: Float32Array;
   indices: Uint16Array | Uint32Array;
-  /** From each position to half of its strand's length and to its tip. */
+  /** Offsets from each position to the middle and to the tip of its strand. */
   middles: Float32Array;
   tips: Float32Array;
-  /** 1 where tools work, 0 where they leave fur alone. */
+  /** 1 where tools work, 0 where the fur is protected. */
   mask: Float32Array;
   origin: Vector;
 }

@@ -1,4 +1,4 @@
-// Guide curves and keys over the picture, while their tool is in hand.
+// Guide curves and keys, drawn over the picture while their tool is current.
 import {useSignal} from "@preact/signals";
 import type {Vector} from "../api/types";
 import {chosen, guidesOf, movePoint, removeGuide, type GuideOp} from "../tools/guides";

@@ -1,4 +1,4 @@
-// What the hand can do now, said quietly below the picture.
+// Hints below the picture on what pointer and keys do now.
 import {toolOf} from "../tools/catalogue";
 import {current, inverting, smoothing} from "../tools/state";
 

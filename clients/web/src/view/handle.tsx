@@ -1,4 +1,4 @@
-// A handle over the picture that a pointer drags, and that arrow keys move.
+// A handle over the picture that the pointer drags and arrow keys move.
 import {useRef} from "preact/hooks";
 import type {Vector} from "../api/types";
 import {add, scale} from "./vector";
@@ -9,13 +9,13 @@ export interface HandleProps {
   label: string;
   shape?: "dot" | "arrow" | "light" | "star";
   chosen?: boolean;
-  /** Written on it. */
+  /** Text on the handle. */
   text?: string;
-  /** While it is dragged; `done` with the last place. */
+  /** Called during the drag; `done` is true for the last position. */
   moved: (to: Vector, done: boolean) => void;
   pressed?: () => void;
   remove?: () => void;
-  /** Where a pixel puts it; else it keeps its distance from the camera. */
+  /** Returns the position for a pixel; without it, the handle keeps its distance from the camera. */
   place?: (x: number, y: number) => Vector | null;
 }
 

@@ -1,4 +1,4 @@
-// What pictures of each stop of the dial took in this window, and how far the server estimates them from the truth.
+// The measured time of pictures at each stop of the dial in this window, and their error as the server estimates it.
 import {signal} from "@preact/signals";
 import type {Picture} from "../api/client";
 import type {Tier} from "../api/types";
@@ -6,14 +6,14 @@ import type {Stage} from "./frames";
 import type {Dial} from "./quality";
 
 export type Stop = Tier | "budget" | "error";
-/** What artists call them. */
+/** Artists' names for the stops. */
 export const stopNames: Record<Stop, string> = {draft: "Sketch", interactive: "Groom", detailed: "Beauty", reference: "Final", budget: "In time", error: "True enough"};
 export interface Measure {
-  /** Of the newest picture that was drawn whole; null before there is one. */
+  /** Time of the newest picture that was drawn completely; null before there is one. */
   milliseconds: number | null;
-  /** Mean FLIP where there is fur; null where the calibration does not know these knobs. */
+  /** Mean FLIP over the fur; null if the calibration does not cover these knobs. */
   error: number | null;
-  /** Of traced pictures: estimated mean error of a shown channel. */
+  /** Estimated mean error of a displayed channel; null unless traced. */
   noise: number | null;
   samples: number;
 }
@@ -25,7 +25,7 @@ export function millisecondsOf({timings}: Picture): number {
   return draw + upload + read + encode + trace;
 }
 
-/** "60 ms", "3.2 s", "4 min" */
+/** Returns text such as "60 ms", "3.2 s" or "4 min". */
 export function durationOf(milliseconds: number): string {
   if (milliseconds < 1000) return `${Math.round(milliseconds)} ms`;
   return milliseconds < 60000 ? `${Number((milliseconds / 1000).toPrecision(2))} s` : `${Math.round(milliseconds / 60000)} min`;
@@ -36,12 +36,12 @@ export const stopOf = (dial: Dial): Stop => (dial.kind === "tier" ? dial.tier : 
 function stopShown(stage: Exclude<Stage, "turning">, dial: Dial): Stop {
   if (stage === "draft") return "draft";
   const stop = stopOf(dial);
-  return stage === "rest" && stop === "reference" ? "detailed" : stop;  // what is seen until the first strands come
+  return stage === "rest" && stop === "reference" ? "detailed" : stop;  // shown until the first traced picture arrives
 }
 
-/** Takes note of a picture that was asked for while the dial stood so. */
+/** Records the measures of a picture that was requested with this dial. */
 export function note(stage: Stage, dial: Dial, picture: Picture) {
-  if (stage === "turning") return;  // a stop of its own on no dial
+  if (stage === "turning") return;  // drawn with a time budget, so no stop of the dial
   const {trace, estimate} = picture;
   if (stage === "traced" && trace && trace.passes > 0) {
     const entry = {milliseconds: trace.grow_ms + trace.trace_ms, error: null, noise: trace.noise, samples: trace.samples};
@@ -51,6 +51,6 @@ export function note(stage: Stage, dial: Dial, picture: Picture) {
   if (stage === "traced") return;
   const stop = stopShown(stage, dial);
   const before = measured.value[stop]?.milliseconds ?? null;
-  const milliseconds = picture.redrawn < 1 ? before : millisecondsOf(picture);  // cached or partly drawn pictures say nothing
+  const milliseconds = picture.redrawn < 1 ? before : millisecondsOf(picture);  // the time of a cached or partly drawn picture means little
   measured.value = {...measured.value, [stop]: {milliseconds, error: estimate?.error ?? null, noise: null, samples: 0}};
 }

@@ -1,4 +1,4 @@
-// The images of a place under the hand's symmetry.
+// Mirror images of a point under the symmetry of strokes.
 import type {Symmetry, Vector} from "../api/types";
 import {add, dot, scale, subtract, unit} from "./vector";
 import type {Hit, Proxy} from "./proxy";
@@ -10,20 +10,20 @@ export function reflected(point: Vector, plane: Plane): Vector {
   return subtract(point, scale(normal, 2 * dot(subtract(point, plane.point), normal)));
 }
 
-/** A direction has no place. */
+/** Mirrors a direction, which does not depend on the plane's position. */
 export const reflectedDirection = (direction: Vector, {normal}: Plane): Vector => reflected(direction, {point: [0, 0, 0], normal});
 
 export const planesOf = (symmetry: Symmetry): Plane[] =>
   symmetry.planes.map((plane) => ({point: (plane.point ?? [0, 0, 0]) as Vector, normal: (plane.normal ?? [1, 0, 0]) as Vector}));
 
-/** Images by each mirror plane alone; a rotation's images are the server's to find. */
+/** Returns the image under each mirror plane. Combinations of planes and rotations are left to the server. */
 export const imagesOf = (hit: Hit, symmetry: Symmetry): Hit[] =>
   planesOf(symmetry).map((plane) => {
     const point = reflected(hit.point, plane);
     return {point, normal: unit(subtract(reflected(add(hit.point, hit.normal), plane), point)), distance: hit.distance};
   });
 
-/** The images that lie on the skin. */
+/** Returns the images that lie on the skin, moved onto it. */
 export function imagesOnSkin(hit: Hit, symmetry: Symmetry, proxy: Proxy): Hit[] {
   return imagesOf(hit, symmetry).flatMap(({point, normal}) => {
     const lift = hit.distance * 0.05;

@@ -1,11 +1,11 @@
-// From pointers, wheel and touch to the camera. What a pointer does is decided when it goes down and holds until it is up.
+// Moves the camera by pointer, wheel and touch. A pointer's gesture is decided when it goes down and stays until it is up.
 import {orbit, panned, turned, zoomed, type Orbit} from "./camera";
 
 export type Gesture = "tool" | "orbit" | "pan" | "zoom";
 
 export interface NavigationOptions {
-  size: () => number;               // of the model
-  height: () => number;             // of the picture, pixels
+  size: () => number;               // size of the model
+  height: () => number;             // height of the picture in pixels
   hits: (x: number, y: number) => boolean;
   changed: () => void;              // the camera moved
   toolDown: (event: PointerEvent) => void;
@@ -16,7 +16,7 @@ export interface NavigationOptions {
 
 const turn_per_pixel = 0.008, zoom_per_pixel = 0.006, zoom_per_notch = 0.0016;
 
-/** Left on the model: the tool; beside it, or with Alt, or the other buttons: the camera. */
+/** The left button on the model uses the tool; beside the model, with Alt, or with other buttons, it moves the camera. */
 export function gestureOf(event: PointerEvent, on_model: boolean, pen_seen: boolean): Gesture {
   if (event.button === 1) return event.shiftKey ? "pan" : "orbit";
   if (event.button === 2) return event.altKey ? "zoom" : event.shiftKey ? "pan" : "orbit";
@@ -60,7 +60,7 @@ export class Navigation {
     this.options.toolDown(event);
   }
 
-  /** A second finger turns what the first began into moving the camera. */
+  /** A second finger cancels the first one's stroke; both then move the camera. */
   private twoFingers(event: PointerEvent) {
     if (this.gesture === "tool") this.options.toolUp(event, true);
     this.tool_pointer = -1;
@@ -103,7 +103,7 @@ export class Navigation {
     this.set(turned(now, -dx * turn_per_pixel, dy * turn_per_pixel));
   }
 
-  /** Two fingers: their middle pans, their distance zooms. */
+  /** Two fingers: moving their middle pans, changing their distance zooms. */
   private pinch(before: PointerEvent, event: PointerEvent) {
     const other = [...this.pointers.values()].find((pointer) => pointer.pointerId !== event.pointerId);
     if (!other) return;
@@ -112,7 +112,8 @@ export class Navigation {
     this.set(zoomed(moved, Math.max(gap(before), 1) / Math.max(gap(event), 1), this.options.size()));
   }
 
-  /** A wheel and a pinch zoom; two fingers on a trackpad, which also move sideways, turn; with Shift they pan. */
+  /** A wheel and a pinch zoom. Two fingers on a trackpad, recognized by sideways or fractional deltas, orbit. With Shift,
+   * both pan. */
   private wheel(event: WheelEvent) {
     event.preventDefault();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;

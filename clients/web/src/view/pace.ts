@@ -1,20 +1,20 @@
-// How large drafts are: as large as the server draws in time. The picture at rest is sharp again.
+// Chooses the size of drafts: the largest that the server draws in time. The picture at rest has full resolution.
 import type {Picture} from "../api/client";
 import {millisecondsOf} from "./measured";
 
-const wanted = 60;               // ms of the server for a draft
-const sizes = [1, 0.7, 0.5];     // of the canvas's pixels along a side
-const patience = 4;              // drafts of one size before it changes: each change draws a whole picture
-const longer_when_larger = 2.2;  // times, about as many pixels
+const wanted = 60;               // the server's time for a draft, in ms
+const sizes = [1, 0.7, 0.5];     // factors for the canvas's side
+const patience = 4;              // drafts of one size before it may change; each change draws a whole picture
+const longer_when_larger = 2.2;  // factor of time for the next larger size, about that of the pixels
 
 export class Pace {
-  private size = 1;          // so that the first picture comes soon
-  private drawn = 0;         // drafts of this size
-  private milliseconds = 0;  // of them, newer ones count more
+  private size = 1;          // index into sizes; starts small, so that the first picture comes soon
+  private drawn = 0;         // number of drafts of this size
+  private milliseconds = 0;  // moving average of their times
 
   get ratio() { return sizes[this.size] ?? 1; }
 
-  /** Takes note of a draft that was asked for at `ratio`. The first of a size says nothing: it is drawn whole. */
+  /** Records a draft that was requested at `ratio`. Ignores the first one of a size, because it is drawn whole. */
   note(ratio: number, picture: Picture) {
     if (ratio !== this.ratio || this.drawn++ === 0) return;
     const time = millisecondsOf(picture);

@@ -1,4 +1,4 @@
-// Two canvases, one over the other: a better picture fades in over the one that it replaces.
+// Two stacked canvases: a better picture fades in over the one that it replaces.
 
 const fade_ms = 160;
 
@@ -10,7 +10,7 @@ export class PictureStack {
     this.pens = canvases.map((canvas) => canvas.getContext("bitmaprenderer")!);
   }
 
-  /** Takes the bitmap over. `fades` for a better picture of what is seen already; others replace it at once. */
+  /** Shows a bitmap and takes ownership of it. `fades`: it is a better picture of the same state; else it appears at once. */
   show(bitmap: ImageBitmap, fades: boolean) {
     const old = this.canvases[this.front]!;
     this.front = 1 - this.front;
@@ -23,10 +23,10 @@ export class PictureStack {
     if (fades && !matchMedia("(prefers-reduced-motion: reduce)").matches) canvas.animate([{opacity: 0}, {opacity: 1}], fade_ms);
   }
 
-  /** What is seen. */
+  /** The visible canvas. */
   get canvas() { return this.canvases[this.front]!; }
 
-  /** "#rrggbb" at shares of width and height: the mean of a few pixels, since hairs are thinner than what one means. */
+  /** Returns the colour "#rrggbb" at fractions of width and height: a mean over 7 x 7 pixels, because single hairs vary. */
   colourAt(x: number, y: number): string {
     const canvas = this.canvas, side = 7;
     const copy = new OffscreenCanvas(side, side).getContext("2d")!;

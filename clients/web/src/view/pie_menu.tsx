@@ -1,4 +1,4 @@
-// The tools of most strokes around the pointer: hold Space, go towards one, let go.
+// A pie menu of the most used tools around the pointer: hold Space, move towards one, release.
 import {signal} from "@preact/signals";
 import type {Op} from "../api/types";
 import {toolOf} from "../tools/catalogue";
@@ -8,11 +8,11 @@ import {current} from "../tools/state";
 const offered: Op[] = ["comb", "smooth", "length", "lift", "clump", "paint", "trim", "noise"];  // clockwise from the top
 const radius = 106, dead = 26;  // pixels
 
-/** Middle of the menu in the picture; null while it is closed. */
+/** Centre of the menu in the picture, in pixels; null while it is closed. */
 export const pie = signal<[number, number] | null>(null);
 const chosen = signal<Op | null>(null);
 
-/** Where the pointer is, in the picture. */
+/** Position of the pointer in the picture, in pixels. */
 let pointer: [number, number] | null = null;
 
 export function openPie() {
@@ -21,13 +21,13 @@ export function openPie() {
   pie.value = pointer;
 }
 
-/** Takes the tool that the pointer went to. */
+/** Closes the menu and selects the tool that the pointer moved to. */
 export function closePie() {
   if (pie.value && chosen.value) current.value = chosen.value;
   pie.value = null;
 }
 
-/** Returns whether the menu took the move. */
+/** Handles a pointer move. Returns true if the menu is open and used it. */
 export function movePie(at: [number, number] | null): boolean {
   pointer = at;
   if (!pie.value || !at) return false;

@@ -1,5 +1,5 @@
-// The light copy of the model and of the fur on it that rays are cast on, so that the brush follows the hand whatever the server does.
-// three.js and its BVH are loaded with the first model, after the page stands.
+// A simplified copy of the model and its fur for ray casting, so that the brush follows the pointer without waiting for the
+// server. three.js and its BVH are loaded with the first model, after the page.
 import {BufferAttribute, BufferGeometry, DoubleSide, Ray} from "three";
 import {MeshBVH} from "three-mesh-bvh";
 import {call, scenePath} from "../api/client";
@@ -8,14 +8,14 @@ import {readGlb, type MeshArrays} from "./glb";
 import {add, norm, subtract, unit} from "./vector";
 
 export interface Hit { point: Vector; normal: Vector; distance: number }
-/** A strand as it stands: from its root over half of its length to its tip. */
+/** A strand's root, middle and tip, and the normal at its root. */
 export interface StrandLine { root: Vector; middle: Vector; tip: Vector; normal: Vector }
 
 const proxy_triangles = 20000;
 
 const cornerOf = (array: Float32Array, vertex: number): Vector => [array[3 * vertex]!, array[3 * vertex + 1]!, array[3 * vertex + 2]!];
 
-/** Skin, and the surfaces through the middles and through the tips of its strands, one after the other. */
+/** Returns three surfaces, concatenated: the skin, and those through the middles and the tips of the strands. */
 function hullOf({positions, middles, tips, indices}: MeshArrays) {
   const vertices = positions.length / 3;
   const hull = new Float32Array(3 * positions.length);
@@ -37,7 +37,7 @@ function bvhOf(positions: Float32Array, indices: Uint16Array | Uint32Array): Mes
   return new MeshBVH(geometry, {indirect: true});
 }
 
-/** Only triangles with a corner that tools may change, as pictures of what is masked have them. */
+/** Returns the triangles with at least one vertex that the mask leaves editable, the same ones as in masked pictures. */
 function maskedTriangles({indices, mask}: MeshArrays): Uint32Array {
   const left: number[] = [];
   for (let k = 0; k < indices.length; k += 3) {
@@ -47,7 +47,7 @@ function maskedTriangles({indices, mask}: MeshArrays): Uint32Array {
   return Uint32Array.from(left);
 }
 
-/** The model at one revision; it never changes. */
+/** The model at one revision; immutable. */
 export class Proxy {
   private readonly skin: MeshBVH;
   private readonly fur: MeshBVH;
@@ -59,7 +59,7 @@ export class Proxy {
     this.fur = bvhOf(hull, faces);
   }
 
-  /** `masked`: nothing is found where the mask protects the fur. */
+  /** Loads the model. `masked`: leaves out what the mask protects. */
   static async load(scene: string, masked: boolean): Promise<Proxy> {
     const answer = await call(`${scenePath(scene)}/mesh?triangles=${proxy_triangles}&fur=true`);
     const mesh = readGlb(await answer.arrayBuffer());
@@ -67,10 +67,10 @@ export class Proxy {
     return new Proxy(mesh, Number(answer.headers.get("Pelage-Revision")), masked);
   }
 
-  /** Where a ray hits the skin. */
+  /** Intersects a ray with the skin. */
   cast(origin: Vector, direction: Vector): Hit | null { return this.castOn(this.skin, origin, direction); }
 
-  /** Where a ray hits fur, or skin that is bald. The normal is that of the skin below. */
+  /** Intersects a ray with the fur, or with bald skin. The normal is that of the skin below. */
   touch(origin: Vector, direction: Vector): Hit | null { return this.castOn(this.fur, origin, direction); }
 
   private castOn(bvh: MeshBVH, origin: Vector, direction: Vector): Hit | null {
@@ -82,7 +82,7 @@ export class Proxy {
     return {point: add(local, this.mesh.origin), normal: this.smoothNormal(found.faceIndex % (this.mesh.indices.length / 3), local), distance: found.distance};
   }
 
-  /** Strands of which a knot lies within `radius` of `centre`, about `most` of them, spread evenly. */
+  /** Returns strands whose root, middle or tip lies within `radius` of `centre`, evenly thinned to at most `most`. */
   strandsNear(centre: Vector, radius: number, most: number): StrandLine[] {
     const {positions, normals, middles, tips, mask, origin} = this.mesh;
     const local = subtract(centre, origin);
@@ -100,7 +100,7 @@ export class Proxy {
     });
   }
 
-  /** Blended over the triangle by nearness to its corners. */
+  /** Interpolates the vertex normals of a triangle, weighted by the inverse distance to its vertices. */
   private smoothNormal(face: number, point: Vector): Vector {
     let sum: Vector = [0, 0, 0];
     for (let k = 0; k < 3; ++k) {

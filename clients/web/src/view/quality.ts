@@ -1,4 +1,4 @@
-// The dial: what a picture at rest is made with, from fast to true, or by a budget.
+// The dial's state: the quality of pictures at rest, from fast to accurate, or given by a budget.
 import {computed, signal} from "@preact/signals";
 import {kept} from "../api/identity";
 import type {FrameRequest, Tier} from "../api/types";
@@ -9,15 +9,16 @@ import {compared} from "./compared";
 export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
 
 export const dial = kept<Dial>("dial", {kind: "tier", tier: "interactive"});
-/** Whether strands are traced once the picture has rested. */
+/** True if strands are traced after the picture has rested. */
 export const trace_at_rest = kept("trace-at-rest", true);
-/** Fields of the frame request that hold for every picture. */
+/** Members of the frame request that apply to every picture. */
 export const overlay = kept<NonNullable<FrameRequest["overlay"]>>("overlay", "none");
-/** Revision that the overlay "difference" compares with: of this scene, so it is not kept; without it there is no such overlay. */
+/** Revision that the overlay "difference" compares with; without it, that overlay is off. Not stored, because it belongs to
+ * this scene. */
 export const overlay_from = signal<number | null>(null);
 export const background = kept<string>("background", "studio");
 export const exposure = kept("exposure", 0);
-/** Whether only what the mask leaves to tools is drawn and touched. Of this window, until it is left. */
+/** True if only what the mask leaves editable is drawn and touched. Not stored. */
 export const masked = signal(false);
 
 export const rest_quality = computed<Partial<FrameRequest>>(() => {
@@ -32,14 +33,14 @@ const overlay_request = computed<Partial<FrameRequest>>(() => {
   return overlay_from.value === null ? {overlay: "none"} : {overlay: "difference", overlay_from: overlay_from.value};
 });
 
-/** What all requests of this window share, without the overlay. */
+/** The members that all requests of this window share, without the overlay. */
 export const plain_request = computed<Partial<FrameRequest>>(() => ({
   background: background.value as NonNullable<FrameRequest["background"]>, exposure: exposure.value, ...(masked.value ? {masked: true} : {}),
   ...(moment.value === null ? {} : {time: moment.value}),
 }));
 export const shared_request = computed<Partial<FrameRequest>>(() => ({...plain_request.value, ...overlay_request.value}));
 
-/** Traced strands come by themselves at rest, and at once where the dial stands at reference. An overlay shows fields, not strands;
- *  beside an earlier revision, which is not traced, what tracing adds would look like a difference. */
+/** True if strands are traced after a rest, which the dial's stop "reference" always does. Off with budgets; with overlays,
+ *  which show fields; and beside an earlier revision, which is not traced, so that the two pictures would differ. */
 export const wants_trace = computed(() => shared_request.value.overlay === "none" && compared.value === null && dial.value.kind === "tier" &&
   (trace_at_rest.value || dial.value.tier === "reference"));

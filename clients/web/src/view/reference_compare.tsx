@@ -1,4 +1,4 @@
-// The picture as the dial makes it against traced strands from the same camera: a wipe, side by side, or what differs.
+// Compares the dial's picture with traced strands from the same camera: as a wipe, side by side, or as a difference.
 import {useSignal, type Signal} from "@preact/signals";
 import {useEffect} from "preact/hooks";
 import {Aborted, drawFrame, type Picture} from "../api/client";
@@ -18,7 +18,7 @@ import {Wipe} from "./wipe";
 
 interface Pair {
   picture: Picture; reference: Picture;
-  /** Addresses of the pictures; revoked once they are not shown. */
+  /** Object URLs of the pictures; revoked once they are not shown. */
   left: string; right: string; map: string;
   difference: Difference;
 }
@@ -35,7 +35,7 @@ async function pairOf(picture: Picture, reference: Picture): Promise<Pair> {
 
 const drop = (pair: Pair | null) => [pair?.left, pair?.right, pair?.map].forEach((address) => address && URL.revokeObjectURL(address));
 
-/** Draws the picture, then the reference until it is good, and shows each that is better. */
+/** Draws the picture, then traces the reference, and shows each better one. */
 async function compare(pair: Signal<Pair | null>, stop: AbortController) {
   const {width, height} = viewport_size.value;
   const request: FrameRequest = {...plain_request.value, background: "transparent", width: Math.round(width), height: Math.round(height), camera: pinholeOf(orbit.value)};

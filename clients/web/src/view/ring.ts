@@ -1,22 +1,22 @@
-// The brush under the pointer: a ring as large as what it reaches, and the strands in it that it would touch.
+// The brush cursor: a ring of the brush's radius, and the strands in it that the brush would touch.
 import type {Vector} from "../api/types";
 import type {Projection} from "./camera";
 import type {Hit, Proxy} from "./proxy";
 import {add, dot, norm, scale, subtract, tangents, unit} from "./vector";
 
 export interface RingStyle {
-  radius: number;  // in the model's unit
-  inner: number;   // share of it, by the brush's strength
+  radius: number;  // in model units
+  inner: number;   // radius of the inner ring as a fraction, given by the brush's strength
   colour: string;
-  /** Whether the brush measures along the skin, and not through space. */
+  /** True if the brush measures distance along the skin, not through space. */
   flat: boolean;
 }
 
 const points = 64;
 const max_strands = 260;
-const hidden_depth = 0.5;  // radii: what lies deeper behind the fur that the camera sees is not drawn
+const hidden_depth = 0.5;  // in radii; a mirrored ring deeper than this behind visible fur is not drawn
 
-/** A ball is seen as a circle; a disc on the skin as an ellipse. */
+/** Returns the points of a circle around a hit, perpendicular to `normal`. */
 function ringPoints(hit: Hit, radius: number, normal: Vector): Vector[] {
   const [u, v] = tangents(normal);
   return Array.from({length: points}, (_, k) => {
@@ -34,7 +34,7 @@ function trace(pen: CanvasRenderingContext2D, projection: Projection, ring: Vect
   pen.closePath();
 }
 
-/** A dark line under a light one, seen on any fur. */
+/** Strokes the path with a light line on a wider dark one, so that it is visible on any fur. */
 function strokeTwice(pen: CanvasRenderingContext2D, colour: string, width = 1.6, rim = 2) {
   for (const [wide, stroke] of [[width + rim, "rgba(0,0,0,.55)"], [width, colour]] as const) {
     pen.lineWidth = wide;
@@ -43,7 +43,7 @@ function strokeTwice(pen: CanvasRenderingContext2D, colour: string, width = 1.6,
   }
 }
 
-/** Strands that are reached from a place; those that are nearest are the clearest. */
+/** Draws the front-facing strands within the radius of a point; nearer ones are more opaque. */
 export function drawStrands(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, at: Vector, style: Pick<RingStyle, "radius" | "colour">, camera: Vector, most = max_strands) {
   for (const {root, middle, tip, normal} of proxy.strandsNear(at, style.radius, most)) {
     if (dot(normal, subtract(camera, middle)) <= 0) continue;
@@ -65,7 +65,7 @@ const isHidden = (proxy: Proxy, hit: Hit, radius: number, camera: Vector) => {
   return first !== null && first.distance < norm(away) - hidden_depth * radius;
 };
 
-/** Draws on a cleared canvas. `mirrored`: where the brush works as well, drawn where it is seen. */
+/** Draws the ring and its strands on a cleared canvas, and dashed rings at those `mirrored` hits that are visible. */
 export function drawRing(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, hit: Hit, mirrored: Hit[], style: RingStyle, camera: Vector) {
   const facing = (at: Hit) => (style.flat ? at.normal : unit(subtract(camera, at.point)));
   drawStrands(pen, projection, proxy, hit.point, style, camera);

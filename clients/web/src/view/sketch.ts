@@ -1,4 +1,4 @@
-// Lines over the picture: what the hand draws, and the planes of symmetry.
+// Draws lines over the picture: the user's line, and the planes of symmetry.
 import type {Scene, Symmetry, Vector} from "../api/types";
 import type {Projection} from "./camera";
 import {planesOf} from "./mirror";
@@ -16,7 +16,7 @@ export function drawLine(pen: CanvasRenderingContext2D, projection: Projection, 
   }
 }
 
-/** A quiet frame for each plane, as large as the model. */
+/** Draws a faint frame for each symmetry plane, as large as the model. */
 export function drawPlanes(pen: CanvasRenderingContext2D, projection: Projection, symmetry: Symmetry, scene: Scene | null) {
   if (!scene) return;
   const {min, max} = scene.bounds as {min: Vector; max: Vector};

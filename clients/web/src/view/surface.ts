@@ -1,4 +1,4 @@
-// What lies under the pointer: the model as the picture on the screen shows it, and the fur that a brush there would touch.
+// Finds what lies under the pointer in the picture on the screen: the skin, and the fur that a brush there would touch.
 import {computed, effect, signal, untracked} from "@preact/signals";
 import type {Vector} from "../api/types";
 import {mark} from "../scene/marks";
@@ -11,29 +11,30 @@ import {masked} from "./quality";
 import type {Hit, Proxy} from "./proxy";
 import {add, scale} from "./vector";
 
-/** Size of the picture, CSS pixels. */
+/** Size of the picture in CSS pixels. */
 export const viewport_size = signal({width: 1, height: 1});
-/** The copy of the model that rays are cast on; null until it is loaded. */
+/** The copy of the model for ray casting; null until it is loaded. */
 export const proxy = signal<Proxy | null>(null);
-/** What the hand would touch; null beside the model. */
+/** The point that the brush would touch; null beside the model. */
 export const hover = signal<Hit | null>(null);
-/** Set while the next press on the model is taken by a panel that asked for a place. */
+/** Set while a panel waits for the next press on the model, to get a position. */
 export const place_request = signal<{says: string; take: (hit: Hit, pixel: [number, number]) => void} | null>(null);
 
-/** The camera of the picture that is seen. What lies over the picture moves with it, and not before it. */
+/** The camera of the picture on the screen; overlays use it, so that they stay aligned with the picture. */
 export const seen_orbit = computed<Orbit>(() => shown.value?.orbit ?? orbit.value);
 export const projectionNow = () => new Projection(seen_orbit.value, viewport_size.value.width, viewport_size.value.height);
 
-/** Where the skin is under a pixel. */
+/** Returns the point of the skin under a pixel. */
 export function skinAt(x: number, y: number): Hit | null {
   const {origin, direction} = projectionNow().ray(x, y);
   return proxy.value?.cast(origin, direction) ?? null;
 }
 
 const directions = 12;
-const shares = [0.4, 0.75, 1];  // of the brush's radius
+const shares = [0.4, 0.75, 1];  // fractions of the brush's radius at which furAt() looks
 
-/** What the hand touches at a pixel: the fur there, or else the point of the pixel's ray from which the brush reaches fur beside it. */
+/** Returns the point that the brush touches at a pixel: on the fur there; else, if the brush reaches fur beside the pixel,
+ * the point of the pixel's ray at that fur's distance. */
 export function furAt(x: number, y: number): Hit | null {
   const projection = projectionNow(), model = proxy.value;
   if (!model) return null;
@@ -59,7 +60,7 @@ function inTheAir({origin, direction}: {origin: Vector; direction: Vector}, besi
   return {point: add(origin, scale(direction, beside.distance)), normal: backward(seen_orbit.value), distance: beside.distance};
 }
 
-let wanted = "";  // the scene and model that `proxy` is to show
+let wanted = "";  // the scene and model to load into `proxy`
 
 async function load(id: string): Promise<void> {
   const of = wanted;
@@ -75,9 +76,9 @@ async function load(id: string): Promise<void> {
   }
 }
 
-const calm = 250;  // ms without a new revision until the fur is read anew
+const calm = 250;  // ms without a new revision before the fur is read again
 
-/** Reads the model anew when another one comes, and its fur after each change of the groom. */
+/** Reloads the proxy when the model changes and after each change of the groom. */
 export function followModel(): () => void {
   let timer = 0, last_model = "";
   const stop = effect(() => {
@@ -85,7 +86,7 @@ export function followModel(): () => void {
     untracked(() => {
       clearTimeout(timer);
       if (model !== last_model) {
-        proxy.value = null;  // nothing of the model before is found under the pointer
+        proxy.value = null;  // the old model must not be found under the pointer
         masked.value = false;
       }
       last_model = model;

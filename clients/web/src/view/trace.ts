@@ -1,10 +1,10 @@
-// Pictures that are waited for to their end: for files and comparisons, not for the viewport.
+// Traces a picture to its end, for files and comparisons; the viewport does not use it.
 import {drawFrame, type Picture} from "../api/client";
 import type {FrameRequest, Tracing} from "../api/types";
 
 const wait_seconds = 20;
 
-/** Traces until it ends by `tracing`; `seen` hears each better picture, first the rasterized one of pass 0. */
+/** Traces until the limits in `tracing` are reached. Calls `seen` for each better picture, first for the rasterized one. */
 export async function traceToEnd(id: string, request: FrameRequest, tracing: Partial<Tracing>, seen: (picture: Picture) => void, stop: AbortSignal): Promise<Picture> {
   const progressive = tracing as NonNullable<FrameRequest["progressive"]>;
   let news: {after: number; after_pass: number; wait: number} | null = null;

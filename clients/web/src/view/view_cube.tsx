@@ -1,4 +1,4 @@
-// A small cube that turns with the camera; a press on a side goes to that view.
+// The view cube, which turns with the camera; a press on a side goes to that view.
 import type {AutoView, Vector} from "../api/types";
 import {axes, backward} from "./camera";
 import {seen_orbit} from "./surface";

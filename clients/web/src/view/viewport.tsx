@@ -1,4 +1,5 @@
-// The picture, the brush over it and what the pointer does. The picture comes from the server; all else is drawn here.
+// The viewport: the picture, the brush over it, and the handling of pointers. The server draws the picture; all else is
+// drawn here.
 import {effect, signal, untracked} from "@preact/signals";
 import {useEffect, useRef} from "preact/hooks";
 import {log, model_id, revision, scene, shown_model} from "../scene/session";
@@ -32,9 +33,9 @@ import {ViewCube} from "./view_cube";
 import {moveTo} from "./views";
 
 const max_ratio = 2;
-const strands_of_guide = 40;  // that are drawn around each of its points
+const strands_of_guide = 40;  // maximum of strands that are drawn around each point of a guide
 
-/** Everything that lives as long as the viewport is on the page. */
+/** The state of the viewport while it is on the page. */
 class View {
   readonly frames: FrameLoop;
   private readonly navigation: Navigation;
@@ -80,10 +81,10 @@ class View {
     if (stage === "rest" && scene.value && !trial.value) keepPicture(scene.value.id, this.pictures.canvas);
   }
 
-  /** The colour that is seen at a pixel of the picture, with its neighbours. */
+  /** Returns the mean colour around a pixel of the picture. */
   colourAt(x: number, y: number) { return this.pictures.colourAt(x / viewport_size.value.width, y / viewport_size.value.height); }
 
-  /** Another scene or model comes: nothing of the one before is seen, and a stroke on it ends there. */
+  /** Clears the picture and cancels the current stroke, because another scene or model is opened. */
   forget() {
     this.hold?.up(true);
     this.hold = null;
@@ -111,13 +112,13 @@ class View {
     this.sketchSoon();
   }
 
-  /** A held key sets the brush; the pointer belongs to it until the key is up. */
+  /** Starts the adjustment of a brush setting while a key is held; null ends it. */
   adjust(what: Adjusted | null) {
     const hit = this.pointer ? furAt(...this.pointer) : null;
     this.adjustment = what && this.pointer && hit ? new Adjustment(what, this.pointer, projectionNow().unitsPerPixel(hit.point)) : null;
   }
 
-  /** The press goes to the panel that asked for a place. */
+  /** Passes a press to the panel that waits for a position. */
   private place(skin: Hit | null, pixel: [number, number]) {
     const request = place_request.value;
     if (!request || !skin) return;
@@ -132,7 +133,7 @@ class View {
     this.sketchSoon();
   }
 
-  /** At the next frame of the screen. */
+  /** Draws the overlay at the next animation frame. */
   sketchSoon() {
     if (this.redraw) return;
     this.redraw = requestAnimationFrame(() => {
@@ -157,7 +158,7 @@ class View {
     mark("ring", {start, end: performance.now()});
   }
 
-  /** The fur that guides reach, while their tool is in hand. */
+  /** Draws the strands that guides reach, while a guide tool is current. */
   private drawReach(projection: Projection) {
     const op = current.value, model = proxy.value;
     if (!model || (op !== "flow" && op !== "interpolate")) return;
@@ -178,14 +179,14 @@ class View {
   }
 }
 
-/** The newest view, for those who change what it shows. */
+/** The current view, for modules that change what it shows. */
 export const view = signal<View | null>(null);
 
-/** Runs `work` when what `seen` reads changes. What the work reads does not count: asking for a frame reads the camera, and a camera
- *  that followed itself would never turn. */
+/** Runs `work` when a signal that `seen` reads changes. Signals that only `work` reads do not count: requesting a frame reads
+ *  the camera, and would then trigger itself. */
 const when = (seen: () => unknown, work: () => void) => effect(() => { seen(); untracked(work); });
 
-/** What the picture follows: every signal that changes it makes the loop ask anew. */
+/** Makes the frame loop request a new picture when any signal that affects the picture changes. */
 function follow(shown: View): () => void {
   const touch = () => shown.frames.touch();
   const stops = [
@@ -203,7 +204,7 @@ function follow(shown: View): () => void {
   return () => stops.forEach((stop) => stop());
 }
 
-/** Keys work where the pointer is, unless somebody types. */
+/** Moves the keyboard focus to the viewport under the pointer, unless the user is typing or a dialog is open. */
 function takeKeys(element: HTMLElement) {
   const holds = document.activeElement;
   if (holds instanceof HTMLElement && (/^(INPUT|TEXTAREA|SELECT)$/.test(holds.tagName) && !["range", "checkbox", "radio"].includes((holds as HTMLInputElement).type) || holds.closest("dialog, [popover]"))) return;

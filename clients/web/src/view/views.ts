@@ -1,4 +1,4 @@
-// Going to a view: smoothly, unless the user's system asks for less motion.
+// Moves the camera to a view: smoothly, unless the user's system asks for reduced motion.
 import type {AutoView} from "../api/types";
 import {scene} from "../scene/session";
 import {between, framed, orbit, type Orbit} from "./camera";
@@ -31,7 +31,7 @@ export function moveTo(named: AutoView, at_once = false) {
   glide(framed(scene.value, named, width / Math.max(height, 1)), at_once);
 }
 
-/** Turns about the place under the pointer, nearer by a half; without one, shows the whole model. */
+/** Makes the point under the pointer the target and moves closer by a factor of 1.6; without one, shows the whole model. */
 export function focus() {
   const hit = hover.value;
   if (!hit) return moveTo("three_quarter");

@@ -1,9 +1,9 @@
-// Two pictures of the same size, one over the other, with a divider that is dragged or moved with the arrow keys.
+// A wipe between two pictures of the same size, with a divider that the pointer or the arrow keys move.
 import {useSignal} from "@preact/signals";
 import {useRef} from "preact/hooks";
 
 export interface WipeProps {
-  /** Addresses of the pictures. */
+  /** URLs of the pictures. */
   left: string;
   right: string;
   left_label: string;

@@ -61,7 +61,7 @@ dvec3 brought(dvec3 vector, dvec3 from, dvec3 to) {
   const dvec3 a = unit(from), b = unit(to), turn = glm::cross(a, b);
   const double sine = glm::length(turn), cosine = glm::dot(a, b);
   if (sine < 3e-5) return cosine < 0 ? vector : vector - glm::dot(vector, b) * b;
-  const dvec3 axis = turn / sine;  // Rodrigues
+  const dvec3 axis = turn / sine;  // rotation by Rodrigues' formula
   return vector * cosine + glm::cross(axis, vector) * sine + axis * (glm::dot(axis, vector) * (1 - cosine));
 }
 

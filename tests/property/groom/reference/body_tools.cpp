@@ -1,4 +1,4 @@
-// Tools that look at the whole body: keys, curves and neighbours.
+// Tools that work on the whole body: keys, curves and neighbours.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +15,8 @@ Reach reach(const Body& body, DistanceKind kind, const std::vector<Corner>& corn
   return kind == DistanceKind::straight ? reach_through_space(body, corners) : reach_along_edges(body, corners);
 }
 
-/// The corners around the place of the surface nearest to a place, with the tangent part of a unit vector, `length`
-/// long.
+/// Adds the corners around the surface point nearest to `place`. Each gets the tangent part of the unit vector `way`,
+/// scaled to `length`.
 void add_corners(const Body& body, dvec3 place, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
   const SurfacePoint nearest = body.surface.nearest(place);
   const dvec3 there = body.surface.position(nearest);
@@ -36,7 +36,7 @@ std::vector<Corner> corners_of(const Key& key, const Body& body) {
   return corners;
 }
 
-/// Places on the curve at most a hundredth of the size apart.
+/// Corners around points on the curve that are at most a hundredth of the size apart.
 std::vector<Corner> corners_of(const std::vector<dvec3>& curve, const Body& body) {
   std::vector<Corner> corners;
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -50,7 +50,7 @@ std::vector<Corner> corners_of(const std::vector<dvec3>& curve, const Body& body
   return corners;
 }
 
-/// Distances of those keys that speak to a vertex; infinite for the others.
+/// Distances of the keys for which `speaks` returns true; infinite for the others.
 template <class Speaks>
 std::vector<double> key_distances(const Interpolate& command, const std::vector<Reach>& reaches, Vertex v,
                                   Speaks speaks) {
@@ -60,7 +60,7 @@ std::vector<double> key_distances(const Interpolate& command, const std::vector<
   return distances;
 }
 
-/// 1 where the nearest lies within half of the reach, 0 beyond it, and a cubic between.
+/// 1 if the nearest distance is within half of the reach, 0 beyond the reach, and a cubic in between.
 template <class Guides>
 double share_within_reach(const Guides& command, const Body& body, const std::vector<double>& distances) {
   if (!command.reach) return 1;
@@ -76,7 +76,7 @@ bool any(const std::vector<double>& weights) {
   return std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
 }
 
-/// The inverse distances of a vertex's neighbours.
+/// Inverse distances of a vertex's neighbours.
 std::vector<double> nearness(const Body& body, Vertex v) {
   std::vector<double> inverse;
   for (const Vertex other : body.neighbours[v])

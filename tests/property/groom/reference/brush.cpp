@@ -12,10 +12,10 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The stroke's camera, which the tests always place themselves.
+/// The stroke's camera. The tests always give its position themselves.
 struct Eye {
   dvec3 place, right, up, forward;
-  double half = 0;  // of the picture's height at distance 1
+  double half = 0;  // half of the picture's height at distance 1
 };
 
 Eye eye_of(const View& view, const Body& body) {
@@ -36,7 +36,7 @@ double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Bo
   return brush.radius * 2 * eye.half * depth / stroke.view->height;
 }
 
-/// The brush at a share of the way between two samples. On the surface its path follows the surface.
+/// The brush at a fraction `t` between two samples. Between surface samples it follows the surface.
 Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stroke& stroke, const Brush& brush,
               const Body& body) {
   Print print;
@@ -49,7 +49,7 @@ Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stro
   return print;
 }
 
-/// Distances of all vertices from the dab, in its radii.
+/// Distances of all vertices from the dab, over its radius.
 std::vector<double> distances_of(const Print& print, const Stroke& stroke, const Brush& brush, const Body& body,
                                  const std::optional<Standing>& standing) {
   std::vector<double> distances(body.size(), std::numeric_limits<double>::infinity());
@@ -83,8 +83,8 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
 
 dvec3 place_of(const StrokeSample& sample, const Body& body) {
   if (const auto* position = std::get_if<PositionSample>(&sample.place)) return body.inside(position->position);
-  // To the bit what the tools compute: dabs between two places often lie on an edge, where the last bit decides which
-  // of its triangles the march along the surface begins in.
+  // The tools compute exactly this, to the last bit: dabs between two samples often lie on an edge, where the last bit
+  // decides in which triangle the march along the surface begins.
   const auto& place = std::get<SurfaceSample>(sample.place);
   const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
   return body.surface.position({place.triangle, place.barycentric / sum});

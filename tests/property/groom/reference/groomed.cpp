@@ -9,7 +9,7 @@ namespace pelage::plain {
 
 namespace {
 
-/// Into the field's range; no direction is longer than 1.
+/// Clamps to the field's range, and a direction to length 1.
 dvec4 held(Field field, dvec4 value) {
   const FieldShape& shape = shape_of(field);
   if (field == Field::direction) {

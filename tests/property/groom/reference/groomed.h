@@ -1,4 +1,4 @@
-// A second implementation of every tool, written from docs/, science.md 3 and openapi.yaml as plain loops over all
+// A reference implementation of every tool, written from docs/, science.md 3 and openapi.yaml as plain loops over all
 // vertices. It includes nothing of the folder that it checks.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace pelage::plain {
 
-/// The fur after a resolved tool, in double, held in the ranges of its fields.
-/// Interpolate and flow take the distances `straight` and `dijkstra`; `heat` is compared to exact distances instead.
+/// Returns the fur after a resolved tool, in double, clamped to the ranges of its fields. Of the distances of
+/// interpolate and flow it knows `straight` and `dijkstra`; `heat` is compared with exact distances instead.
 Fur groomed(const Command& command, const Stage& stage, const Fur& before);
 
-/// The command and all its images under the symmetry, for commands whose strokes name positions.
+/// Returns the command and all its images under the symmetry. The command's strokes must name positions.
 std::vector<Command> images(const Command& command, const Symmetry& symmetry);
 
 }  // namespace pelage::plain

@@ -8,7 +8,7 @@ namespace pelage::plain {
 
 namespace {
 
-/// The share of a vertex that each shape chooses.
+/// How much each shape selects a vertex, [0, 1].
 struct Chosen {
   const ChangeMask& command;
   const Body& body;
@@ -47,7 +47,7 @@ double combined(MaskCombine combine, double now, double chosen, double value) {
   return chosen * value + (1 - chosen) * (1 - value);
 }
 
-/// The largest value, or with `least` the smallest, within a distance along edges.
+/// The largest value, or with `min` the smallest, within a distance along edges.
 std::vector<double> spread(const Body& body, const std::vector<double>& mask, double distance, bool min) {
   std::vector<double> after = mask;
   for (Vertex v = 0; v < body.size(); ++v) {

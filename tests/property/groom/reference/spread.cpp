@@ -10,21 +10,22 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The distance of corner `c` from a source that is `da` and `db` from corners `a` and `b`: all laid in one plane with
-/// a at 0 and b on the x axis, c above and the source below. Infinite where the straight way misses the side ab.
+/// Distance of corner `c` from a source that is `da` and `db` away from corners `a` and `b`. All are unfolded into one
+/// plane with a at 0 and b on the x axis, c above and the source below. Infinite if the straight line misses the side
+/// ab.
 double over_side(dvec3 a, dvec3 b, dvec3 c, double da, double db) {
   const double side = glm::distance(a, b);
   const dvec3 x = (b - a) / side;
   const dvec2 place(glm::dot(c - a, x), glm::length(glm::cross(x, c - a)));
   const double source_x = (da * da - db * db + side * side) / (2 * side), under = da * da - source_x * source_x;
-  const bool on_side = std::abs(under) < 1e-12 * (da * da + db * db + side * side);  // but for rounding
+  const bool on_side = std::abs(under) < 1e-12 * (da * da + db * db + side * side);  // within rounding
   if ((under < 0 && !on_side) || place.y <= 0) return never;
   const dvec2 source(source_x, on_side ? 0 : -std::sqrt(under));
   const double crossing = source.x + (place.x - source.x) * (0 - source.y) / (place.y - source.y);
   return crossing < 0 || crossing > side ? never : glm::distance(source, place);
 }
 
-/// The vertex of the least distance that is not final; any final one where all are.
+/// The vertex with the smallest distance that is not final; any final one if all are.
 Vertex nearest_open(const std::vector<double>& distances, const std::vector<bool>& final) {
   Vertex best = 0;
   for (Vertex v = 1; v < distances.size(); ++v) {

@@ -1,4 +1,4 @@
-// Fur as it stands, for brushes that reach it: a strand is a chain of eight straight pieces.
+// Fur as it stands, for brushes that reach it: a strand is a chain of eight straight segments.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace pelage::plain {
 
-/// The strand's place at a share of its length, for a strand of length 1: across and up (science.md 2).
+/// Position on a strand of length 1 at arc length `s`: across and up (science.md 2).
 dvec2 lean_place(const Coat& coat, double inclination, double s);
 
 struct Standing {
   struct Place {
     dvec3 at;
-    double lift;  // over the skin, in lengths of the strand
+    double lift;  // height over the skin, in strand lengths
   };
   using Strand = std::array<Place, 9>;
-  std::vector<Strand> strands;  // of each vertex, from root to tip
+  std::vector<Strand> strands;  // by vertex; each from root to tip
 };
 
-/// The fur where the brush reaches fur; nothing where it reaches skin.
+/// Returns the strands if the brush reaches fur, and nothing if it reaches skin.
 std::optional<Standing> standing_of(const Brush& brush, const Stage& stage, const Fur& fur);
 
-/// The place of a strand that is nearest to another.
+/// The point of a strand that is nearest to `place`.
 Standing::Place nearest_of(const Standing::Strand& strand, dvec3 place);
 
 }  // namespace pelage::plain

@@ -6,7 +6,7 @@ namespace pelage::plain {
 
 namespace {
 
-/// What a mirror or a turn does to a place (w = 1) or a direction (w = 0).
+/// A mirror image or a rotation; it maps positions (`place` true) or directions.
 struct Image {
   bool mirror = false;
   Plane plane;
@@ -23,7 +23,7 @@ struct Image {
   }
 };
 
-/// All images but the command's own place: turns first, then mirrors, each on all before it.
+/// All images including the command's own: first rotations, then each mirror applied to all images before it.
 std::vector<std::vector<Image>> chains_of(const Symmetry& symmetry) {
   std::vector<std::vector<Image>> chains{{}};
   for (int step = 1; step < symmetry.count; ++step) {
@@ -44,7 +44,7 @@ std::vector<std::vector<Image>> chains_of(const Symmetry& symmetry) {
   return chains;
 }
 
-/// Moves every place and direction of a tool.
+/// Maps every position and direction of a tool.
 struct Move {
   const Image& image;
 

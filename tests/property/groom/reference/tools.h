@@ -1,4 +1,4 @@
-// One function for each tool; each changes the fur in place, beyond ranges too.
+// One function for each tool, which changes the fur in place, perhaps beyond its ranges.
 #pragma once
 
 #include "tests/property/groom/reference/body.h"

@@ -13,7 +13,7 @@ constexpr double turning_pi = 3.14159265358979323846;
 
 void set_direction(Fur& fur, Vertex v, dvec2 direction) { fur.of(Field::direction)[v] = dvec4(direction, 0, 0); }
 
-/// The same heading with another inclination.
+/// Returns the same heading with another inclination.
 dvec2 with_length(dvec2 direction, double length) {
   const double now = glm::length(direction);
   return now > 1e-6 ? direction * (length / now) : direction;
@@ -27,7 +27,7 @@ void comb_vertex(const Comb& command, const Body& body, Fur& fur, Vertex v, dvec
   set_direction(fur, v, after);
 }
 
-/// 1 inside the cone, a smooth step down over its soft share.
+/// Returns 1 inside the cone, with a smoothstep down over its soft share.
 double in_cone(const Blow& blow, dvec3 axis, dvec3 heading) {
   const double angle = 2 * std::atan2(glm::length(axis - heading), glm::length(axis + heading)) * 180 / turning_pi;
   const double soft = blow.cone_degrees * blow.softness;
@@ -37,7 +37,7 @@ double in_cone(const Blow& blow, dvec3 axis, dvec3 heading) {
   return 3 * t * t - 2 * t * t * t;
 }
 
-/// Stretch and length by the part of the pull along the tip.
+/// Changes stretch and length by the part of the pull along the tip.
 void pull_out(const Attract& command, Fur& fur, Vertex v, double added) {
   const double stretch = fur.number(Field::stretch, v);
   const auto grown = [&](double s) { return std::min(command.max_stretch, 1 + std::max(0.0, s - command.threshold)); };
@@ -164,7 +164,7 @@ void apply(const Curl& command, const Stage& stage, Fur& fur) {
   for (Vertex v = 0; v < stage.body.size(); ++v) {
     const dvec2 d = fur.direction(v);
     const double turn = command.turn_degrees * turning_pi / 180 * region[v] * (command.brush.invert ? -1 : 1);
-    const double heading = std::atan2(d.y, d.x) + turn;  // seen from outside tangent to bitangent is counter-clockwise
+    const double heading = std::atan2(d.y, d.x) + turn;  // seen from outside, tangent to bitangent is counter-clockwise
     set_direction(fur, v, glm::length(d) * dvec2(std::cos(heading), std::sin(heading)));
     double& curl = fur.of(Field::curl)[v].x;
     curl = (1 - region[v]) * curl + (command.brush.invert ? 0 : region[v] * command.amount);

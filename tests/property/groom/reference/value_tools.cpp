@@ -11,14 +11,14 @@ namespace pelage::plain {
 
 namespace {
 
-/// A random number in [-1, 1] that belongs to the place whose 32-bit coordinates these are.
+/// A random number in [-1, 1], hashed from a position's 32-bit coordinates.
 double number_at(glm::vec3 p, std::uint64_t seed) {
   std::uint64_t bits[3];
   for (int k = 0; k < 3; ++k) bits[k] = std::bit_cast<std::uint32_t>(p[k] == 0 ? 0.0f : p[k]);
   return 2 * Random(seed, mix_bits((bits[0] << 32) + bits[1]) ^ bits[2]).uniform() - 1;
 }
 
-/// Random values of the lattice points around, blended by smooth steps.
+/// Random values of the eight lattice points around, blended by smoothsteps.
 double lattice_noise(dvec3 p, std::uint64_t seed) {
   double sum = 0;
   for (int x = 0; x < 2; ++x) {
@@ -61,14 +61,15 @@ void disturb(const Noise& command, const Body& body, Field field, double amount,
   }
 }
 
-/// Whether fur may be at a place: `root` and `place` in internal coordinates, `up` its height over the skin.
+/// Tells whether fur may be at a position. `root` and `place` are in internal coordinates, `up` is the height over the
+/// skin.
 class Allowed {
  public:
   Allowed(const Trim& command, const Body& body) : command_(command), body_(body) {}
 
   bool root(dvec3 root) const { return std::holds_alternative<double>(command_.shape) || beyond(root, 0) < 0; }
 
-  /// How far a place is beyond the shape; 0 on its border.
+  /// How far a position is beyond the shape; 0 on its border, negative inside.
   double beyond(dvec3 place, double up) const {
     if (const auto* plane = std::get_if<TrimPlane>(&command_.shape))
       return glm::dot(place - body_.inside(plane->point), unit(plane->normal));
@@ -85,8 +86,8 @@ class Allowed {
   const Body& body_;
 };
 
-/// The longest length up to `now` at which the place `offset` (of a strand of length 1) is not beyond the shape nor has
-/// passed through it: a search in even steps, then halving.
+/// The largest length up to `now` at which the tip, `offset` for a strand of length 1, is not beyond the shape and has
+/// not passed through it. Searches in even steps, then by halving.
 double longest(const Allowed& allowed, dvec3 root, dvec3 offset, double up, double now) {
   constexpr int steps = 2000;
   for (int k = 1; k <= steps; ++k) {
@@ -123,7 +124,7 @@ void apply(const Unify& command, const Stage& stage, Fur& fur) {
   double whole = 0, inclination = 0;
   dvec3 lean(0);
   fur.multiply_colours();
-  Fur mean = fur;  // its first vertex holds the means
+  Fur mean = fur;  // vertex 0 holds the means
   for (std::vector<dvec4>& values : mean.values) values[0] = dvec4(0);
   for (Vertex v = 0; v < body.size(); ++v) whole += region[v];
   if (whole == 0) return fur.divide_colours();
@@ -224,7 +225,7 @@ void apply(const Paint& command, const Stage& stage, Fur& fur) {
       continue;
     }
     if (region[v] == 0) continue;
-    // Colours count by how much of them is seen.
+    // Colours are weighted by their coverage.
     const dvec4 below((1 - w) * now.w * dvec3(now), (1 - w) * now.w);
     const dvec4 laid(w * value * dvec3(command.colour), w * value);
     const dvec4 both = below + laid;
