@@ -37,10 +37,16 @@ void take(std::span<const std::byte> bytes, std::vector<float>& rgba, float max)
   }
 }
 
+/// Returns whether the sides are allowed. A picture one pixel wide is a list of vertices, which has as many rows as it
+/// likes but no more pixels than a picture may have.
+bool are_sides(std::int32_t width, std::int32_t height) {
+  constexpr std::int32_t max_side = limits::picture_pixels, max_rows = max_side * max_side;
+  return width >= 1 && width <= max_side && height >= 1 && height <= (width == 1 ? max_rows : max_side);
+}
+
 bool is_good(const Header& header) {
-  const auto is_side = [](std::int32_t pixels) { return pixels >= 1 && pixels <= limits::picture_pixels; };
   const bool known = header.bits == 8 || header.bits == 16 || header.bits == 32;
-  return header.mark == map_signature && is_side(header.width) && is_side(header.height) && known &&
+  return header.mark == map_signature && are_sides(header.width, header.height) && known &&
          std::isfinite(header.scale) && header.scale >= 0;
 }
 

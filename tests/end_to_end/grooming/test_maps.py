@@ -71,6 +71,13 @@ class Maps(ServedTest):
         colour = self.get(scene, "root_colour", "?format=png&size=16")
         self.assertIn("srgb", Image.open(io.BytesIO(colour.body)).info)
 
+    def test_a_list_has_more_vertices_than_a_picture_has_rows(self):
+        scene = self.server.new_scene("plane", 12000)
+        scene.run({"op": "length", "flood": True, "mode": "jitter", "value": 0.5})
+        answer = self.get(scene, "length", "?format=npy&encoding=vertices")
+        self.assertGreater(numpy.load(io.BytesIO(answer.body)).size, 4096)
+        self.assertEqual(self.changes(self.put(scene, "length", answer.body, "?encoding=vertices")), {})
+
     def test_a_picture_of_another_program(self):
         scene = self.server.new_scene("plane", 800)
         left_long = numpy.zeros((8, 8))
